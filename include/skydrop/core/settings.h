@@ -1,0 +1,77 @@
+// Settings are described once. A module writes, for each of its settings structs, one function
+//
+//     void describe(core::SettingsVisitor& visitor, AirplaneSettings& settings);
+//
+// that names every field with unit, range and a sentence. From that one description come JSON reading and
+// writing, range checks, --set, menu sliders and the axes of accuracy studies (settings_table.h). The default
+// of a field is its value in a default-constructed struct: it is written nowhere else.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace skydrop::core {
+
+// How a change takes effect: at the next step or frame; by compiling a shader variant; by rebuilding a part
+// (applied when a slider is released); or at the next start.
+enum class TakesEffect { live, variant, rebuild, restart };
+
+struct NumberInfo {
+  std::string_view unit;  // SI, "1" for a pure number
+  double min = -std::numeric_limits<double>::max();
+  double max = std::numeric_limits<double>::max();
+  std::string_view help;  // one sentence: what it does, and what more of it means
+  TakesEffect takesEffect = TakesEffect::live;
+  bool logarithmic = false;  // the slider moves by ratios; needs min > 0
+};
+
+struct ChoiceInfo {
+  std::string_view help;
+  TakesEffect takesEffect = TakesEffect::live;
+};
+
+// Walks a settings struct. Names are lowerCamel, unique within their group, without dots.
+class SettingsVisitor {
+ public:
+  virtual ~SettingsVisitor() = default;
+
+  virtual void number(std::string_view name, double& value, const NumberInfo& info) = 0;
+  virtual void integer(std::string_view name, std::int64_t& value, const NumberInfo& info) = 0;
+  virtual void flag(std::string_view name, bool& value, const ChoiceInfo& info) = 0;
+  virtual void choiceByIndex(std::string_view name, std::function<int()> get, std::function<void(int)> set,
+                             std::span<const std::string_view> names, const ChoiceInfo& info) = 0;
+  virtual void enterGroup(std::string_view name, std::string_view help) = 0;
+  virtual void leaveGroup() = 0;
+
+  // An enumeration, written by name: names[i] belongs to static_cast<Enum>(i).
+  template <class Enum>
+  void choice(std::string_view name, Enum& value, std::span<const std::string_view> names, const ChoiceInfo& info) {
+    choiceByIndex(
+        name, [&value] { return static_cast<int>(value); }, [&value](int i) { value = static_cast<Enum>(i); },
+        names, info);
+  }
+
+  // A nested struct that has its own describe(), found by argument-dependent lookup.
+  template <class Settings>
+  void group(std::string_view name, Settings& settings, std::string_view help) {
+    enterGroup(name, help);
+    describe(*this, settings);
+    leaveGroup();
+  }
+
+  // An array of structs: layers.0, layers.1, ...
+  template <class Settings, std::size_t N>
+  void group(std::string_view name, std::array<Settings, N>& settings, std::string_view help) {
+    enterGroup(name, help);
+    for (std::size_t i = 0; i < N; ++i) group(std::to_string(i), settings[i], help);
+    leaveGroup();
+  }
+};
+
+}  // namespace skydrop::core
