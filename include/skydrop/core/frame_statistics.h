@@ -1,0 +1,53 @@
+// What a run measured, as plain data: written by --stats, drawn by the menu. Times in milliseconds.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace skydrop::core {
+
+struct PassStatistics {
+  double ms = 0;               // median over the measured frames
+  std::int64_t draws = 0;      // in the last frame
+  std::int64_t dispatches = 0; // in the last frame
+  std::string skipped;         // why it did no work in the last frame; empty: it worked
+};
+
+struct GlStatistics {
+  std::int64_t textures = 0, buffers = 0, programs = 0, framebuffers = 0;
+  std::int64_t bytes = 0;  // textures and buffers
+};
+
+struct TerrainStatistics {
+  std::int64_t chunksDrawn = 0, triangles = 0, generated = 0, cacheHits = 0, queue = 0;
+  std::int64_t bytes = 0;     // chunk data held on the CPU
+  std::int64_t coarsened = 0; // chunks drawn coarser than wanted because a budget was full
+};
+
+struct GameStatistics {
+  std::int64_t score = 0, drops = 0, misses = 0, targets = 0;
+  double position[3] = {0, 0, 0};
+};
+
+struct FrameStatistics {
+  // Over the measured frames; without settling, read-back and PNG, which are rows of `other`.
+  std::int64_t frames = 0;
+  double medianMs = 0, p99Ms = 0, maxMs = 0;
+  std::map<std::string, double> other;  // "settle", "readBack", "png" ...: total ms
+
+  std::string clock;  // what timed the passes: "timer query" or "wall clock between glFinish calls"
+  std::string renderer;
+  std::vector<std::pair<std::string, PassStatistics>> passes;  // in frame order
+  GlStatistics gl;
+  TerrainStatistics terrain;
+  GameStatistics game;
+  std::int64_t threads = 0;
+  std::vector<std::string> effects;
+  std::map<std::string, std::int64_t> guards;  // numerical guards that fired (guards.h)
+  std::uint64_t stateHash = 0;
+  std::uint64_t steps = 0;
+};
+
+}  // namespace skydrop::core

@@ -1,0 +1,91 @@
+// A described settings struct (settings.h) as a flat table of fields, reached by path: "aircraft.rollFactor",
+// "layers.0.base". JSON, --set, the menu and accuracy studies all work on this table, so that a range or a
+// name stands in one place. The table refers to the struct: it must not outlive it, nor the struct move.
+// One thread at a time.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skydrop/core/settings.h"
+
+namespace skydrop::core {
+
+enum class FieldKind { number, integer, flag, choice };
+
+struct Field {
+  std::string path;   // "aircraft.rollFactor"
+  std::string name;   // "rollFactor"
+  std::string group;  // "aircraft"; empty at the top
+  FieldKind kind = FieldKind::number;
+  std::string unit;
+  std::string help;
+  double min = 0, max = 0;  // of a choice: 0 .. names - 1; of a flag: 0 .. 1
+  double defaultValue = 0;
+  TakesEffect takesEffect = TakesEffect::live;
+  bool logarithmic = false;
+  std::vector<std::string> names;  // of a choice
+
+  // Every kind as a double: a flag is 0 or 1, a choice its index. set() does no check: see setField().
+  std::function<double()> get;
+  std::function<void(double)> set;
+
+  bool isDefault() const { return get() == defaultValue; }
+  void reset() const { set(defaultValue); }
+};
+
+struct GroupInfo {
+  std::string path;
+  std::string help;
+};
+
+class SettingsTable {
+ public:
+  // Settings must be default-constructible: its defaults are the fields' defaults.
+  template <class Settings>
+  explicit SettingsTable(Settings& settings) {
+    Settings defaults{};
+    const auto visit = [](SettingsVisitor& visitor, void* object) {
+      describe(visitor, *static_cast<Settings*>(object));
+    };
+    build(visit, &settings, &defaults);
+  }
+
+  const std::vector<Field>& fields() const { return fields_; }
+  const std::vector<GroupInfo>& groups() const { return groups_; }
+  // Null when there is none.
+  const Field* find(std::string_view path) const;
+  // find(), or RangeError: "unknown setting 'x'", with the nearest known path as a hint.
+  const Field& at(std::string_view path) const;
+
+ private:
+  using Visit = void (*)(SettingsVisitor&, void*);
+  void build(Visit visit, void* settings, void* defaults);
+
+  std::vector<Field> fields_;
+  std::vector<GroupInfo> groups_;
+};
+
+// The door: throws RangeError naming path, value and range, and changes nothing, unless the value is finite,
+// in range and (integer, choice, flag) whole.
+void setField(const Field& field, double value);
+
+// From text as it stands after --set PATH=: a number, true or false, or a choice's name.
+void setField(const Field& field, std::string_view text);
+// "aircraft.rollFactor=.8"
+void setField(const SettingsTable& table, std::string_view assignment);
+
+// The value as setField(text) reads it; numbers with the fewest digits that read back to the same bits.
+std::string fieldText(const Field& field);
+
+// Nested JSON of all fields, or of those that differ from their defaults.
+nlohmann::json toJson(const SettingsTable& table, bool onlyChanged = false);
+
+// Applies a partial nested object. All or nothing: an unknown name, a wrong type or a value out of range
+// throws DataError(file, path, reason) and leaves every field as it was.
+void applyJson(const SettingsTable& table, const nlohmann::json& json, std::string_view file);
+
+}  // namespace skydrop::core

@@ -1,0 +1,99 @@
+#include "skydrop/core/file.h"
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::core {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view what, int error) {
+  throw DataError(path.string(), what, std::strerror(error));
+}
+
+File openFile(const std::filesystem::path& path, const char* mode, std::string_view what) {
+  errno = 0;
+  File file(std::fopen(path.string().c_str(), mode));
+  if (!file) fail(path, what, errno);
+  return file;
+}
+
+template <class Container>
+Container readInto(const std::filesystem::path& path, std::size_t maxBytes) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw DataError(path.string(), "cannot open", "is a folder");
+  const File file = openFile(path, "rb", "cannot open");
+  Container content;
+  // By pieces, so that pipes and files that lie about their size are read as they are.
+  char piece[1 << 16];
+  while (true) {
+    errno = 0;
+    const std::size_t count = std::fread(piece, 1, sizeof piece, file.get());
+    if (count > 0) {
+      if (content.size() + count > maxBytes) {
+        throw DataError(path.string(), "too large", "more than " + std::to_string(maxBytes) + " bytes");
+      }
+      const std::size_t end = content.size();
+      content.resize(end + count);
+      std::memcpy(content.data() + end, piece, count);
+    }
+    if (count < sizeof piece) {
+      if (std::ferror(file.get())) fail(path, "cannot read", errno);
+      return content;
+    }
+  }
+}
+
+// Unique among the processes and threads that may write the same file at once.
+std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
+  static std::atomic<unsigned> counter{0};
+  const auto ticks = std::chrono::steady_clock::now().time_since_epoch().count();
+  std::filesystem::path temporary = path;
+  temporary += ".tmp" + std::to_string(ticks) + "-" + std::to_string(counter++);
+  return temporary;
+}
+
+}  // namespace
+
+std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
+  return readInto<std::vector<std::byte>>(path, maxBytes);
+}
+
+std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes) {
+  return readInto<std::string>(path, maxBytes);
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const std::filesystem::path temporary = temporaryBeside(path);
+  File file = openFile(temporary, "wb", "cannot write");
+  errno = 0;
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
+                       std::fflush(file.get()) == 0;
+  const int writeError = errno;
+  const bool closed = std::fclose(file.release()) == 0;
+  std::error_code error;
+  if (written && closed) {
+    std::filesystem::rename(temporary, path, error);
+    if (!error) return;
+  }
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  if (error) throw DataError(path.string(), "cannot write", error.message());
+  fail(path, "cannot write", written ? errno : writeError);
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::string_view text) {
+  writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+}  // namespace skydrop::core

@@ -1,0 +1,273 @@
+#include "skydrop/core/settings_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <utility>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::core {
+namespace {
+
+// Collects the fields of one walk.
+class TableBuilder final : public SettingsVisitor {
+ public:
+  TableBuilder(std::vector<Field>& fields, std::vector<GroupInfo>& groups) : fields_(fields), groups_(groups) {}
+
+  void number(std::string_view name, double& value, const NumberInfo& info) override {
+    Field& field = add(name, FieldKind::number, info);
+    field.get = [&value] { return value; };
+    field.set = [&value](double v) { value = v; };
+  }
+
+  void integer(std::string_view name, std::int64_t& value, const NumberInfo& info) override {
+    Field& field = add(name, FieldKind::integer, info);
+    field.get = [&value] { return static_cast<double>(value); };
+    field.set = [&value](double v) { value = static_cast<std::int64_t>(v); };
+  }
+
+  void flag(std::string_view name, bool& value, const ChoiceInfo& info) override {
+    Field& field = add(name, FieldKind::flag, {"", 0, 1, info.help, info.takesEffect});
+    field.get = [&value] { return value ? 1.0 : 0.0; };
+    field.set = [&value](double v) { value = v != 0; };
+  }
+
+  void choiceByIndex(std::string_view name, std::function<int()> get, std::function<void(int)> set,
+                     std::span<const std::string_view> names, const ChoiceInfo& info) override {
+    Field& field = add(name, FieldKind::choice,
+                       {"", 0, static_cast<double>(names.size()) - 1, info.help, info.takesEffect});
+    field.names.assign(names.begin(), names.end());
+    field.get = [get = std::move(get)] { return static_cast<double>(get()); };
+    field.set = [set = std::move(set)](double v) { set(static_cast<int>(v)); };
+  }
+
+  void enterGroup(std::string_view name, std::string_view help) override {
+    prefixLengths_.push_back(prefix_.size());
+    if (!prefix_.empty()) prefix_ += '.';
+    prefix_ += name;
+    groups_.push_back({prefix_, std::string(help)});
+  }
+
+  void leaveGroup() override {
+    prefix_.resize(prefixLengths_.back());
+    prefixLengths_.pop_back();
+  }
+
+ private:
+  Field& add(std::string_view name, FieldKind kind, const NumberInfo& info) {
+    Field field;
+    field.name = name;
+    field.group = prefix_;
+    field.path = prefix_.empty() ? field.name : prefix_ + "." + field.name;
+    field.kind = kind;
+    field.unit = info.unit;
+    field.help = info.help;
+    field.min = info.min;
+    field.max = info.max;
+    field.takesEffect = info.takesEffect;
+    field.logarithmic = info.logarithmic;
+    return fields_.emplace_back(std::move(field));
+  }
+
+  std::vector<Field>& fields_;
+  std::vector<GroupInfo>& groups_;
+  std::string prefix_;
+  std::vector<std::size_t> prefixLengths_;
+};
+
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, substituted}));
+    }
+  }
+  return row.back();
+}
+
+std::string numberText(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
+// Why the field cannot take the value; empty when it can.
+std::string refusal(const Field& field, double value) {
+  if (!std::isfinite(value)) return "is not a finite number";
+  if (value < field.min || value > field.max) {
+    return "is out of range " + numberText(field.min) + " to " + numberText(field.max) +
+           (field.unit.empty() || field.unit == "1" ? "" : " " + field.unit);
+  }
+  if (field.kind != FieldKind::number && value != std::floor(value)) return "is not a whole number";
+  return "";
+}
+
+// Reads a value, or returns why it cannot be read.
+std::string parseValue(const Field& field, std::string_view text, double& value) {
+  if (field.kind == FieldKind::flag) {
+    if (text != "true" && text != "false") return "is not true or false";
+    value = text == "true" ? 1 : 0;
+    return "";
+  }
+  if (field.kind == FieldKind::choice) {
+    const auto found = std::find(field.names.begin(), field.names.end(), text);
+    if (found == field.names.end()) {
+      std::string reason = "is not one of";
+      for (const std::string& name : field.names) reason += " " + name;
+      return reason;
+    }
+    value = static_cast<double>(found - field.names.begin());
+    return "";
+  }
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return "is not a number";
+  return refusal(field, value);
+}
+
+using Change = std::pair<const Field*, double>;
+
+void collectChanges(const SettingsTable& table, const nlohmann::json& json, const std::string& prefix,
+                    std::string_view file, std::vector<Change>& changes) {
+  if (!json.is_object()) throw DataError(file, prefix.empty() ? "settings" : prefix, "is not an object");
+  for (const auto& [name, value] : json.items()) {
+    const std::string path = prefix.empty() ? name : prefix + "." + name;
+    const Field* field = table.find(path);
+    if (!field) {
+      const bool isGroup = std::any_of(table.groups().begin(), table.groups().end(),
+                                       [&](const GroupInfo& group) { return group.path == path; });
+      if (!isGroup) throw DataError(file, path, "unknown setting");
+      if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+          collectChanges(table, nlohmann::json{{std::to_string(i), value[i]}}, path, file, changes);
+        }
+      } else {
+        collectChanges(table, value, path, file, changes);
+      }
+      continue;
+    }
+    double number = 0;
+    std::string reason;
+    switch (field->kind) {
+      case FieldKind::number:
+      case FieldKind::integer:
+        if (!value.is_number()) {
+          reason = "is not a number";
+        } else {
+          number = value.get<double>();
+          reason = refusal(*field, number);
+        }
+        break;
+      case FieldKind::flag:
+        if (!value.is_boolean()) reason = "is not true or false";
+        else number = value.get<bool>() ? 1 : 0;
+        break;
+      case FieldKind::choice:
+        if (!value.is_string()) reason = "is not a name in quotes";
+        else reason = parseValue(*field, value.get<std::string>(), number);
+        break;
+    }
+    if (!reason.empty()) throw DataError(file, path, value.dump() + " " + reason);
+    changes.emplace_back(field, number);
+  }
+}
+
+nlohmann::json valueJson(const Field& field) {
+  const double value = field.get();
+  switch (field.kind) {
+    case FieldKind::integer: return static_cast<std::int64_t>(value);
+    case FieldKind::flag: return value != 0;
+    case FieldKind::choice: return field.names[static_cast<std::size_t>(value)];
+    case FieldKind::number: break;
+  }
+  return value;
+}
+
+}  // namespace
+
+void SettingsTable::build(Visit visit, void* settings, void* defaults) {
+  TableBuilder builder(fields_, groups_);
+  visit(builder, settings);
+  std::vector<Field> defaultFields;
+  std::vector<GroupInfo> ignored;
+  TableBuilder defaultBuilder(defaultFields, ignored);
+  visit(defaultBuilder, defaults);
+  for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i].defaultValue = defaultFields[i].get();
+}
+
+const Field* SettingsTable::find(std::string_view path) const {
+  for (const Field& field : fields_) {
+    if (field.path == path) return &field;
+  }
+  return nullptr;
+}
+
+const Field& SettingsTable::at(std::string_view path) const {
+  if (const Field* field = find(path)) return *field;
+  const auto nearest = std::min_element(fields_.begin(), fields_.end(), [&](const Field& a, const Field& b) {
+    return editDistance(a.path, path) < editDistance(b.path, path);
+  });
+  throw RangeError("unknown setting '" + std::string(path) + "'" +
+                   (nearest == fields_.end() ? "" : "; the nearest is '" + nearest->path + "'"));
+}
+
+void setField(const Field& field, double value) {
+  const std::string reason = refusal(field, value);
+  if (!reason.empty()) throw RangeError(field.path + ": " + numberText(value) + " " + reason);
+  field.set(value);
+}
+
+void setField(const Field& field, std::string_view text) {
+  double value = 0;
+  const std::string reason = parseValue(field, text, value);
+  if (!reason.empty()) throw RangeError(field.path + ": '" + std::string(text) + "' " + reason);
+  field.set(value);
+}
+
+void setField(const SettingsTable& table, std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    throw RangeError("'" + std::string(assignment) + "' is not of the form PATH=VALUE");
+  }
+  setField(table.at(assignment.substr(0, equals)), assignment.substr(equals + 1));
+}
+
+std::string fieldText(const Field& field) {
+  const double value = field.get();
+  switch (field.kind) {
+    case FieldKind::flag: return value != 0 ? "true" : "false";
+    case FieldKind::choice: return field.names[static_cast<std::size_t>(value)];
+    case FieldKind::number:
+    case FieldKind::integer: break;
+  }
+  return numberText(value);
+}
+
+nlohmann::json toJson(const SettingsTable& table, bool onlyChanged) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const Field& field : table.fields()) {
+    if (onlyChanged && field.isDefault()) continue;
+    nlohmann::json* node = &json;
+    std::string_view rest = field.path;
+    for (std::size_t dot = rest.find('.'); dot != std::string_view::npos; dot = rest.find('.')) {
+      node = &(*node)[std::string(rest.substr(0, dot))];
+      rest.remove_prefix(dot + 1);
+    }
+    (*node)[std::string(rest)] = valueJson(field);
+  }
+  return json;
+}
+
+void applyJson(const SettingsTable& table, const nlohmann::json& json, std::string_view file) {
+  std::vector<Change> changes;
+  collectChanges(table, json, "", file, changes);
+  for (const auto& [field, value] : changes) field->set(value);
+}
+
+}  // namespace skydrop::core

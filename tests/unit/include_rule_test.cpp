@@ -1,0 +1,103 @@
+// The direction of the arrows between modules, read from the sources themselves.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+// Whom a module may include, besides itself: what the one below it may, and a little more.
+std::map<std::string, Names> allowedIncludes() {
+  const Names core = {"core"};
+  Names scene = core;
+  scene.insert({"terrain", "clouds", "flight", "weather"});
+  Names game = scene;
+  game.insert("scene");
+  Names outer = game;
+  outer.insert("game");
+  Names app = outer;
+  app.insert({"render", "audio", "ui"});
+  return {{"core", {}},     {"terrain", core}, {"clouds", core}, {"flight", core}, {"weather", core}, {"scene", scene},
+          {"game", game},   {"render", outer}, {"audio", outer}, {"ui", outer},    {"app", app}};
+}
+
+struct Include {
+  fs::path file;
+  std::string from, what;
+};
+
+// Every include in a module's sources and contract.
+std::vector<Include> includesOf(const std::string& module) {
+  std::vector<Include> includes;
+  const fs::path root = SKYDROP_SOURCE_DIR;
+  const std::regex line(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
+  for (const fs::path& folder : {root / "include/skydrop" / module, root / "src" / module}) {
+    if (!fs::exists(folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (!entry.is_regular_file()) continue;
+      std::ifstream stream(entry.path());
+      for (std::string text; std::getline(stream, text);) {
+        std::smatch match;
+        if (std::regex_search(text, match, line)) includes.push_back({entry.path(), module, match[1]});
+      }
+    }
+  }
+  return includes;
+}
+
+TEST(IncludeRule, arrowsBetweenModulesPointOneWay) {
+  // A module includes the contracts of the modules below it, and the private headers of none but itself.
+  const auto allowed = allowedIncludes();
+  std::size_t seen = 0;
+  for (const auto& [module, names] : allowed) {
+    for (const Include& include : includesOf(module)) {
+      const fs::path path = include.what;
+      std::vector<std::string> parts;
+      for (const auto& part : path) parts.push_back(part.string());
+      if (parts.size() >= 3 && parts[0] == "skydrop") {
+        ++seen;
+        EXPECT_TRUE(parts[1] == module || names.contains(parts[1])) << include.file << " includes " << include.what;
+      } else if (parts.size() >= 2 && allowed.contains(parts[0])) {
+        EXPECT_EQ(parts[0], module) << include.file << " includes a private header: " << include.what;
+      }
+    }
+  }
+  EXPECT_GT(seen, 5u) << "the sources were not found";
+}
+
+TEST(IncludeRule, onlyRenderNamesOpenGL) {
+  // OpenGL, EGL and GLFW headers stand in render; app's window code may name GLFW.
+  const std::regex graphics(R"(^(GL|EGL|GLES\d?)/|glcorearb)");
+  for (const auto& [module, names] : allowedIncludes()) {
+    for (const Include& include : includesOf(module)) {
+      if (module != "render") {
+        EXPECT_FALSE(std::regex_search(include.what, graphics)) << include.file << " includes " << include.what;
+      }
+      if (module != "render" && module != "app") {
+        EXPECT_FALSE(include.what.starts_with("GLFW/")) << include.file << " includes " << include.what;
+      }
+    }
+  }
+}
+
+TEST(IncludeRule, everyModuleFolderIsInTheRule) {
+  // A new module must be given its place among the arrows.
+  const auto allowed = allowedIncludes();
+  for (const char* folder : {"src", "include/skydrop"}) {
+    for (const auto& entry : fs::directory_iterator(fs::path(SKYDROP_SOURCE_DIR) / folder)) {
+      if (entry.is_directory()) {
+        EXPECT_TRUE(allowed.contains(entry.path().filename().string())) << entry.path();
+      }
+    }
+  }
+}
+
+}  // namespace

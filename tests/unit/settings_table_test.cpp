@@ -1,0 +1,122 @@
+#include "skydrop/core/settings_table.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::core {
+namespace {
+
+enum class Mode { first, second, third };
+constexpr std::array<std::string_view, 3> kModeNames = {"first", "second", "third"};
+
+struct Layer {
+  double base = 100;
+};
+void describe(SettingsVisitor& visitor, Layer& layer) {
+  visitor.number("base", layer.base, {"m", 0, 20000, "Height of the base."});
+}
+
+struct Sample {
+  double length = 2.5;
+  std::int64_t count = 4;
+  bool on = true;
+  Mode mode = Mode::second;
+  std::array<Layer, 2> layers;
+};
+void describe(SettingsVisitor& visitor, Sample& sample) {
+  visitor.number("length", sample.length, {"m", 0.1, 10, "A length."});
+  visitor.integer("count", sample.count, {"1", 0, 100, "A count."});
+  visitor.flag("on", sample.on, {"A switch."});
+  visitor.choice("mode", sample.mode, kModeNames, {"A choice."});
+  visitor.group("layers", sample.layers, "The layers.");
+}
+
+std::string messageOf(const auto& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+TEST(SettingsTable, listsEveryFieldWithPathAndDefault) {
+  Sample sample;
+  sample.length = 7;
+  const SettingsTable table(sample);
+  ASSERT_EQ(table.fields().size(), 6u);
+  EXPECT_EQ(table.fields()[5].path, "layers.1.base");
+  EXPECT_EQ(table.at("length").get(), 7);
+  EXPECT_EQ(table.at("length").defaultValue, 2.5);
+  table.at("length").reset();
+  EXPECT_EQ(sample.length, 2.5);
+}
+
+TEST(SettingsTable, assignmentsFromTextReachTheStruct) {
+  Sample sample;
+  const SettingsTable table(sample);
+  setField(table, "length=.75");
+  setField(table, "count=9");
+  setField(table, "on=false");
+  setField(table, "mode=third");
+  setField(table, "layers.1.base=1555");
+  EXPECT_EQ(sample.length, .75);
+  EXPECT_EQ(sample.count, 9);
+  EXPECT_FALSE(sample.on);
+  EXPECT_EQ(sample.mode, Mode::third);
+  EXPECT_EQ(sample.layers[1].base, 1555);
+}
+
+TEST(SettingsTable, refusesWhatIsUnknownOrOutOfRangeInOneLineAndChangesNothing) {
+  Sample sample;
+  const SettingsTable table(sample);
+  EXPECT_EQ(messageOf([&] { setField(table, "lenght=1"); }), "unknown setting 'lenght'; the nearest is 'length'");
+  EXPECT_EQ(messageOf([&] { setField(table, "length=11"); }), "length: '11' is out of range 0.1 to 10 m");
+  EXPECT_EQ(messageOf([&] { setField(table, "length=nan"); }), "length: 'nan' is not a finite number");
+  EXPECT_EQ(messageOf([&] { setField(table, "length=1m"); }), "length: '1m' is not a number");
+  EXPECT_EQ(messageOf([&] { setField(table, "count=1.5"); }), "count: '1.5' is not a whole number");
+  EXPECT_EQ(messageOf([&] { setField(table, "on=1"); }), "on: '1' is not true or false");
+  EXPECT_EQ(messageOf([&] { setField(table, "mode=fourth"); }), "mode: 'fourth' is not one of first second third");
+  EXPECT_EQ(messageOf([&] { setField(table, "length"); }), "'length' is not of the form PATH=VALUE");
+  EXPECT_EQ(toJson(table, true), nlohmann::json::object());
+}
+
+TEST(SettingsTable, jsonRoundTripKeepsEveryBit) {
+  Sample sample;
+  sample.length = 0.1 + 0.2;
+  sample.mode = Mode::first;
+  sample.layers[0].base = 1.0 / 3.0;
+  Sample copy;
+  applyJson(SettingsTable(copy), nlohmann::json::parse(toJson(SettingsTable(sample)).dump()), "copy.json");
+  EXPECT_EQ(copy.length, sample.length);
+  EXPECT_EQ(copy.mode, sample.mode);
+  EXPECT_EQ(copy.layers[0].base, sample.layers[0].base);
+}
+
+TEST(SettingsTable, arraysAreReadByIndexOrAsLists) {
+  Sample sample;
+  applyJson(SettingsTable(sample), nlohmann::json::parse(R"({"layers": [{"base": 1}, {"base": 2}]})"), "a.json");
+  EXPECT_EQ(sample.layers[1].base, 2);
+}
+
+TEST(SettingsTable, aBadJsonObjectNamesFileAndPlaceAndChangesNothing) {
+  Sample sample;
+  const SettingsTable table(sample);
+  const auto apply = [&](const char* text) {
+    return messageOf([&] { applyJson(table, nlohmann::json::parse(text), "a.json"); });
+  };
+  EXPECT_EQ(apply(R"({"length": 3, "layers": {"0": {"base": -5}}})"),
+            "a.json: layers.0.base: -5 is out of range 0 to 20000 m");
+  EXPECT_EQ(apply(R"({"length": 3, "nothing": 1})"), "a.json: nothing: unknown setting");
+  EXPECT_EQ(apply(R"({"length": "3"})"), "a.json: length: \"3\" is not a number");
+  EXPECT_EQ(apply(R"({"mode": 2})"), "a.json: mode: 2 is not a name in quotes");
+  EXPECT_EQ(apply(R"([1])"), "a.json: settings: is not an object");
+  EXPECT_EQ(sample.length, 2.5);
+}
+
+}  // namespace
+}  // namespace skydrop::core
