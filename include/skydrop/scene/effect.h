@@ -1,0 +1,38 @@
+// The effects that a scene can call for. What is not in a scene's set is not constructed: no memory, no thread,
+// no shader, no dispatch.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <string_view>
+
+namespace skydrop::scene {
+
+enum class Effect {
+  sky,       // sky gradient, sun, light of both
+  terrain,   // endless land and sea
+  haze,      // extinction and in-scattering between eye and surface
+  aircraft,  // the airplane: its flight, its model, its camera
+  targets,   // targets, packages, score
+  sound,     // engine and events
+  hud,       // instruments, navigation bar, messages
+};
+
+inline constexpr std::array<std::string_view, 7> kEffectNames = {"sky",     "terrain", "haze", "aircraft",
+                                                                 "targets", "sound",   "hud"};
+
+class EffectSet {
+ public:
+  constexpr EffectSet() = default;
+
+  bool contains(Effect effect) const { return bits_[static_cast<std::size_t>(effect)]; }
+  void insert(Effect effect) { bits_.set(static_cast<std::size_t>(effect)); }
+  void erase(Effect effect) { bits_.reset(static_cast<std::size_t>(effect)); }
+  bool operator==(const EffectSet&) const = default;
+
+ private:
+  std::bitset<kEffectNames.size()> bits_;
+};
+
+}  // namespace skydrop::scene

@@ -1,0 +1,55 @@
+// Scene files: what there is to see, hear and do, from which start, with which settings. JSON, schema 1:
+//
+//   {
+//     "schema": 1,
+//     "description": "Endless land to fly over, and packages to drop.",
+//     "seed": 1,                                  whole number, 0 .. 2^53; --seed overrides it
+//     "effects": ["sky", "terrain", ...],         names of effect.h
+//     "start": {"position": [x, y, z],            metres; with terrain, y is above the ground or the sea
+//               "heading": 90,                    compass degrees
+//               "speed": 70},                     m/s
+//     "settings": {"aircraft": {...}, ...}        overrides of described settings (app checks names, ranges)
+//   }
+//
+// Only `schema` must be there. Unknown members are refused.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skydrop/scene/effect.h"
+
+namespace skydrop::scene {
+
+struct Start {
+  glm::dvec3 position{0, 600, 0};  // m; y above the surface where there is terrain
+  double headingDegrees = 90;      // compass, [0, 360)
+  double speedMps = 70;            // [0, 300]
+};
+
+struct Scene {
+  std::string name;  // the file's stem
+  std::filesystem::path file;
+  std::string description;
+  std::uint64_t seed = 1;
+  EffectSet effects;
+  Start start;
+  std::string settingsJson = "{}";  // checked JSON text of an object
+};
+
+// A name from assets/scenes, or a path (anything with a slash or ending in .json). Throws DataError.
+Scene loadScene(std::string_view nameOrFile);
+Scene parseScene(std::string_view text, const std::filesystem::path& file);
+
+// Names in assets/scenes, sorted.
+std::vector<std::string> listScenes();
+
+// The effects that the scene needs, those included that others rest on: targets need an aircraft and a ground
+// to land on, haze needs something to veil. A pure function of the scene.
+EffectSet requiredEffects(const Scene& scene);
+
+}  // namespace skydrop::scene

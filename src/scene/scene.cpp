@@ -1,0 +1,158 @@
+#include "skydrop/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "skydrop/core/assets.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
+
+namespace skydrop::scene {
+namespace {
+
+using nlohmann::json;
+using core::DataError;
+
+constexpr int kSchema = 1;
+constexpr double kFarthestStartM = 1e12;  // where doubles still resolve a tenth of a millimetre
+
+class SceneReader {
+ public:
+  explicit SceneReader(const std::filesystem::path& file) : file_(file.string()) {}
+
+  Scene read(const json& root) {
+    if (!root.is_object()) fail("scene", "is not an object");
+    Scene scene;
+    checkSchema(root);
+    for (const auto& [name, value] : root.items()) {
+      if (name == "schema") continue;
+      if (name == "description") scene.description = text(value, name);
+      else if (name == "seed") scene.seed = static_cast<std::uint64_t>(whole(value, name, 0, 0x1p53));
+      else if (name == "effects") readEffects(value, scene.effects);
+      else if (name == "start") readStart(value, scene.start);
+      else if (name == "settings") scene.settingsJson = settings(value);
+      else fail(name, "unknown member");
+    }
+    return scene;
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view place, std::string_view reason) const {
+    throw DataError(file_, place, reason);
+  }
+
+  void checkSchema(const json& root) const {
+    if (!root.contains("schema")) fail("schema", "is missing");
+    if (root["schema"] != kSchema) fail("schema", root["schema"].dump() + " is not " + std::to_string(kSchema));
+  }
+
+  std::string text(const json& value, std::string_view place) const {
+    if (!value.is_string()) fail(place, "is not a text");
+    return value.get<std::string>();
+  }
+
+  double number(const json& value, std::string_view place, double least, double most) const {
+    if (!value.is_number()) fail(place, value.dump() + " is not a number");
+    const double result = value.get<double>();
+    if (!std::isfinite(result) || result < least || result > most) {
+      fail(place, value.dump() + " is out of range " + json(least).dump() + " to " + json(most).dump());
+    }
+    return result;
+  }
+
+  double whole(const json& value, std::string_view place, double least, double most) const {
+    const double result = number(value, place, least, most);
+    if (result != std::floor(result)) fail(place, value.dump() + " is not a whole number");
+    return result;
+  }
+
+  void readEffects(const json& value, EffectSet& effects) const {
+    if (!value.is_array()) fail("effects", "is not a list");
+    for (const json& entry : value) {
+      const auto found = std::find(kEffectNames.begin(), kEffectNames.end(), text(entry, "effects"));
+      if (found == kEffectNames.end()) fail("effects", "unknown effect " + entry.dump());
+      effects.insert(static_cast<Effect>(found - kEffectNames.begin()));
+    }
+  }
+
+  void readStart(const json& value, Start& start) const {
+    if (!value.is_object()) fail("start", "is not an object");
+    for (const auto& [name, member] : value.items()) {
+      const std::string place = "start." + name;
+      if (name == "position") {
+        if (!member.is_array() || member.size() != 3) fail(place, "is not a list of three numbers");
+        for (int i = 0; i < 3; ++i) {
+          start.position[i] = number(member[static_cast<std::size_t>(i)], place, -kFarthestStartM, kFarthestStartM);
+        }
+      } else if (name == "heading") {
+        start.headingDegrees = number(member, place, 0, 360);
+      } else if (name == "speed") {
+        start.speedMps = number(member, place, 0, 300);
+      } else {
+        fail(place, "unknown member");
+      }
+    }
+  }
+
+  std::string settings(const json& value) const {
+    if (!value.is_object()) fail("settings", "is not an object");
+    return value.dump();
+  }
+
+  std::string file_;
+};
+
+std::string knownScenes() {
+  std::string names;
+  for (const std::string& name : listScenes()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
+
+Scene parseScene(std::string_view text, const std::filesystem::path& file) {
+  json root;
+  try {
+    root = json::parse(text);
+  } catch (const json::exception& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..." without its first word
+    const std::string_view what = error.what();
+    throw DataError(file.string(), "JSON", what.substr(std::min(what.find("] ") + 2, what.size())));
+  }
+  Scene scene = SceneReader(file).read(root);
+  scene.file = file;
+  scene.name = file.stem().string();
+  return scene;
+}
+
+Scene loadScene(std::string_view nameOrFile) {
+  const bool isPath = nameOrFile.find('/') != std::string_view::npos || nameOrFile.ends_with(".json");
+  const std::filesystem::path file =
+      isPath ? std::filesystem::path(nameOrFile) : core::assetPath("scenes") / (std::string(nameOrFile) + ".json");
+  if (!isPath && !std::filesystem::exists(file)) {
+    throw DataError(nameOrFile, "scene", "there is none of this name; there are: " + knownScenes());
+  }
+  return parseScene(core::readTextFile(file, std::size_t{1} << 20), file);
+}
+
+std::vector<std::string> listScenes() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(core::assetPath("scenes"))) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+EffectSet requiredEffects(const Scene& scene) {
+  EffectSet effects = scene.effects;
+  if (effects.contains(Effect::targets)) {
+    effects.insert(Effect::aircraft);
+    effects.insert(Effect::terrain);
+  }
+  if (!effects.contains(Effect::terrain) && !effects.contains(Effect::aircraft)) effects.erase(Effect::haze);
+  return effects;
+}
+
+}  // namespace skydrop::scene

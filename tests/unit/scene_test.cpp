@@ -1,0 +1,87 @@
+#include "skydrop/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::scene {
+namespace {
+
+std::string refusalOf(const std::string& text) {
+  try {
+    parseScene(text, "a.json");
+  } catch (const core::DataError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Scene, shippedScenesLoadAndAreListed) {
+  // Every scene in assets/scenes can be loaded by its name.
+  const std::vector<std::string> names = listScenes();
+  ASSERT_GE(names.size(), 2u);
+  for (const std::string& name : names) EXPECT_EQ(loadScene(name).name, name);
+}
+
+TEST(Scene, theEmptySceneCallsForNothing) {
+  EXPECT_EQ(requiredEffects(loadScene("empty")), EffectSet());
+}
+
+TEST(Scene, targetsCallForWhatTheyRestOn) {
+  // Naming targets alone brings the aircraft that drops and the ground to land on, and nothing else.
+  const EffectSet effects = requiredEffects(parseScene(R"({"schema": 1, "effects": ["targets"]})", "a.json"));
+  EXPECT_TRUE(effects.contains(Effect::aircraft));
+  EXPECT_TRUE(effects.contains(Effect::terrain));
+  EXPECT_FALSE(effects.contains(Effect::sound));
+  EXPECT_FALSE(effects.contains(Effect::sky));
+}
+
+TEST(Scene, hazeWithoutAnySurfaceIsNotCalledFor) {
+  const Scene scene = parseScene(R"({"schema": 1, "effects": ["sky", "haze"]})", "a.json");
+  EXPECT_FALSE(requiredEffects(scene).contains(Effect::haze));
+}
+
+TEST(Scene, startAndSeedAreRead) {
+  const Scene scene = parseScene(
+      R"({"schema": 1, "seed": 9, "start": {"position": [1, 2, -3.5], "heading": 270, "speed": 80}})", "b.json");
+  EXPECT_EQ(scene.name, "b");
+  EXPECT_EQ(scene.seed, 9u);
+  EXPECT_EQ(scene.start.position, glm::dvec3(1, 2, -3.5));
+  EXPECT_EQ(scene.start.headingDegrees, 270);
+  EXPECT_EQ(scene.start.speedMps, 80);
+}
+
+TEST(Scene, badScenesAreRefusedWithFilePlaceAndReason) {
+  EXPECT_EQ(refusalOf(R"([])"), "a.json: scene: is not an object");
+  EXPECT_EQ(refusalOf(R"({})"), "a.json: schema: is missing");
+  EXPECT_EQ(refusalOf(R"({"schema": 2})"), "a.json: schema: 2 is not 1");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "wings": 2})"), "a.json: wings: unknown member");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "seed": -1})"), "a.json: seed: -1 is out of range 0.0 to 9.007199254740992e+15");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "seed": 1.5})"), "a.json: seed: 1.5 is not a whole number");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "effects": ["fire"]})"), "a.json: effects: unknown effect \"fire\"");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"position": [1, 2]}})"),
+            "a.json: start.position: is not a list of three numbers");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"speed": "fast"}})"), "a.json: start.speed: \"fast\" is not a number");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"position": [1e400, 0, 0]}})").substr(0, 12), "a.json: JSON");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, )").substr(0, 33), "a.json: JSON: parse error at line");
+}
+
+TEST(Scene, everyTruncationOfASceneIsRefused) {
+  const std::string whole = R"({"schema": 1, "effects": ["sky"], "start": {"heading": 10}})";
+  ASSERT_EQ(refusalOf(whole), "accepted");
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    EXPECT_NE(refusalOf(whole.substr(0, length)), "accepted") << length;
+  }
+}
+
+TEST(Scene, unknownNamesListWhatThereIs) {
+  try {
+    loadScene("nowhere");
+    FAIL();
+  } catch (const core::DataError& error) {
+    EXPECT_EQ(std::string(error.what()), "nowhere: scene: there is none of this name; there are: empty, terrain");
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::scene
