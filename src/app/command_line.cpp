@@ -1,0 +1,228 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "app/version.h"
+#include "skydrop/core/error.h"
+#include "skydrop/scene/scene.h"
+
+namespace skydrop::app {
+namespace {
+
+using core::UsageError;
+
+constexpr int kMaxSide = 16384;        // what images (core/image.h) and GL 4.5 targets can hold
+constexpr double kMaxSeconds = 1e6;    // more is a slip of the hand
+constexpr double kFarthestM = 1e12;    // where doubles still resolve a tenth of a millimetre
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) parts.emplace_back();
+    else parts.back() += c;
+  }
+  return parts;
+}
+
+template <class Number>
+std::optional<Number> wholeText(const std::string& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+double number(const std::string& flag, const std::string& text, double least, double most) {
+  const std::optional<double> value = wholeText<double>(text);
+  if (!value || !std::isfinite(*value)) throw UsageError(flag + ": '" + text + "' is not a finite number");
+  if (*value < least || *value > most) {
+    throw UsageError(flag + ": " + text + " is out of range " + CLI::detail::to_string(least) + " to " +
+                     CLI::detail::to_string(most));
+  }
+  return *value;
+}
+
+int integer(const std::string& flag, const std::string& text, int least, int most) {
+  const std::optional<int> value = wholeText<int>(text);
+  if (!value) throw UsageError(flag + ": '" + text + "' is not a whole number");
+  return static_cast<int>(number(flag, text, least, most));
+}
+
+Size parseSize(const std::string& text) {
+  const std::vector<std::string> parts = split(text, 'x');
+  if (parts.size() != 2) throw UsageError("--size: '" + text + "' is not of the form WIDTHxHEIGHT");
+  return {integer("--size", parts[0], 1, kMaxSide), integer("--size", parts[1], 1, kMaxSide)};
+}
+
+Pose parsePose(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 6) throw UsageError("--pose: '" + text + "' is not of the form X,Y,Z,YAW,PITCH,ROLL");
+  const auto metres = [&](std::size_t i) { return number("--pose", parts[i], -kFarthestM, kFarthestM); };
+  const auto degrees = [&](std::size_t i) { return number("--pose", parts[i], -360, 360); };
+  return {{metres(0), metres(1), metres(2)}, degrees(3), degrees(4), degrees(5)};
+}
+
+Backend parseBackend(const std::string& text) {
+  static const std::map<std::string, Backend> names = {
+      {"egl", Backend::egl}, {"osmesa", Backend::osmesa}, {"window", Backend::window}};
+  const auto found = names.find(text);
+  if (found == names.end()) throw UsageError("--backend: '" + text + "' is not one of egl osmesa window");
+  return found->second;
+}
+
+// CLI11 only splits words and writes the help; values arrive as text and are read above, so that every
+// refusal has the same form.
+class Parser {
+ public:
+  Parser() {
+    app_.set_help_flag("--help", "print this help");
+    app_.add_flag("--version", version_, "print the version");
+    app_.add_flag("--list-scenes", listScenes_, "print the names of the scenes");
+    addCommon(app_);
+    addFly(app_);
+    CLI::App* render = app_.add_subcommand("render", "frames to PNG files, no window needed");
+    CLI::App* simulate = app_.add_subcommand("simulate", "no graphics: physics and game only");
+    CLI::App* accuracy = app_.add_subcommand("accuracy", "measure error against time, write the report");
+    CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
+    for (CLI::App* verb : {render, simulate, accuracy, info}) verb->set_help_flag("--help", "print this help");
+    addCommon(*render);
+    addRender(*render);
+    addCommon(*simulate);
+    addSimulate(*simulate);
+    accuracy->add_option("STUDY", line_.studies, "studies to run; none named: all");
+    text(*accuracy, "--out", "FILE", "the report", [this](const std::string& t) { line_.out = t; });
+    accuracy->preparse_callback([this](std::size_t) { line_.out = "accuracy.md"; });
+    text(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
+         [this](const std::string& t) { line_.backend = parseBackend(t); });
+    app_.require_subcommand(0, 1);
+    render->callback([this] { line_.verb = Verb::render; });
+    simulate->callback([this] { line_.verb = Verb::simulate; });
+    accuracy->callback([this] { line_.verb = Verb::accuracy; });
+    info->callback([this] { line_.verb = Verb::info; });
+  }
+
+  ParsedCommandLine parse(int argc, const char* const* argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+      const auto chosen = app_.get_subcommands();
+      return {line_, (chosen.empty() ? app_ : *chosen.front()).help()};
+    } catch (const CLI::ParseError& error) {
+      throw UsageError(error.what());
+    }
+    if (version_) return {line_, std::string("skydrop ") + kVersion + "\n"};
+    if (listScenes_) return {line_, sceneList()};
+    check();
+    return {line_, std::nullopt};
+  }
+
+ private:
+  static void text(CLI::App& verb, const std::string& flag, const std::string& form, const std::string& help,
+                   std::function<void(const std::string&)> read) {
+    verb.add_option_function<std::string>(flag, std::move(read), help)->type_name(form)->allow_extra_args(false);
+  }
+
+  void path(CLI::App& verb, const std::string& flag, const std::string& form, const std::string& help,
+            std::optional<std::filesystem::path>& target) {
+    text(verb, flag, form, help, [flag, &target](const std::string& t) {
+      if (t.empty()) throw UsageError(flag + ": the path is empty");
+      target = t;
+    });
+  }
+
+  void addCommon(CLI::App& verb) {
+    text(verb, "--scene", "NAME|FILE", "the scene (terrain)", [this](const std::string& t) { line_.scene = t; });
+    verb.add_option_function<std::vector<std::string>>(
+            "--set", [this](const std::vector<std::string>& all) { line_.set.insert(line_.set.end(), all.begin(), all.end()); },
+            "a setting for this run; may stand several times")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false)
+        ->expected(1, 1000);
+    text(verb, "--seed", "N", "the world's seed instead of the scene's", [this](const std::string& t) {
+      line_.seed = wholeText<std::uint64_t>(t);
+      if (const auto negative = wholeText<std::int64_t>(t); !line_.seed && negative) {
+        line_.seed = static_cast<std::uint64_t>(*negative);
+      }
+      if (!line_.seed) throw UsageError("--seed: '" + t + "' is not a whole number of 64 bits");
+    });
+    text(verb, "--workers", "N", "threads that make terrain (cores - 1)",
+         [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
+    path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
+    path(verb, "--stats", "FILE", "write what was measured, as JSON", line_.stats);
+    path(verb, "--replay", "FILE", "fly a recorded input log", line_.replay);
+    verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
+  }
+
+  void addSize(CLI::App& verb) {
+    text(verb, "--size", "WxH", "pixels", [this](const std::string& t) { line_.size = parseSize(t); });
+  }
+
+  void addFly(CLI::App& verb) {
+    path(verb, "--record", "FILE", "record the input log", line_.record);
+    addSize(verb);
+    verb.add_flag("--fullscreen", line_.fullscreen, "fill the screen");
+  }
+
+  void addRender(CLI::App& verb) {
+    text(verb, "--backend", "egl|osmesa|window", "what gives the OpenGL context",
+         [this](const std::string& t) { line_.backend = parseBackend(t); });
+    addSize(verb);
+    text(verb, "--out", "FILE.png", "the picture; %d stands for the frame's number",
+         [this](const std::string& t) { line_.out = t; });
+    text(verb, "--frames", "N", "how many (1)",
+         [this](const std::string& t) { line_.frames = integer("--frames", t, 1, 1000000); });
+    text(verb, "--fps", "N", "simulated frames a second (60)",
+         [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
+    text(verb, "--time", "S", "simulated seconds before the first frame (0)",
+         [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
+    text(verb, "--pose", "X,Y,Z,YAW,PITCH,ROLL", "a camera in the world: metres, degrees",
+         [this](const std::string& t) { line_.pose = parsePose(t); });
+    verb.add_flag("--menu", line_.menu, "with the menu open");
+  }
+
+  void addSimulate(CLI::App& verb) {
+    text(verb, "--seconds", "S", "how long (60)",
+         [this](const std::string& t) { line_.seconds = number("--seconds", t, 0, kMaxSeconds); });
+    text(verb, "--fps", "N", "the drawing rate that is imitated (60)",
+         [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
+  }
+
+  void check() const {
+    if (line_.autopilot && line_.replay) throw UsageError("--autopilot and --replay exclude each other");
+    if (line_.verb != Verb::render) return;
+    if (line_.frames > 1 && line_.out.find("%d") == std::string::npos) {
+      throw UsageError("--out: '" + line_.out + "' needs %d for several frames");
+    }
+    if (!line_.out.ends_with(".png")) throw UsageError("--out: '" + line_.out + "' does not end in .png");
+  }
+
+  static std::string sceneList() {
+    std::string list;
+    for (const std::string& name : scene::listScenes()) {
+      list += name + "\t" + scene::loadScene(name).description + "\n";
+    }
+    return list;
+  }
+
+  CommandLine line_;
+  bool version_ = false, listScenes_ = false;
+  CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};
+};
+
+}  // namespace
+
+ParsedCommandLine parseCommandLine(int argc, const char* const* argv) {
+  Parser parser;
+  return parser.parse(argc, argv);
+}
+
+std::string framePath(const std::string& pattern, int frame) {
+  const std::size_t place = pattern.find("%d");
+  if (place == std::string::npos) return pattern;
+  return pattern.substr(0, place) + std::to_string(frame) + pattern.substr(place + 2);
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,71 @@
+// The command line as a value. Everything that can be judged from the words alone is judged here: an unknown
+// flag, a size that is none, a number out of range. Paths and values of --set are judged in settings.h, which
+// knows them; both throw core::UsageError (exit code 2).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skydrop::app {
+
+enum class Verb { fly, render, simulate, accuracy, info };
+enum class Backend { egl, osmesa, window };
+
+struct Size {
+  int width = 0, height = 0;  // pixels, 1 .. 16384
+};
+
+// A camera in the world: metres; degrees; yaw 0 looks along +x and grows towards +z, pitch up, roll right.
+struct Pose {
+  glm::dvec3 position{0};
+  double yawDegrees = 0, pitchDegrees = 0, rollDegrees = 0;
+};
+
+struct CommandLine {
+  Verb verb = Verb::fly;
+
+  std::string scene = "terrain";
+  std::vector<std::string> set;  // PATH=VALUE, in order
+  std::optional<std::uint64_t> seed;
+  std::optional<int> workers;  // 1 .. 64; cores - 1 unless told
+  std::optional<std::filesystem::path> userDir, stats, replay;
+  bool autopilot = false;
+
+  // fly
+  std::optional<std::filesystem::path> record;
+  bool fullscreen = false;
+
+  // fly and render
+  std::optional<Size> size;
+
+  // render
+  std::optional<Backend> backend;  // unset: EGL, or OSMesa where EGL gives no OpenGL 4.5
+  std::string out = "skydrop.png";
+  int frames = 1;
+  double fps = 60;      // simulated frames a second, (0, 1000]
+  double timeS = 0;     // simulated seconds before the first frame
+  std::optional<Pose> pose;
+  bool menu = false;
+
+  // simulate
+  double seconds = 60;
+
+  // accuracy
+  std::vector<std::string> studies;
+};
+
+struct ParsedCommandLine {
+  CommandLine commandLine;
+  std::optional<std::string> answer;  // --help, --version, --list-scenes: print it and end with 0
+};
+
+ParsedCommandLine parseCommandLine(int argc, const char* const* argv);
+
+// "%d" in `pattern` replaced by the frame's number; the pattern itself when it has none.
+std::string framePath(const std::string& pattern, int frame);
+
+}  // namespace skydrop::app

@@ -1,0 +1,92 @@
+#include "app/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::app {
+namespace {
+
+ParsedCommandLine parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "skydrop");
+  return parseCommandLine(static_cast<int>(words.size()), words.data());
+}
+
+std::string refusalOf(std::vector<const char*> words) {
+  try {
+    parse(std::move(words));
+  } catch (const core::UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(CommandLine, noWordsFlyTheTerrainScene) {
+  const CommandLine line = parse({}).commandLine;
+  EXPECT_EQ(line.verb, Verb::fly);
+  EXPECT_EQ(line.scene, "terrain");
+}
+
+TEST(CommandLine, everyFlagOfRenderArrives) {
+  const CommandLine line = parse({"render", "--backend", "osmesa", "--size", "320x180", "--out", "a-%d.png", "--frames",
+                                  "3", "--fps", "0.25", "--time", "4", "--pose", "1,2,-3,90,-10,5", "--menu", "--scene",
+                                  "empty", "--set", "a=1", "--set", "b=2", "--seed", "-1", "--workers", "2",
+                                  "--user-dir", "u", "--stats", "s.json", "--autopilot"})
+                               .commandLine;
+  EXPECT_EQ(line.verb, Verb::render);
+  EXPECT_EQ(line.backend, Backend::osmesa);
+  EXPECT_EQ(line.size->width, 320);
+  EXPECT_EQ(line.size->height, 180);
+  EXPECT_EQ(line.out, "a-%d.png");
+  EXPECT_EQ(line.frames, 3);
+  EXPECT_EQ(line.fps, 0.25);
+  EXPECT_EQ(line.timeS, 4);
+  EXPECT_EQ(line.pose->position, glm::dvec3(1, 2, -3));
+  EXPECT_EQ(line.pose->rollDegrees, 5);
+  EXPECT_TRUE(line.menu);
+  EXPECT_EQ(line.set, (std::vector<std::string>{"a=1", "b=2"}));
+  EXPECT_EQ(line.seed, ~std::uint64_t{0});
+  EXPECT_EQ(line.workers, 2);
+  EXPECT_TRUE(line.autopilot);
+}
+
+TEST(CommandLine, questionsAreAnsweredInsteadOfRun) {
+  EXPECT_TRUE(parse({"--version"}).answer->starts_with("skydrop "));
+  EXPECT_NE(parse({"--help"}).answer->find("simulate"), std::string::npos);
+  EXPECT_NE(parse({"render", "--help"}).answer->find("--pose"), std::string::npos);
+  EXPECT_NE(parse({"--list-scenes"}).answer->find("terrain\t"), std::string::npos);
+}
+
+TEST(CommandLine, wrongWordsAreRefusedInOneLineThatNamesThem) {
+  EXPECT_NE(refusalOf({"--fast"}).find("--fast"), std::string::npos);
+  EXPECT_NE(refusalOf({"dance"}).find("dance"), std::string::npos);
+  EXPECT_NE(refusalOf({"--scene"}).find("--scene"), std::string::npos);
+  EXPECT_EQ(refusalOf({"--size", "640"}), "--size: '640' is not of the form WIDTHxHEIGHT");
+  EXPECT_EQ(refusalOf({"--size", "0x5"}), "--size: 0 is out of range 1 to 16384");
+  EXPECT_EQ(refusalOf({"--size", "axb"}), "--size: 'a' is not a whole number");
+  EXPECT_EQ(refusalOf({"--size", "99999999999x5"}), "--size: '99999999999' is not a whole number");
+  EXPECT_EQ(refusalOf({"--seed", "one"}), "--seed: 'one' is not a whole number of 64 bits");
+  EXPECT_EQ(refusalOf({"--workers", "0"}), "--workers: 0 is out of range 1 to 64");
+  EXPECT_EQ(refusalOf({"render", "--pose", "1,2,3"}), "--pose: '1,2,3' is not of the form X,Y,Z,YAW,PITCH,ROLL");
+  EXPECT_EQ(refusalOf({"render", "--pose", "nan,2,3,0,0,0"}), "--pose: 'nan' is not a finite number");
+  EXPECT_EQ(refusalOf({"render", "--pose", "1e13,2,3,0,0,0"}), "--pose: 1e13 is out of range -1e+12 to 1e+12");
+  EXPECT_EQ(refusalOf({"render", "--frames", "2"}), "--out: 'skydrop.png' needs %d for several frames");
+  EXPECT_EQ(refusalOf({"render", "--out", "a.bmp"}), "--out: 'a.bmp' does not end in .png");
+  EXPECT_EQ(refusalOf({"render", "--backend", "vulkan"}), "--backend: 'vulkan' is not one of egl osmesa window");
+  EXPECT_EQ(refusalOf({"render", "--fps", "0"}), "--fps: 0 is out of range 0.001 to 1000");
+  EXPECT_EQ(refusalOf({"simulate", "--seconds", "-1"}), "--seconds: -1 is out of range 0 to 1e+06");
+  EXPECT_EQ(refusalOf({"--autopilot", "--replay", "a"}), "--autopilot and --replay exclude each other");
+  for (const char* flag : {"--scene", "--seed", "--stats"}) {
+    EXPECT_EQ(refusalOf({flag, ""}).find('\n'), std::string::npos) << flag;
+  }
+}
+
+TEST(CommandLine, framePathsCountFrames) {
+  EXPECT_EQ(framePath("a-%d.png", 12), "a-12.png");
+  EXPECT_EQ(framePath("a.png", 12), "a.png");
+}
+
+}  // namespace
+}  // namespace skydrop::app
