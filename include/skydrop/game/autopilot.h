@@ -1,0 +1,47 @@
+// A pilot: reads a snapshot and the height of the ground, answers with controls. Flies to the target at a
+// safe height, drops when the predicted landing point is well inside, and goes around when it cannot. It uses
+// nothing that a player does not have, so its flights can be recorded and replayed like a player's.
+// Deterministic; depends on the snapshots it was shown only. Not thread-safe.
+#pragma once
+
+#include <memory>
+
+#include "skydrop/core/settings.h"
+#include "skydrop/game/controls.h"
+#include "skydrop/game/snapshot.h"
+
+namespace skydrop::terrain {
+class HeightSource;
+}
+
+namespace skydrop::game {
+
+struct AutopilotSettings {
+  double clearance = 150;        // m above the highest ground ahead
+  double lookAheadSeconds = 25;  // s of flight in which the ground counts
+  double maxBankDeg = 50;        // degrees
+  double dropMargin = 0.5;       // of the radius: drops when the predicted miss is below this
+};
+
+void describe(core::SettingsVisitor& visitor, AutopilotSettings& settings);
+
+class Autopilot {
+ public:
+  explicit Autopilot(std::shared_ptr<const terrain::HeightSource> ground,
+                     const AutopilotSettings& settings = {});
+
+  // The controls for the step after `now`. Without aircraft: neutral. Without a target: level flight around.
+  Controls decide(const Snapshot& now);
+
+  void apply(const AutopilotSettings& settings) { settings_ = settings; }
+
+ private:
+  std::shared_ptr<const terrain::HeightSource> ground_;
+  AutopilotSettings settings_;
+  std::uint64_t plannedStep_ = 0;  // of the last look at the ground ahead
+  double wantedHeight_ = 0;        // m above the sea
+  bool goingAround_ = false;       // flying away from a target that is too near to turn to
+  bool planned_ = false;
+};
+
+}  // namespace skydrop::game

@@ -1,0 +1,31 @@
+// What happened in a step, for sounds and tests: taken once with World::takeEvents.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace skydrop::game {
+
+enum class GameEventKind {
+  drop,             // a package left the aircraft
+  parachuteOpened,  // its canopy began to fill
+  packageLanded,    // it touched land or water (one of scored and missed follows where there was a target)
+  scored,
+  missed,
+  packageRemoved,
+  targetDrawn,
+  crashed,  // the aircraft touched ground or water
+  respawned,
+  reset,
+};
+
+struct GameEvent {
+  GameEventKind kind{};
+  std::uint64_t step = 0;
+  glm::dvec3 position{0};
+  std::uint32_t id = 0;     // of the package or target, 0 for the aircraft
+  double missDistance = 0;  // scored, missed: from the target's centre, metres
+  bool onWater = false;     // packageLanded, crashed
+};
+
+}  // namespace skydrop::game

@@ -1,0 +1,83 @@
+// One moment of the game as plain data: what render, ui and audio read. Metres, metres per second, radians,
+// seconds; world axes (y up, +x east, -z north); quaternions body to world (body: forward -z, right +x).
+// A snapshot is a value: it may be kept, copied and handed to other threads.
+#pragma once
+
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skydrop/game/controls.h"
+
+namespace skydrop::game {
+
+struct AircraftSnapshot {
+  bool present = false;  // false in scenes without an aircraft: the rest is then meaningless
+  glm::dvec3 position{0};
+  glm::dquat orientation{1, 0, 0, 0};
+  glm::dvec3 velocity{0};
+  glm::dvec3 angularVelocityBody{0};  // rad/s about the body's axes
+  double airspeedMps = 0;
+  double throttle = 0;           // 0 idle .. 1 full: what the engine does, not what the key asks
+  Controls controls;             // of the step that led here
+  double propellerAngleRad = 0;  // [0, 2 pi)
+  double headingRad = 0;         // compass: 0 north, pi/2 east, in [0, 2 pi)
+  double pitchRad = 0;           // nose above the horizon, [-pi/2, pi/2]
+  double bankRad = 0;            // right wing down positive, (-pi, pi]
+  double loadFactor = 1;         // lift over weight, "g"
+  double groundHeight = 0;       // of the surface below: land, or the sea at 0
+  double heightAboveGround = 0;
+  bool stalled = false;
+  bool crashed = false;  // lies where it struck, until the respawn
+  double secondsToRespawn = 0;
+  std::uint32_t spawnCount = 0;  // changes when the aircraft is placed anew: do not interpolate across it
+};
+
+struct PackageSnapshot {
+  std::uint32_t id = 0;  // unique in a run, counts drops from 1
+  glm::dvec3 position{0};
+  glm::dquat orientation{1, 0, 0, 0};
+  glm::dvec3 velocity{0};
+  double parachuteOpen = 0;  // 0 packed .. 1 fully open; stays at 1 on the ground
+  bool landed = false;
+  bool onWater = false;
+};
+
+struct TargetSnapshot {
+  bool present = false;
+  std::uint32_t id = 0;
+  glm::dvec3 position{0};  // on the ground
+  double radius = 0;
+  double distance = 0;    // horizontal, from the aircraft
+  double bearingRad = 0;  // compass direction from the aircraft, [0, 2 pi); 0 straight above the target
+};
+
+struct Message {
+  std::string text;
+  double secondsLeft = 0;
+};
+
+struct Snapshot {
+  std::uint64_t stepCount = 0;
+  double simulatedSeconds = 0;
+  AircraftSnapshot aircraft;
+  std::vector<PackageSnapshot> packages;  // oldest first
+  TargetSnapshot target;
+  std::optional<glm::dvec3> predictedLanding;  // of a package dropped now (refreshed 20 times a second)
+  bool dropZone = false;       // the predicted landing point lies inside the target: show the text
+  double cooldownSeconds = 0;  // until the next drop is possible
+  std::int64_t score = 0;
+  std::int64_t drops = 0;
+  std::int64_t misses = 0;
+  std::vector<Message> messages;  // oldest first
+  glm::dvec3 wind{0};
+
+  // Set by whoever runs the world (app), for the HUD.
+  bool autopilot = false;
+  bool paused = false;
+};
+
+}  // namespace skydrop::game

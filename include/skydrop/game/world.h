@@ -1,0 +1,96 @@
+// The world as it runs: clock, aircraft, packages, targets, score. No graphics and no real time: one call of
+// step() is 1/120 s, whoever calls it. Seed, settings and the sequence of controls decide every bit of every
+// later state, whatever the frame rate or the number of threads around it; stateHash() shows it.
+//
+// The scoring rule (docs/flight.md gives the reasons):
+//  - a package belongs to the target that was current when it was released, and scores when it lands inside
+//    that target's radius; any other landing is a miss. Where the aircraft is does not matter.
+//  - a drop is "at the target" when the predicted landing point lay inside the radius at the release (when
+//  the
+//    drop text shows): then the next target is drawn at once. Any other drop is "elsewhere" and keeps the
+//    target. Should a drop elsewhere land inside after all, it scores and the next target is drawn at the
+//    landing, so that no target scores twice from drops made in turn.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "skydrop/flight/airplane_settings.h"
+#include "skydrop/flight/package_settings.h"
+#include "skydrop/game/controls.h"
+#include "skydrop/game/events.h"
+#include "skydrop/game/game_settings.h"
+#include "skydrop/game/snapshot.h"
+
+namespace skydrop::terrain {
+class HeightSource;
+}
+
+namespace skydrop::game {
+
+// Where the aircraft starts and R brings it back to. Angles in degrees; heading by compass. Flying level at
+// `speed` along its nose.
+struct StartPose {
+  glm::dvec3 position{0, 500, 0};
+  bool aboveGround = true;  // position.y counts from the surface (land or sea) below, else from the sea level
+  double headingDeg = 0;
+  double pitchDeg = 0;
+  double bankDeg = 0;
+  double speed = 70;  // m/s
+};
+
+struct WorldSetup {
+  std::shared_ptr<const terrain::HeightSource> ground;  // never null; the surface is max(its height, 0 = sea)
+  std::uint64_t seed = 1;                               // of the targets
+  bool hasAircraft = true;                              // without: only the clock runs
+  bool hasTargets = true;                               // without: packages drop, nothing scores
+  StartPose start;
+  glm::dvec3 wind{0};  // m/s, everywhere the same for now
+  flight::AirplaneSettings airplane;
+  flight::PackageSettings package;
+  GameSettings game;
+};
+
+class World {
+ public:
+  // Throws core::RangeError when the setup is unusable (no ground, values that are not finite, no mass).
+  explicit World(const WorldSetup& setup);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  // Advances by 1/120 s. Never throws on account of the controls: they are quantised first (controls.h).
+  void step(const Controls& controls);
+
+  // The states after the last step and after the one before it.
+  const Snapshot& now() const;
+  const Snapshot& before() const;
+  // Between the two: alpha 0 is before(), 1 is now(), clamped. Where something was placed anew it is at
+  // now().
+  Snapshot interpolated(double alpha) const;
+
+  // The events since the last call, in order.
+  std::vector<GameEvent> takeEvents();
+
+  // Digest of everything that decides the future (not of what is derived from it).
+  std::uint64_t stateHash() const;
+  std::uint64_t stepCount() const;
+
+  // Live changes, from the next step on. An input log records them too (input_log.h), or a replay would
+  // differ. Each throws core::RangeError, and changes nothing, when a value is unusable.
+  void apply(const flight::AirplaneSettings& settings);
+  void apply(const flight::PackageSettings& settings);
+  void apply(const GameSettings& settings);
+
+  // Places the aircraft anew (a pose from the command line or a test). Throws core::RangeError unless finite.
+  void placeAircraft(const StartPose& pose);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace skydrop::game
