@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "skydrop/render/gl/object.h"
+
+namespace skydrop::render::gl {
+
+// A buffer of fixed size (immutable storage). Sizes and offsets in bytes.
+class Buffer : public Object {
+ public:
+  // write: the CPU replaces parts with write(). fixed: content is given at creation or made by the GPU.
+  enum class Use { fixed, write };
+
+  Buffer() = default;
+  Buffer(Context& context, std::size_t size, Use use, std::string_view label);
+  Buffer(Context& context, std::span<const std::byte> content, Use use, std::string_view label);
+
+  template <class T>
+  static Buffer of(Context& context, std::span<const T> content, Use use, std::string_view label) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    return Buffer(context, std::as_bytes(content), use, label);
+  }
+
+  std::size_t size() const { return static_cast<std::size_t>(bytes()); }
+
+  // Use::write only; offset + content must lie within the buffer.
+  void write(std::size_t offset, std::span<const std::byte> content);
+  template <class T>
+  void writeValue(std::size_t offset, const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    write(offset, std::as_bytes(std::span<const T, 1>(&value, 1)));
+  }
+  // Waits for the GPU.
+  void read(std::size_t offset, std::span<std::byte> content) const;
+
+  void bind(GLenum target) const;  // GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER ...
+  void bindBase(GLenum target, GLuint index) const;  // GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER
+};
+
+}  // namespace skydrop::render::gl

@@ -1,0 +1,211 @@
+#define GLFW_INCLUDE_NONE
+#include "skydrop/render/gl/window_context.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::render::gl {
+namespace {
+
+std::string lastGlfwError() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description ? description : "no reason given";
+}
+
+// GLFW is initialised by the first window and ended by the last. Main thread.
+int windowCount = 0;
+
+}  // namespace
+
+struct WindowContext::Impl {
+  GLFWwindow* window = nullptr;
+  std::vector<WindowEvent> events;
+  int restoreX = 0, restoreY = 0, restoreWidth = 0, restoreHeight = 0;
+
+  explicit Impl(const WindowSettings& settings) {
+    if (windowCount == 0 && !glfwInit()) {
+      throw core::GraphicsUnavailable("no display for a window (" + lastGlfwError() +
+                                      "); `skydrop render` draws without one");
+    }
+    ++windowCount;
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_VISIBLE, settings.visible ? GLFW_TRUE : GLFW_FALSE);
+    window = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
+    if (!window) {
+      const std::string reason = lastGlfwError();
+      release();
+      throw core::GraphicsUnavailable("window: OpenGL 4.5 core is needed (" + reason + ")");
+    }
+    glfwSetWindowUserPointer(window, this);
+    setCallbacks();
+  }
+
+  ~Impl() { release(); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  void release() {
+    if (window) glfwDestroyWindow(std::exchange(window, nullptr));
+    if (--windowCount == 0) glfwTerminate();
+  }
+
+  static Impl& of(GLFWwindow* window) { return *static_cast<Impl*>(glfwGetWindowUserPointer(window)); }
+
+  void setCallbacks() {
+    using Kind = WindowEvent::Kind;
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scanCode, int action, int modifiers) {
+      WindowEvent event{Kind::key};
+      event.code = key;
+      event.scanCode = scanCode;
+      event.pressed = action != GLFW_RELEASE;
+      event.repeated = action == GLFW_REPEAT;
+      event.modifiers = modifiers;
+      of(w).events.push_back(event);
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+      WindowEvent event{Kind::mouseButton};
+      event.code = button;
+      event.pressed = action == GLFW_PRESS;
+      event.modifiers = modifiers;
+      glfwGetCursorPos(w, &event.x, &event.y);
+      of(w).events.push_back(event);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+      WindowEvent event{Kind::mouseMove};
+      event.x = x;
+      event.y = y;
+      of(w).events.push_back(event);
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+      WindowEvent event{Kind::scroll};
+      event.x = x;
+      event.y = y;
+      of(w).events.push_back(event);
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+      WindowEvent event{Kind::character};
+      event.character = character;
+      of(w).events.push_back(event);
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int gained) {
+      WindowEvent event{Kind::focus};
+      event.pressed = gained == GLFW_TRUE;
+      of(w).events.push_back(event);
+    });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int width, int height) {
+      WindowEvent event{Kind::resize};
+      event.x = width;
+      event.y = height;
+      of(w).events.push_back(event);
+    });
+  }
+
+  // The monitor that holds the window's centre, or the primary one.
+  GLFWmonitor* monitor() const {
+    int x = 0, y = 0, width = 0, height = 0, count = 0;
+    glfwGetWindowPos(window, &x, &y);
+    glfwGetWindowSize(window, &width, &height);
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+      int left = 0, top = 0;
+      glfwGetMonitorPos(monitors[i], &left, &top);
+      const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+      const int centreX = x + width / 2, centreY = y + height / 2;
+      if (mode && centreX >= left && centreX < left + mode->width && centreY >= top &&
+          centreY < top + mode->height) {
+        return monitors[i];
+      }
+    }
+    return glfwGetPrimaryMonitor();
+  }
+};
+
+WindowContext::WindowContext(const WindowSettings& settings)
+    : Context(Backend::window), impl_(std::make_unique<Impl>(settings)) {
+  try {
+    initialise();
+  } catch (...) {
+    shutDown();
+    throw;
+  }
+  if (settings.fullScreen) setFullScreen(true);
+}
+
+WindowContext::~WindowContext() { shutDown(); }
+
+int WindowContext::width() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(impl_->window, &width, &height);
+  return std::max(width, 1);
+}
+
+int WindowContext::height() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(impl_->window, &width, &height);
+  return std::max(height, 1);
+}
+
+bool WindowContext::shouldClose() const { return glfwWindowShouldClose(impl_->window); }
+
+void WindowContext::setShouldClose(bool close) { glfwSetWindowShouldClose(impl_->window, close); }
+
+void WindowContext::swap() { glfwSwapBuffers(impl_->window); }
+
+void WindowContext::setVsync(bool on) {
+  makeCurrent();
+  glfwSwapInterval(on ? 1 : 0);
+}
+
+bool WindowContext::isFullScreen() const { return glfwGetWindowMonitor(impl_->window) != nullptr; }
+
+void WindowContext::setFullScreen(bool on) {
+  if (on == isFullScreen()) return;
+  Impl& self = *impl_;
+  if (!on) {
+    glfwSetWindowMonitor(self.window, nullptr, self.restoreX, self.restoreY, self.restoreWidth,
+                         self.restoreHeight, GLFW_DONT_CARE);
+    return;
+  }
+  GLFWmonitor* monitor = self.monitor();
+  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (!mode) return;  // no monitor to fill
+  glfwGetWindowPos(self.window, &self.restoreX, &self.restoreY);
+  glfwGetWindowSize(self.window, &self.restoreWidth, &self.restoreHeight);
+  glfwSetWindowMonitor(self.window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+bool WindowContext::isFocused() const {
+  return glfwGetWindowAttrib(impl_->window, GLFW_FOCUSED) == GLFW_TRUE;
+}
+
+std::vector<WindowEvent> WindowContext::pollEvents() {
+  glfwPollEvents();
+  return std::exchange(impl_->events, {});
+}
+
+bool WindowContext::isKeyDown(int key) const { return glfwGetKey(impl_->window, key) == GLFW_PRESS; }
+
+GLFWwindow* WindowContext::handle() const { return impl_->window; }
+
+Context::Procedure WindowContext::procAddress(const char* name) { return glfwGetProcAddress(name); }
+
+bool WindowContext::bindToThread() {
+  glfwMakeContextCurrent(impl_->window);
+  return glfwGetCurrentContext() == impl_->window;
+}
+
+void WindowContext::releaseFromThread() { glfwMakeContextCurrent(nullptr); }
+
+}  // namespace skydrop::render::gl

@@ -1,0 +1,73 @@
+#include "skydrop/render/gl/context.h"
+
+#include "skydrop/render/gl/buffer.h"
+#include "support/gl_test.h"
+
+namespace skydrop::render::gl {
+namespace {
+
+using test::GLTest;
+
+TEST_F(GLTest, contextOffersCoreFourFive) {
+  // Whatever the back-end, the context is 4.5 core or there is none.
+  EXPECT_EQ(context().backend(), test::backendFromEnvironment());
+  EXPECT_GE(context().limit(GL_MAJOR_VERSION) * 10 + context().limit(GL_MINOR_VERSION), 45);
+  EXPECT_TRUE(context().limit(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT);
+  EXPECT_FALSE(context().renderer().empty());
+  EXPECT_GE(context().limit(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS), 1024);
+}
+
+TEST_F(GLTest, contextCollectsTheDriversErrors) {
+  // An error of the driver is counted with its words; nothing is printed and forgotten.
+  ASSERT_EQ(context().debugErrors(), 0u);
+  api().Enable(0xdead);
+  EXPECT_EQ(context().debugErrors(), 1u);
+  ASSERT_FALSE(context().debugMessages().empty());
+  EXPECT_FALSE(context().debugMessages().back().text.empty());
+  api().GetError();
+  forgiveDebugErrors();
+}
+
+TEST_F(GLTest, contextCountsDrawsAndDispatchesByPass) {
+  // The ledger books each draw on the pass that is open, and no other.
+  Ledger& ledger = context().ledger();
+  ledger.clearPasses();
+  ledger.beginPass("terrain");
+  ledger.drew();
+  ledger.drew();
+  ledger.endPass();
+  ledger.beginPass("clouds");
+  ledger.dispatched();
+  ledger.endPass();
+  EXPECT_EQ(ledger.passes().at("terrain"), (PassCounts{2, 0}));
+  EXPECT_EQ(ledger.passes().at("clouds"), (PassCounts{0, 1}));
+  EXPECT_EQ(ledger.total(), (PassCounts{2, 1}));
+}
+
+TEST_F(GLTest, twoContextsOfOneBackendDoNotMixTheirObjects) {
+  // An object is deleted in its own context, whichever is current.
+  std::string why;
+  const auto other = test::openForTest(context().backend(), why);
+  ASSERT_TRUE(other) << why;
+  EXPECT_TRUE(other->isCurrent());
+  {
+    Buffer theirs(*other, 16, Buffer::Use::write, "theirs");
+    context().makeCurrent();
+    Buffer ours(context(), 32, Buffer::Use::write, "ours");
+    EXPECT_EQ(other->ledger().bytes(), 16u);
+    EXPECT_EQ(context().ledger().bytes(), 32u);
+    theirs = Buffer();
+    EXPECT_TRUE(context().isCurrent());
+    EXPECT_EQ(other->ledger().liveObjects(), 0);
+    EXPECT_EQ(context().ledger().liveObjects(), 1);
+    const int value = 7;
+    ours.writeValue(0, value);
+    int read = 0;
+    ours.read(0, std::as_writable_bytes(std::span<int, 1>(&read, 1)));
+    EXPECT_EQ(read, value);
+  }
+  EXPECT_EQ(other->debugErrors(), 0u);
+}
+
+}  // namespace
+}  // namespace skydrop::render::gl
