@@ -1,0 +1,40 @@
+// Every program of a renderer, compiled once for each set of entry points and defines, and compiled again
+// when a file changes.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "skydrop/render/gl/shader.h"
+
+namespace skydrop::render::gl {
+
+class ShaderCache {
+ public:
+  explicit ShaderCache(Context& context) : context_(&context) {}
+
+  // The program of these files and defines; compiled at the first call. The reference stays valid as long as
+  // the cache. Throws core::DataError as Shader does.
+  Shader& shader(const std::string& vertex, const std::string& fragment,
+                 std::span<const std::string> defines = {}, const std::string& geometry = {});
+  ComputeShader& computeShader(const std::string& file, std::span<const std::string> defines = {});
+
+  struct Reloaded {
+    int programs = 0;                 // compiled anew
+    std::vector<std::string> errors;  // one line each; those programs stay as they were
+  };
+  // Looks at the files' times. A file that fails is not tried again until it is written again.
+  Reloaded reloadChanged();
+
+  std::size_t size() const { return shaders_.size() + computeShaders_.size(); }
+
+ private:
+  Context* context_;
+  std::map<std::string, std::unique_ptr<Shader>> shaders_;
+  std::map<std::string, std::unique_ptr<ComputeShader>> computeShaders_;
+};
+
+}  // namespace skydrop::render::gl
