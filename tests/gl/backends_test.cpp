@@ -1,0 +1,142 @@
+// EGL and OSMesa in one process.
+#include <bit>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "skydrop/render/gl/pass_timer.h"
+#include "skydrop/render/gl/shader.h"
+#include "skydrop/render/mesh.h"
+#include "support/gl_test.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr int kWidth = 160, kHeight = 90;
+
+// A lit sphere in a torus over a plane, with depth: vertices, interpolation, textures of depth,
+// transcendental functions.
+std::vector<glm::vec4> drawScene(gl::Context& context, const test::TemporaryFolder& folder) {
+  gl::Shader shader(context, folder.write("scene.vert", R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+uniform mat4 viewProjection;
+out vec3 n;
+out vec3 p;
+void main() { n = normal; p = position; gl_Position = viewProjection * vec4(position, 1.0); }
+)"),
+                    folder.write("scene.frag", R"(
+in vec3 n;
+in vec3 p;
+out vec4 color;
+void main() {
+  vec3 unit = normalize(n);
+  float lit = max(dot(unit, normalize(vec3(1.0, 2.0, 3.0))), 0.0);
+  color = vec4(exp(-length(p)) + pow(lit, 3.0), sin(10.0 * p.x) * 0.5 + 0.5, lit, 1.0);
+}
+)"));
+  Mesh sphere(context, sphereMesh(0.5, 24, 16), "sphere");
+  Mesh torus(context, torusMesh(1.0, 0.2, 32, 12), "torus");
+  Mesh plane(context, planeMesh(4, 4, 4, 4), "plane");
+  gl::FrameBuffer target(context, kWidth, kHeight, {}, "target");
+  target.bind();
+  const glm::mat4 view = glm::lookAt(glm::vec3(1, 2, 3), glm::vec3(0), glm::vec3(0, 1, 0));
+  glm::mat4 projection(0);  // reversed depth, infinite far plane, 60 degrees, near plane at 0.1
+  const float focal = 1.7320508f;
+  projection[0][0] = focal * kHeight / kWidth;
+  projection[1][1] = focal;
+  projection[2][3] = -1;
+  projection[3][2] = 0.1f;
+  shader.use();
+  shader.setMatrix("viewProjection", projection * view);
+  sphere.draw();
+  torus.draw();
+  plane.draw();
+  target.unBind();
+  return test::readFloats(target);
+}
+
+TEST(Backends, eglAndOsMesaDrawTheSameBitsInOneProcess) {
+  // The scene is drawn on one back-end, on the other, and again on the first while both live: all bits agree.
+  std::string why;
+  const auto egl = test::openForTest(gl::Backend::egl, why);
+  if (!egl) GTEST_SKIP() << why;
+  const auto osmesa = test::openForTest(gl::Backend::osmesa, why);
+  if (!osmesa) GTEST_SKIP() << why;
+  const test::TemporaryFolder folder;
+
+  egl->makeCurrent();
+  const std::vector<glm::vec4> first = drawScene(*egl, folder);
+  osmesa->makeCurrent();
+  const std::vector<glm::vec4> second = drawScene(*osmesa, folder);
+  egl->makeCurrent();
+  const std::vector<glm::vec4> third = drawScene(*egl, folder);
+
+  ASSERT_EQ(first.size(), second.size());
+  int different = 0, covered = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    covered += first[i].w > 0;
+    for (int c = 0; c < 4; ++c) {
+      different += std::bit_cast<std::uint32_t>(first[i][c]) != std::bit_cast<std::uint32_t>(second[i][c]);
+      different += std::bit_cast<std::uint32_t>(first[i][c]) != std::bit_cast<std::uint32_t>(third[i][c]);
+    }
+  }
+  EXPECT_EQ(different, 0);
+  EXPECT_GT(covered, kWidth * kHeight / 4);  // the scene is in the picture
+  for (const auto* context : {egl.get(), osmesa.get()}) {
+    EXPECT_EQ(context->debugErrors(), 0u);
+    EXPECT_EQ(context->ledger().liveObjects(), 0);
+    EXPECT_EQ(context->ledger().bytes(), 0u);
+  }
+  EXPECT_EQ(osmesa->ledger().total().draws, 3u);
+}
+
+using MeshGLTest = test::GLTest;
+
+TEST_F(MeshGLTest, nearerSurfacesWinWhateverTheOrder) {
+  // Reversed depth with GEQUAL: the sphere hides the plane behind it in both orders of drawing.
+  const test::TemporaryFolder folder;
+  gl::Shader shader(
+      context(), folder.write("flat.vert", R"(
+layout(location = 0) in vec3 position;
+uniform float depth;
+void main() { gl_Position = vec4(position.xy, depth, 1.0); }
+)"),
+      folder.write("flat.frag", "uniform vec4 tint;\nout vec4 color;\nvoid main() { color = tint; }\n"));
+  Mesh mesh(context(), sphereMesh(1, 16, 8), "sphere");
+  gl::FrameBuffer target(context(), 8, 8, {}, "target");
+  for (const bool nearFirst : {true, false}) {
+    target.bind();
+    shader.use();
+    for (const bool isNear : {nearFirst, !nearFirst}) {
+      shader.setFloat("depth", isNear ? 0.9f : 0.1f);
+      shader.setVec4("tint", isNear ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 1));
+      mesh.draw();
+    }
+    target.unBind();
+    EXPECT_EQ(test::readFloats(target)[8 * 4 + 4], glm::vec4(1, 0, 0, 1));
+  }
+}
+
+TEST_F(MeshGLTest, passTimerNamesItsClockAndTimesOnlyWhenMeasuring) {
+  // On a software renderer: no clock in play, wall clock in measuring runs.
+  ASSERT_TRUE(context().isSoftware());
+  gl::PassTimer playing(context(), false);
+  playing.begin("sky");
+  playing.end();
+  EXPECT_EQ(playing.clock(), gl::PassClock::none);
+  EXPECT_TRUE(playing.milliseconds().empty());
+
+  gl::PassTimer measuring(context(), true);
+  EXPECT_EQ(measuring.clockName(), "wall clock between glFinish calls");
+  gl::FrameBuffer target(context(), 512, 512, {}, "target");
+  measuring.beginFrame();
+  measuring.begin("sky");
+  target.bind();
+  target.unBind();
+  measuring.end();
+  measuring.finish();
+  EXPECT_GT(measuring.milliseconds().at("sky"), 0.0);
+}
+
+}  // namespace
+}  // namespace skydrop::render
