@@ -1,0 +1,62 @@
+#include "app/statistics_json.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "skydrop/core/file.h"
+
+namespace skydrop::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string hexadecimal(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+ordered_json passJson(const core::PassStatistics& pass) {
+  ordered_json json = {{"ms", pass.ms}, {"draws", pass.draws}, {"dispatches", pass.dispatches}};
+  if (!pass.skipped.empty()) json["skipped"] = pass.skipped;
+  return json;
+}
+
+}  // namespace
+
+std::string statisticsJson(const core::FrameStatistics& s) {
+  ordered_json json;
+  json["schema"] = kStatisticsSchema;
+  json["frame"] = {{"count", s.frames}, {"ms", {{"median", s.medianMs}, {"p99", s.p99Ms}, {"max", s.maxMs}}}};
+  json["clock"] = s.clock;
+  json["renderer"] = s.renderer;
+  json["passes"] = ordered_json::object();
+  for (const auto& [name, pass] : s.passes) json["passes"][name] = passJson(pass);
+  json["gl"] = {{"textures", s.gl.textures},
+                {"buffers", s.gl.buffers},
+                {"programs", s.gl.programs},
+                {"framebuffers", s.gl.framebuffers},
+                {"bytes", s.gl.bytes}};
+  json["terrain"] = {{"chunksDrawn", s.terrain.chunksDrawn}, {"triangles", s.terrain.triangles},
+                     {"generated", s.terrain.generated},     {"cacheHits", s.terrain.cacheHits},
+                     {"queue", s.terrain.queue},             {"bytes", s.terrain.bytes},
+                     {"coarsened", s.terrain.coarsened}};
+  json["threads"] = s.threads;
+  json["effects"] = s.effects;
+  json["game"] = {{"score", s.game.score},
+                  {"drops", s.game.drops},
+                  {"misses", s.game.misses},
+                  {"targets", s.game.targets},
+                  {"position", s.game.position}};
+  json["guards"] = s.guards;
+  json["other"] = s.other;
+  json["steps"] = s.steps;
+  json["stateHash"] = hexadecimal(s.stateHash);
+  return json.dump(2) + "\n";
+}
+
+void writeStatistics(const std::filesystem::path& file, const core::FrameStatistics& statistics) {
+  core::writeFileAtomically(file, statisticsJson(statistics));
+}
+
+}  // namespace skydrop::app

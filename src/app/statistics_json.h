@@ -1,0 +1,20 @@
+// --stats: what a run measured, as JSON.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "skydrop/core/frame_statistics.h"
+
+namespace skydrop::app {
+
+inline constexpr int kStatisticsSchema = 1;
+
+// Members: schema, frame.ms {median, p99, max}, passes.<name> {ms, draws, dispatches, skipped}, gl, terrain,
+// threads, effects, game, guards, stateHash (sixteen hexadecimal digits), other {name: ms}.
+std::string statisticsJson(const core::FrameStatistics& statistics);
+
+// Throws core::DataError when the file cannot be written.
+void writeStatistics(const std::filesystem::path& file, const core::FrameStatistics& statistics);
+
+}  // namespace skydrop::app
