@@ -1,0 +1,125 @@
+// Sky light and haze from air molecules and aerosol, in closed form. Two layers of exponential density; flat
+// earth but for the air mass; single scattering after Chandrasekhar ("Radiative Transfer", 1950, chapter I: the
+// plane-parallel layer) and multiple scattering as an isotropic share of it. Light is linear RGB; radiance per
+// irradiance of the sun outside the atmosphere, so the unit is the sun's.
+
+CONST Real kPi = Real(3.14159265358979);
+
+struct Atmosphere {
+  Vec3 rayleigh;        // scattering coefficient of air at sea level, 1/m, [0, 1e-3]
+  Real rayleighHeight;  // scale height of air, m, > 0
+  Real haze;            // extinction coefficient of aerosol at sea level, 1/m, [0, 1]
+  Real hazeHeight;      // scale height of aerosol, m, > 0
+  Real hazeAlbedo;      // share of the aerosol's extinction that is scattering, [0, 1]
+  Real hazeAnisotropy;  // g of its phase function, [-0.95, 0.95]
+};
+
+// What one sky direction scatters towards the eye. Radiance = sun's irradiance *
+// (rayleigh * rayleighPhase + haze * hazePhase + isotropic).
+struct SkySource {
+  Vec3 rayleigh;
+  Vec3 haze;
+  Vec3 isotropic;
+};
+
+// Light scattered more than once, as a share of that scattered once, without direction. Half makes the clear
+// sky as bright against the sun as measured (Bird and Hulstrom 1981: 10 to 15 % diffuse at noon).
+CONST Real kMultipleScattering = Real(0.5);
+
+// Path through the whole atmosphere against the vertical one, by the cosine of the zenith angle: 1 at the zenith, 40
+// at the horizon and below (Rozenberg, "Twilight", 1966).
+FN Real airMass(Real cosZenith) {
+  Real c = clamp(cosZenith, Real(0.0), Real(1.0));
+  return Real(1.0) / (c + Real(0.025) * exp(Real(-11.0) * c));
+}
+
+FN Real densityAt(Real heightM, Real scaleHeightM) { return exp(-max(heightM, Real(0.0)) / scaleHeightM); }
+
+// Optical depth of everything above a height, straight up.
+FN Vec3 opticalDepthAbove(Atmosphere air, Real heightM) {
+  Real haze = air.haze * air.hazeHeight * densityAt(heightM, air.hazeHeight);
+  return air.rayleigh * (air.rayleighHeight * densityAt(heightM, air.rayleighHeight)) + Vec3(haze, haze, haze);
+}
+
+FN Vec3 exp3(Vec3 v) { return Vec3(exp(v.x), exp(v.y), exp(v.z)); }
+
+// What ozone, far above all else, leaves of the sun's light: it takes green and red from low light, so the sky overhead
+// stays blue in the evening. Vertical optical depth after Bruneton (2017), a thin shell 25 km up.
+FN Vec3 ozoneTransmittance(Real cosZenith) {
+  Real path = Real(1.0) / sqrt(cosZenith * cosZenith + Real(0.00785));
+  return exp3(Vec3(Real(-0.0098), Real(-0.0282), Real(-0.0013)) * path);
+}
+
+// Of sunlight from above the atmosphere down to a height.
+FN Vec3 sunTransmittance(Atmosphere air, Real heightM, Real cosZenith) {
+  return exp3(-opticalDepthAbove(air, heightM) * airMass(cosZenith)) * ozoneTransmittance(cosZenith);
+}
+
+// Share of the sun's disc (angular radius 0.267 degrees) above the horizon.
+FN Real sunVisibleShare(Real cosZenith) {
+  Real t = saturate((cosZenith + Real(0.00465)) / Real(0.0093));
+  return t * t * (Real(3.0) - Real(2.0) * t);
+}
+
+// With the sun below the horizon the earth's shadow hides the air below R (1 / cos(depression) - 1): what is
+// left of the scattering is the share of the air above. 1 while the sun is up.
+FN Real twilight(Real cosSunZenith, Real scaleHeightM) {
+  if (cosSunZenith >= Real(0.0)) return Real(1.0);
+  Real cosDepression = squareRoot(Real(1.0) - cosSunZenith * cosSunZenith);
+  // 1 / cos - 1, written so that nothing cancels in the first degrees.
+  Real cosClamped = max(cosDepression, Real(0.01));
+  Real shadow = Real(6.371e6) * cosSunZenith * cosSunZenith / (cosClamped * (Real(1.0) + cosDepression));
+  return exp(-shadow / scaleHeightM);
+}
+
+// Rayleigh's phase function: 1/sr, integral 1 over the sphere.
+FN Real rayleighPhase(Real cosAngle) { return Real(3.0) / (Real(16.0) * kPi) * (Real(1.0) + cosAngle * cosAngle); }
+
+// Henyey and Greenstein (1941): 1/sr, integral 1 over the sphere. g is clamped to +-0.95; the denominator is
+// arranged so that nothing cancels where g and the cosine come near 1.
+FN Real hazePhase(Real cosAngle, Real g) {
+  Real a = clamp(g, Real(-0.95), Real(0.95));
+  Real base = (Real(1.0) - a) * (Real(1.0) - a) + Real(2.0) * a * (Real(1.0) - clamp(cosAngle, Real(-1.0), Real(1.0)));
+  return (Real(1.0) - a * a) / (Real(4.0) * kPi * base * sqrt(base));
+}
+
+// The sky in a direction whose zenith angle has the given cosine (below the horizon: as at the horizon), seen
+// from a height, with the sun at a zenith angle.
+FN SkySource skySource(Atmosphere air, Real heightM, Real cosView, Real cosSun) {
+  Real toEye = airMass(cosView);
+  Real toSun = airMass(cosSun);
+  Vec3 depth = opticalDepthAbove(air, heightM);
+  // Light scattered once at each depth: the integral of exp(-t * toSun) exp(-t * toEye), written so that equal air
+  // masses are no special case and no exponent is positive.
+  Vec3 once = depth * toEye * exp3(-depth * (toEye < toSun ? toEye : toSun)) *
+              oneMinusExpOverX3(depth * abs(toEye - toSun)) * ozoneTransmittance(cosSun);
+  // Which of the two scattered it: what lies within one optical depth of the eye. Overhead that is the whole column, at
+  // the horizon the air at the eye's height.
+  Vec3 airHere = air.rayleigh * densityAt(heightM, air.rayleighHeight);
+  Real hazeHere = air.haze * densityAt(heightM, air.hazeHeight);
+  Vec3 extinction = airHere + Vec3(hazeHere, hazeHere, hazeHere) + Vec3(Real(1e-12), Real(1e-12), Real(1e-12));
+  Vec3 rise = Vec3(Real(1.0), Real(1.0), Real(1.0)) * max(cosView, Real(0.0)) / extinction;
+  Vec3 byAir = airHere * oneMinusExpOverX3(rise / air.rayleighHeight);
+  Vec3 byHaze = oneMinusExpOverX3(rise / air.hazeHeight) * hazeHere;
+  Vec3 both = byAir + byHaze + Vec3(Real(1e-20), Real(1e-20), Real(1e-20));
+  SkySource source;
+  source.rayleigh = once * byAir / both * twilight(cosSun, air.rayleighHeight);
+  source.haze = once * byHaze / both * (air.hazeAlbedo * twilight(cosSun, air.hazeHeight));
+  source.isotropic = (source.rayleigh + source.haze) * (kMultipleScattering / (Real(4.0) * kPi));
+  return source;
+}
+
+FN Vec3 skyRadiance(SkySource source, Real cosSunAngle, Real hazeAnisotropy) {
+  return source.rayleigh * rayleighPhase(cosSunAngle) + source.haze * hazePhase(cosSunAngle, hazeAnisotropy) +
+         source.isotropic;
+}
+
+// Optical depth of a straight path of a length between two heights. Exact for exponential density; horizontal
+// paths are no special case.
+FN Vec3 opticalDepthBetween(Atmosphere air, Real heightA, Real heightB, Real lengthM) {
+  Real low = max(heightA < heightB ? heightA : heightB, Real(0.0));
+  Real rise = abs(max(heightA, Real(0.0)) - max(heightB, Real(0.0)));
+  Real air1 = densityAt(low, air.rayleighHeight) * oneMinusExpOverX(rise / air.rayleighHeight) * lengthM;
+  Real haze1 = air.haze * densityAt(low, air.hazeHeight) * oneMinusExpOverX(rise / air.hazeHeight) * lengthM;
+  return air.rayleigh * air1 + Vec3(haze1, haze1, haze1);
+}

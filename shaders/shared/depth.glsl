@@ -1,0 +1,16 @@
+// Reversed depth with an infinite far plane: depth = nearM / viewZ, 1 at the near plane, 0 at infinity.
+// viewZ is the distance along the view axis, in metres; a ray's length is viewZ times the length of its direction
+// scaled to reach 1 along that axis.
+
+// What stands for "nothing there" in place of a distance, in metres.
+CONST Real kFarMarker = Real(1e30);
+
+FN Real depthOfViewZ(Real viewZ, Real nearM) { return nearM / viewZ; }
+
+FN Real viewZOfDepth(Real depth, Real nearM) { return depth > Real(0.0) ? nearM / depth : kFarMarker; }
+
+// Distance from the eye to the surface of a depth sample. `rayScale` is the length of the pixel's ray where its
+// component along the view axis is 1 (at least 1: larger in the corners).
+FN Real distanceOfDepth(Real depth, Real nearM, Real rayScale) {
+  return depth > Real(0.0) ? nearM / depth * rayScale : kFarMarker;
+}
