@@ -1,0 +1,42 @@
+// What a frame looks like, apart from what is in it.
+#pragma once
+
+#include "skydrop/core/settings.h"
+
+namespace skydrop::render {
+
+struct CameraSettings {
+  double fovDegrees = 60;     // vertical
+  double nearM = 0.1;         // m
+  double chaseDistance = 14;  // m behind the aircraft
+  double chaseHeight = 4;     // m above it, in its own axes
+  double chaseLag = 0.12;     // s: by how much of its turning the chase camera hangs back
+  double cockpitForward = 1;  // m ahead of the aircraft's centre
+  double cockpitHeight = 1;   // m above it
+};
+
+struct SunSettings {
+  double elevationDegrees = 40;  // above the horizon; negative: night
+  double azimuthDegrees = 135;   // compass
+};
+
+struct AtmosphereSettings {
+  double visibilityM = 60000;    // distance at which contrast falls to 2 %, at sea level
+  double hazeHeightM = 1200;     // scale height of the aerosol
+  double hazeAnisotropy = 0.76;  // g of its phase function
+};
+
+struct RenderSettings {
+  CameraSettings camera;
+  SunSettings sun;
+  AtmosphereSettings atmosphere;
+  double exposureStops = 0;  // on top of the automatic exposure
+  bool wireframe = false;
+};
+
+void describe(core::SettingsVisitor& visitor, CameraSettings& settings);
+void describe(core::SettingsVisitor& visitor, SunSettings& settings);
+void describe(core::SettingsVisitor& visitor, AtmosphereSettings& settings);
+void describe(core::SettingsVisitor& visitor, RenderSettings& settings);
+
+}  // namespace skydrop::render

@@ -1,0 +1,50 @@
+#include "skydrop/render/render_settings.h"
+
+namespace skydrop::render {
+
+void describe(core::SettingsVisitor& visitor, CameraSettings& s) {
+  visitor.number("fovDegrees", s.fovDegrees,
+                 {"deg", 20, 120, "Vertical field of view; more shows more, smaller."});
+  visitor.number("nearM", s.nearM, {"m", 0.02, 5, "Near plane; what is nearer to the eye is cut away."});
+  visitor.number("chaseDistance", s.chaseDistance,
+                 {"m", 4, 60, "How far behind the aircraft the chase camera flies."});
+  visitor.number("chaseHeight", s.chaseHeight,
+                 {"m", 0, 20, "How far above the aircraft the chase camera flies."});
+  visitor.number(
+      "chaseLag", s.chaseLag,
+      {"s", 0, 0.5, "How long the chase camera hangs back in a turn; 0 is bolted to the aircraft."});
+  visitor.number("cockpitForward", s.cockpitForward,
+                 {"m", -2, 5, "The pilot's eye ahead of the aircraft's centre."});
+  visitor.number("cockpitHeight", s.cockpitHeight,
+                 {"m", -1, 3, "The pilot's eye above the aircraft's centre."});
+}
+
+void describe(core::SettingsVisitor& visitor, SunSettings& s) {
+  visitor.number("elevationDegrees", s.elevationDegrees,
+                 {"deg", -30, 90, "Height of the sun above the horizon; below 0 it has set."});
+  visitor.number("azimuthDegrees", s.azimuthDegrees,
+                 {"deg", 0, 360, "Compass direction of the sun: 90 is east, 180 south."});
+}
+
+void describe(core::SettingsVisitor& visitor, AtmosphereSettings& s) {
+  visitor.number(
+      "visibilityM", s.visibilityM,
+      {"m", 1000, 250000, "Distance at which a dark hill is just seen against the sky; less is hazier.",
+       core::TakesEffect::live, true});
+  visitor.number("hazeHeightM", s.hazeHeightM,
+                 {"m", 100, 4000, "Height over which the haze thins to 37 %; more reaches higher."});
+  visitor.number(
+      "hazeAnisotropy", s.hazeAnisotropy,
+      {"1", 0, 0.95, "How strongly haze scatters forward; more makes a brighter glow around the sun."});
+}
+
+void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
+  visitor.group("camera", s.camera, "Where the frame is seen from.");
+  visitor.group("sun", s.sun, "Where the sun stands.");
+  visitor.group("atmosphere", s.atmosphere, "Air and haze between the eye and the land.");
+  visitor.number("exposureStops", s.exposureStops,
+                 {"EV", -6, 6, "Brightness on top of the automatic exposure; each step doubles it."});
+  visitor.flag("wireframe", s.wireframe, {"Draws the land as lines."});
+}
+
+}  // namespace skydrop::render

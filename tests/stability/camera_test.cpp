@@ -1,0 +1,184 @@
+#include "skydrop/render/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <numbers>
+
+#include "skydrop/core/error.h"
+#include "skydrop/core/hash.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The largest deviation of R R^T from the identity, and of the determinant from 1.
+double rotationError(const glm::dmat3& m) {
+  const glm::dmat3 product = m * glm::transpose(m);
+  double worst = std::abs(glm::determinant(m) - 1);
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      worst = std::max(worst, std::abs(product[column][row] - (column == row ? 1.0 : 0.0)));
+    }
+  }
+  return worst;
+}
+
+game::Snapshot withAircraft(const glm::dvec3& position, const glm::dquat& orientation) {
+  game::Snapshot snapshot;
+  snapshot.aircraft.present = true;
+  snapshot.aircraft.position = position;
+  snapshot.aircraft.orientation = orientation;
+  return snapshot;
+}
+
+TEST(Stability, P11_posesOfEveryAttitudeAreRotations) {
+  // Straight up and down, upside down, and a thousand random attitudes: orthonormal within 1e-6,
+  // determinant 1.
+  Camera camera;
+  camera.setMode(CameraMode::free);
+  core::RandomStream random{11, 0};
+  for (int i = 0; i < 1000; ++i) {
+    const double pitch = i < 100 ? (i % 2 ? kPi / 2 : -kPi / 2) : (random.nextUnit() - 0.5) * 4 * kPi;
+    camera.setPose({0, 0, 0}, random.nextUnit() * 20 - 10, pitch, i % 3 ? random.nextUnit() * 7 : kPi);
+    const View view = camera.view({}, {}, 320, 180);
+    ASSERT_LT(rotationError(view.worldToView), 1e-6);
+    // The camera looks where the formula of the free camera says.
+    ASSERT_LT(glm::distance(view.forward(), camera.direction()), 1e-12);
+  }
+}
+
+TEST(Stability, P11_camerasOnTheAircraftHaveNoSingularAttitude) {
+  // Nose straight up and down, inverted, knife edge, random: both riding cameras roll along and stay
+  // rotations.
+  core::RandomStream random{12, 0};
+  for (int i = 0; i < 1000; ++i) {
+    glm::dquat q(random.nextUnit() - 0.5, random.nextUnit() - 0.5, random.nextUnit() - 0.5,
+                 random.nextUnit() - 0.5);
+    if (i == 0) q = glm::angleAxis(kPi / 2, glm::dvec3(1, 0, 0));
+    if (i == 1) q = glm::angleAxis(-kPi / 2, glm::dvec3(1, 0, 0));
+    if (i == 2) q = glm::angleAxis(kPi, glm::dvec3(0, 0, 1));
+    if (i == 3) q = glm::angleAxis(kPi / 2, glm::dvec3(0, 0, 1));
+    q = glm::normalize(q);
+    game::Snapshot snapshot = withAircraft({1e6, 500, -2e6}, q);
+    for (const CameraMode mode : {CameraMode::cockpit, CameraMode::chase}) {
+      Camera camera;
+      camera.setMode(mode);
+      const View view = camera.view(snapshot, {}, 320, 180);
+      ASSERT_LT(rotationError(view.worldToView), 1e-6);
+      ASSERT_LT(glm::distance(view.forward(), q * glm::dvec3(0, 0, -1)), 1e-9);
+      ASSERT_LT(glm::distance(view.up(), q * glm::dvec3(0, 1, 0)), 1e-9);
+    }
+    // Turning fast, the chase camera hangs back and stays a rotation.
+    snapshot.aircraft.angularVelocityBody = {2, -3, 5};
+    ASSERT_LT(rotationError(Camera().view(snapshot, {}, 320, 180).worldToView), 1e-6);
+  }
+}
+
+TEST(Stability, P11_freeCameraKeepsItsPitchWithinFortyFiveDegrees) {
+  // However hard the mouse pulls, and whatever pose came before.
+  Camera camera;
+  camera.setPose({0, 0, 0}, 0, kPi / 2, 1);
+  camera.turn(0, 10);
+  EXPECT_DOUBLE_EQ(camera.pitchRad(), kPi / 4);
+  EXPECT_EQ(camera.rollRad(), 0);
+  camera.turn(100, -20);
+  EXPECT_DOUBLE_EQ(camera.pitchRad(), -kPi / 4);
+  EXPECT_LE(std::abs(camera.yawRad()), kPi);
+}
+
+TEST(Stability, C27_cameraThatIsNotFiniteIsRejected) {
+  // A NaN camera can draw a plausible picture; it is refused before anything is drawn, in one line.
+  Camera camera;
+  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+    EXPECT_THROW(camera.setPose({bad, 0, 0}, 0, 0, 0), core::RangeError);
+    EXPECT_THROW(camera.setPose({0, 0, 0}, bad, 0, 0), core::RangeError);
+    EXPECT_THROW(camera.setPose({0, 0, 0}, 0, bad, 0), core::RangeError);
+    EXPECT_THROW(camera.setPose({0, 0, 0}, 0, 0, bad), core::RangeError);
+    EXPECT_THROW(camera.view(withAircraft({0, bad, 0}, {1, 0, 0, 0}), {}, 320, 180), core::RangeError);
+    EXPECT_THROW(camera.view(withAircraft({0, 0, 0}, {bad, 0, 0, 0}), {}, 320, 180), core::RangeError);
+    camera.turn(bad, bad);
+    camera.move({bad, 0, 0});
+    EXPECT_EQ(camera.position(), glm::dvec3(0));
+    EXPECT_EQ(camera.yawRad(), 0);
+  }
+  EXPECT_THROW(camera.view(withAircraft({0, 0, 0}, {0, 0, 0, 0}), {}, 320, 180), core::RangeError);
+}
+
+TEST(Stability, C27_viewsThatCannotBeDrawnAreRejected) {
+  // Every field at its edge: scaled, mirrored or NaN rotations, no field of view, no pixels, no near plane.
+  const auto refuses = [](auto change) {
+    View view;
+    change(view);
+    EXPECT_THROW(requireValid(view), core::RangeError);
+  };
+  requireValid(View{});
+  refuses([](View& v) { v.worldToView *= 1.001; });
+  refuses([](View& v) { v.worldToView[0] = -v.worldToView[0]; });
+  refuses([](View& v) { v.worldToView[1][1] = kNaN; });
+  refuses([](View& v) { v.position.z = kInfinity; });
+  refuses([](View& v) { v.fovYRad = 0; });
+  refuses([](View& v) { v.fovYRad = kNaN; });
+  refuses([](View& v) { v.nearM = 0; });
+  refuses([](View& v) { v.nearM = kNaN; });
+  refuses([](View& v) { v.width = 0; });
+  refuses([](View& v) { v.height = 16385; });
+}
+
+TEST(Camera, freeViewIsTheTransposedRotationAfterTheTranslation) {
+  // N4: getView() = R^T T(-p). Yaw 0 looks along +x; what lies ahead is at -z of the view, what lies right at
+  // +x.
+  Camera camera;
+  camera.setPose({10, 20, 30}, 0, 0, 0);
+  EXPECT_LT(glm::distance(camera.getView() * glm::dvec4(15, 20, 30, 1), glm::dvec4(0, 0, -5, 1)), 1e-12);
+  EXPECT_LT(glm::distance(camera.getView() * glm::dvec4(10, 20, 33, 1), glm::dvec4(3, 0, 0, 1)), 1e-12);
+  camera.setPose({0, 0, 0}, kPi / 2, kPi / 6, 0);
+  EXPECT_LT(glm::distance(camera.direction(), glm::dvec3(0, 0.5, std::sqrt(0.75))), 1e-12);
+  // Right side down: the world's up leans to the left of the picture.
+  camera.setPose({0, 0, 0}, 0, 0, 0.1);
+  EXPECT_LT((camera.getView() * glm::dvec4(0, 1, 0, 0)).x, -0.09);
+}
+
+TEST(Camera, withoutAnAircraftEveryModeIsFree) {
+  // A scene without an aircraft is seen from the pose, and the order of the modes is chase, cockpit, free.
+  Camera camera;
+  camera.setPose({1, 2, 3}, 0, 0, 0);
+  EXPECT_EQ(camera.view({}, {}, 320, 180).position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(camera.mode(), CameraMode::chase);
+  camera.nextMode();
+  EXPECT_EQ(camera.mode(), CameraMode::cockpit);
+  camera.nextMode();
+  EXPECT_EQ(camera.mode(), CameraMode::free);
+  camera.nextMode();
+  EXPECT_EQ(camera.mode(), CameraMode::chase);
+}
+
+TEST(View, raysGoThroughThePixelsTheyAreNamedAfter) {
+  // A point along the ray of a pixel projects to that pixel, at odd sizes too, near and far. Limit: float
+  // matrices, 1e-3 pixels.
+  for (const auto& [width, height] : {std::pair{1, 1}, {7, 5}, {801, 601}, {1920, 1080}}) {
+    Camera camera;
+    camera.setMode(CameraMode::free);
+    camera.setPose({1e7, 100, -1e7}, 0.7, -0.4, 0.3);
+    const View view = camera.view({}, {}, width, height);
+    for (const glm::dvec2 pixel :
+         {glm::dvec2(0.5, 0.5), glm::dvec2(width - 0.5, 0.5), glm::dvec2(width, height) * 0.5}) {
+      for (const double distance : {1.0, 1e5}) {
+        const glm::dvec3 world = view.position + rayDirection(view, pixel) * distance;
+        const glm::vec4 clip = viewProjection(view) * glm::vec4(relativeToEye(view, world), 1);
+        const glm::dvec2 hit =
+            (glm::dvec2(clip) / static_cast<double>(clip.w) * 0.5 + 0.5) * glm::dvec2(width, height);
+        EXPECT_LT(glm::distance(hit, pixel), 1e-3);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::render
