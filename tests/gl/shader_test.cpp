@@ -48,7 +48,6 @@ class ShaderGLTest : public test::GLTest {
   void touchLater(const std::string& file) {
     std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::seconds(2));
   }
-
 };
 
 constexpr const char* kOut =

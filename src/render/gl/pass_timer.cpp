@@ -36,7 +36,7 @@ void PassTimer::beginFrame() {
     Pending& first = pending_.front();
     const auto nanoseconds = pending_.size() > kMaxPending ? first.query.result() : first.query.poll();
     if (!nanoseconds) break;
-    milliseconds_[first.pass] = static_cast<double>(*nanoseconds) * kMsPerNs;
+    milliseconds_.emplace_back(first.pass, static_cast<double>(*nanoseconds) * kMsPerNs);
     spare_.push_back(std::move(first.query));
     pending_.pop_front();
   }
@@ -64,7 +64,7 @@ void PassTimer::end() {
   if (clock_ == PassClock::wallClock) {
     context_->api().Finish();
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start_;
-    milliseconds_[pass_] = elapsed.count();
+    milliseconds_.emplace_back(pass_, elapsed.count());
   } else if (clock_ == PassClock::timerQuery) {
     pending_.back().query.end();
   }
@@ -72,7 +72,7 @@ void PassTimer::end() {
 
 void PassTimer::finish() {
   for (Pending& pending : pending_) {
-    milliseconds_[pending.pass] = static_cast<double>(pending.query.result()) * kMsPerNs;
+    milliseconds_.emplace_back(pending.pass, static_cast<double>(pending.query.result()) * kMsPerNs);
     spare_.push_back(std::move(pending.query));
   }
   pending_.clear();

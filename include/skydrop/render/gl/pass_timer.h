@@ -5,9 +5,9 @@
 
 #include <chrono>
 #include <deque>
-#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skydrop/render/gl/query.h"
@@ -34,8 +34,8 @@ class PassTimer {
   // Waits for every query that is under way: the last frames of a measuring run.
   void finish();
 
-  // The last time that is known of each pass, in milliseconds.
-  const std::map<std::string, double>& milliseconds() const { return milliseconds_; }
+  // What has been measured since the last call: pass and milliseconds, in the order of measuring.
+  std::vector<std::pair<std::string, double>> takeMilliseconds() { return std::exchange(milliseconds_, {}); }
 
  private:
   struct Pending {
@@ -49,7 +49,7 @@ class PassTimer {
   std::chrono::steady_clock::time_point start_;
   std::deque<Pending> pending_;
   std::vector<Query> spare_;
-  std::map<std::string, double> milliseconds_;
+  std::vector<std::pair<std::string, double>> milliseconds_;
 };
 
 }  // namespace skydrop::render::gl

@@ -1,0 +1,19 @@
+// What shared shaders compile in, computed once a frame. Features are variants, never uniform branches:
+// llvmpipe runs the body of an `if` whether it is taken or not.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace skydrop::render {
+
+struct FrameFeatures {
+  bool haze = false;  // HAZE: extinction and in-scattering between eye and surface
+
+  bool operator==(const FrameFeatures&) const = default;
+};
+
+// The defines of a variant: "HAZE" ...
+std::vector<std::string> definesOf(const FrameFeatures& features);
+
+}  // namespace skydrop::render

@@ -1,0 +1,61 @@
+// One part of a frame. A pass is a class in its own file that owns its GL objects; its programs come from the
+// renderer's cache. docs/rendering.md tells how to add one.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "skydrop/game/snapshot.h"
+#include "skydrop/render/frame_features.h"
+#include "skydrop/render/frame_uniforms.h"
+#include "skydrop/render/gl/context.h"
+#include "skydrop/render/gl/frame_buffer.h"
+#include "skydrop/render/gl/shader_cache.h"
+#include "skydrop/render/render_settings.h"
+#include "skydrop/render/view.h"
+
+namespace skydrop::render {
+
+// The order of a frame. What is bound when draw() is called:
+//   terrain, models, sky     the scene: linear light (RGBA16F) and reversed depth (D32F), both written
+//   clouds, weatherEffects   the scene's colour alone: depth can be read as a texture
+//   (FrameContext::sceneDepth) toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
+enum class Slot { terrain, models, sky, clouds, weatherEffects, toneMap, hud, menu };
+
+// What a frame is a pure function of. Values: nothing in here changes while it is drawn.
+struct FrameInput {
+  const game::Snapshot& snapshot;
+  View view;
+  FrameFeatures features;
+};
+
+// What a pass draws with. References are valid during draw() only.
+struct FrameContext {
+  gl::Context& gl;
+  gl::ShaderCache& shaders;
+  const FrameInput& frame;
+  const SkyLight& light;
+  const FrameUniforms& uniforms;  // bound as block 0 (shaders/frame.glsl)
+  const RenderSettings& settings;
+  std::span<const std::string> defines;  // of the frame's features, for the cache
+  const gl::Texture& sceneColor;         // RGBA16F; to be read from slot toneMap on
+  const gl::Texture& sceneDepth;         // D32F; to be read from slot clouds on, without filtering
+};
+
+class Pass {
+ public:
+  virtual ~Pass() = default;
+
+  // As in the statistics: one word, lowerCamel.
+  virtual std::string_view name() const = 0;
+  virtual Slot slot() const = 0;
+  // Why it has nothing to do in this frame; nullopt: it has. Not asked to draw if it gives a reason.
+  virtual std::optional<std::string> idleReason(const FrameInput&) const { return std::nullopt; }
+  // Target, viewport, the frame's uniform block and the default state (gl::Context::setDefaultState) are set.
+  // State may be left changed; the target may not.
+  virtual void draw(FrameContext& context) = 0;
+};
+
+}  // namespace skydrop::render

@@ -1,0 +1,70 @@
+// Draws frames: owns the passes, the targets, the programs and the timer. Main thread, on the context's
+// thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skydrop/core/frame_statistics.h"
+#include "skydrop/core/image.h"
+#include "skydrop/render/gl/buffer.h"
+#include "skydrop/render/gl/pass_timer.h"
+#include "skydrop/render/pass.h"
+
+namespace skydrop::render {
+
+class Renderer {
+ public:
+  // measuring: times are asked for, so a software renderer may be slowed down for them. The context must
+  // outlive the renderer.
+  Renderer(gl::Context& context, const RenderSettings& settings, bool measuring);
+  ~Renderer();
+
+  gl::Context& context() { return context_; }
+  gl::ShaderCache& shaders() { return shaders_; }
+
+  // Passes run by slot, and in the order of adding within one.
+  void add(std::unique_ptr<Pass> pass);
+
+  void apply(const RenderSettings& settings) { settings_ = settings; }
+  const RenderSettings& settings() const { return settings_; }
+
+  // Draws one frame of the view's size into the output target. Throws core::RangeError for a view that is not
+  // valid (requireValid), core::DataError for a shader that does not compile; nothing is drawn then.
+  void draw(const FrameInput& input);
+
+  // The output of the last frame; waits for the GPU. Black before the first.
+  core::Image readBack();
+  // Copies the output to the window's own frame buffer of this size. The caller swaps.
+  void present(int width, int height);
+
+  // Compiles changed shaders anew; broken ones stay as they were, one line each.
+  gl::ShaderCache::Reloaded reloadShaders() { return shaders_.reloadChanged(); }
+
+  // Passes, GL objects, renderer, clock. `ms` of a pass is the median over the frames drawn since the last
+  // clearTimes(); the caller fills the rest.
+  void fillStatistics(core::FrameStatistics& statistics);
+  void clearTimes();
+  // Waits until the GPU has done everything it was asked for.
+  void finish();
+
+ private:
+  void resize(int width, int height);
+  void bindTarget(Slot slot);
+  void noteTimes();
+
+  gl::Context& context_;
+  RenderSettings settings_;
+  gl::ShaderCache shaders_;
+  gl::PassTimer timer_;
+  gl::Buffer uniforms_;
+  gl::FrameBuffer scene_, sceneColorOnly_, output_;
+  std::vector<std::unique_ptr<Pass>> passes_;
+  std::map<std::string, std::string, std::less<>> skipped_;
+  std::map<std::string, std::vector<double>, std::less<>> times_;
+};
+
+}  // namespace skydrop::render

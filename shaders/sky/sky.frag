@@ -1,0 +1,7 @@
+#include "frame.glsl"
+#include "sky/sky.glsl"
+
+in vec2 ndc;
+out vec4 color;
+
+void main() { color = vec4(skyInDirection(normalize((frame.ndcToRay * vec4(ndc, 1.0, 0.0)).xyz)), 1.0); }

@@ -1,0 +1,160 @@
+#include "skydrop/render/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace skydrop::render {
+namespace {
+
+constexpr gl::FrameBufferFormat kSceneFormat{GL_RGBA16F, GL_DEPTH_COMPONENT32F};
+constexpr gl::FrameBufferFormat kOutputFormat{GL_RGBA8, 0};
+// A frame's times are kept for the median; an hour of play must not grow without bound.
+constexpr std::size_t kKeptTimes = 4096;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+Renderer::Renderer(gl::Context& context, const RenderSettings& settings, bool measuring)
+    : context_(context),
+      settings_(settings),
+      shaders_(context),
+      timer_(context, measuring),
+      uniforms_(context, sizeof(FrameUniforms), gl::Buffer::Use::write, "frame uniforms") {}
+
+Renderer::~Renderer() = default;
+
+void Renderer::add(std::unique_ptr<Pass> pass) {
+  const auto after = std::upper_bound(passes_.begin(), passes_.end(), pass->slot(),
+                                      [](Slot slot, const auto& other) { return slot < other->slot(); });
+  passes_.insert(after, std::move(pass));
+}
+
+void Renderer::resize(int width, int height) {
+  if (scene_ && scene_.width() == width && scene_.height() == height) return;
+  if (!scene_) {
+    scene_ = gl::FrameBuffer(context_, width, height, kSceneFormat, "scene");
+    output_ = gl::FrameBuffer(context_, width, height, kOutputFormat, "output");
+    output_.setClearColor(0, 0, 0, 1);
+  } else {
+    scene_.resize(width, height);
+    output_.resize(width, height);
+  }
+  sceneColorOnly_ = gl::FrameBuffer(context_, &scene_.colorTexture(), nullptr, "scene colour");
+}
+
+void Renderer::bindTarget(Slot slot) {
+  gl::FrameBuffer& target = slot <= Slot::sky              ? scene_
+                            : slot <= Slot::weatherEffects ? sceneColorOnly_
+                                                           : output_;
+  target.bind(gl::FrameBuffer::Clear::no);
+}
+
+void Renderer::draw(const FrameInput& input) {
+  requireValid(input.view);
+  context_.makeCurrent();
+  resize(input.view.width, input.view.height);
+  const SkyLight light = skyLight(settings_, input.view.position.y);
+  const FrameUniforms uniforms = frameUniforms(input.view, light, input.snapshot.simulatedSeconds);
+  const std::vector<std::string> defines = definesOf(input.features);
+
+  gl::Ledger& ledger = context_.ledger();
+  ledger.clearPasses();
+  timer_.beginFrame();
+  noteTimes();
+  uniforms_.writeValue(0, uniforms);
+  uniforms_.bindBase(GL_UNIFORM_BUFFER, kFrameUniformsBinding);
+  scene_.clear();
+  output_.clear();
+  FrameContext frame{context_,
+                     shaders_,
+                     input,
+                     light,
+                     uniforms,
+                     settings_,
+                     defines,
+                     scene_.colorTexture(),
+                     scene_.depthTexture()};
+  skipped_.clear();
+  for (const std::unique_ptr<Pass>& pass : passes_) {
+    if (const std::optional<std::string> reason = pass->idleReason(input)) {
+      skipped_.emplace(pass->name(), *reason);
+      continue;
+    }
+    bindTarget(pass->slot());
+    context_.setDefaultState();
+    ledger.beginPass(pass->name());
+    timer_.begin(pass->name());
+    pass->draw(frame);
+    timer_.end();
+    ledger.endPass();
+  }
+}
+
+void Renderer::noteTimes() {
+  for (const auto& [pass, ms] : timer_.takeMilliseconds()) {
+    std::vector<double>& times = times_[pass];
+    if (times.size() < kKeptTimes) times.push_back(ms);
+  }
+}
+
+core::Image Renderer::readBack() {
+  if (!output_) return core::Image(1, 1);
+  core::Image image(output_.width(), output_.height());
+  std::vector<std::uint8_t> bottomUp(image.rgba.size());
+  output_.colorTexture().read(GL_RGBA, GL_UNSIGNED_BYTE, std::as_writable_bytes(std::span(bottomUp)));
+  const std::size_t row = static_cast<std::size_t>(image.width) * 4;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    const auto from = bottomUp.begin() +
+                      static_cast<std::ptrdiff_t>((static_cast<std::size_t>(image.height) - 1 - y) * row);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(row),
+              image.rgba.begin() + static_cast<std::ptrdiff_t>(y * row));
+  }
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
+
+void Renderer::present(int width, int height) {
+  if (output_) output_.drawToScreen(width, height);
+}
+
+void Renderer::finish() {
+  context_.api().Finish();
+  timer_.finish();
+  noteTimes();
+}
+
+void Renderer::clearTimes() {
+  finish();
+  times_.clear();
+}
+
+void Renderer::fillStatistics(core::FrameStatistics& statistics) {
+  const gl::Ledger& ledger = context_.ledger();
+  statistics.clock = timer_.clockName();
+  statistics.renderer = context_.renderer();
+  statistics.passes.clear();
+  for (const std::unique_ptr<Pass>& pass : passes_) {
+    core::PassStatistics row;
+    const std::string name(pass->name());
+    if (const auto times = times_.find(name); times != times_.end()) row.ms = median(times->second);
+    if (const auto counts = ledger.passes().find(name); counts != ledger.passes().end()) {
+      row.draws = static_cast<std::int64_t>(counts->second.draws);
+      row.dispatches = static_cast<std::int64_t>(counts->second.dispatches);
+    }
+    if (const auto reason = skipped_.find(name); reason != skipped_.end()) row.skipped = reason->second;
+    statistics.passes.emplace_back(name, row);
+  }
+  statistics.gl.textures = ledger.live(gl::ObjectKind::texture);
+  statistics.gl.buffers = ledger.live(gl::ObjectKind::buffer);
+  statistics.gl.programs = ledger.live(gl::ObjectKind::program);
+  statistics.gl.framebuffers = ledger.live(gl::ObjectKind::frameBuffer);
+  statistics.gl.bytes = static_cast<std::int64_t>(ledger.bytes());
+}
+
+}  // namespace skydrop::render

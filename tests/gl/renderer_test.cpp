@@ -1,0 +1,178 @@
+#include "skydrop/render/renderer.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+
+#include "skydrop/core/error.h"
+#include "skydrop/render/imgui_pass.h"
+#include "skydrop/render/mesh.h"
+#include "skydrop/render/sky_pass.h"
+#include "skydrop/render/tone_map_pass.h"
+#include "support/frame_test.h"
+#include "support/image_compare.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::render {
+namespace {
+
+using test::FrameTest;
+
+// Notes when it runs; draws nothing.
+class NotingPass final : public Pass {
+ public:
+  NotingPass(std::string name, Slot slot, std::vector<std::string>& log, std::string idle = {})
+      : name_(std::move(name)), slot_(slot), log_(log), idle_(std::move(idle)) {}
+  std::string_view name() const override { return name_; }
+  Slot slot() const override { return slot_; }
+  std::optional<std::string> idleReason(const FrameInput&) const override {
+    return idle_.empty() ? std::nullopt : std::optional(idle_);
+  }
+  void draw(FrameContext&) override { log_.push_back(name_); }
+
+ private:
+  std::string name_;
+  Slot slot_;
+  std::vector<std::string>& log_;
+  std::string idle_;
+};
+
+TEST_F(FrameTest, passesRunByTheirSlots) {
+  // However they were added; those that say why they have nothing to do are not asked, and the reason is
+  // kept.
+  std::vector<std::string> log;
+  renderer().add(std::make_unique<NotingPass>("menu", Slot::menu, log));
+  renderer().add(std::make_unique<NotingPass>("sky", Slot::sky, log));
+  renderer().add(std::make_unique<NotingPass>("terrain", Slot::terrain, log));
+  renderer().add(std::make_unique<NotingPass>("clouds", Slot::clouds, log, "no layer in view"));
+  renderer().add(std::make_unique<NotingPass>("models", Slot::models, log));
+  renderer().add(std::make_unique<NotingPass>("models2", Slot::models, log));
+  draw(pose({0, 0, 0}, 0, 0, 0));
+  EXPECT_THAT(log, ::testing::ElementsAre("terrain", "models", "models2", "sky", "menu"));
+  core::FrameStatistics statistics;
+  renderer().fillStatistics(statistics);
+  ASSERT_EQ(statistics.passes.size(), 6u);
+  EXPECT_EQ(statistics.passes[4].first, "clouds");
+  EXPECT_EQ(statistics.passes[4].second.skipped, "no layer in view");
+  EXPECT_EQ(statistics.passes[0].second.skipped, "");
+}
+
+TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
+  // Two passes, one draw each; the targets of 320x180 are 8 + 4 + 4 bytes a pixel.
+  renderer().add(std::make_unique<SkyPass>(context()));
+  renderer().add(std::make_unique<ToneMapPass>(context()));
+  draw(pose({0, 100, 0}, 0, 0, 0));
+  core::FrameStatistics statistics;
+  renderer().fillStatistics(statistics);
+  EXPECT_EQ(statistics.passes[0].second.draws, 1);
+  EXPECT_EQ(statistics.passes[1].second.draws, 1);
+  EXPECT_EQ(statistics.gl.textures, 3);
+  EXPECT_EQ(statistics.gl.programs, 2);
+  EXPECT_EQ(statistics.gl.framebuffers, 3);
+  EXPECT_EQ(statistics.gl.bytes, static_cast<std::int64_t>(320 * 180 * 16 + sizeof(FrameUniforms)));
+  EXPECT_EQ(statistics.clock, "none");
+}
+
+TEST_F(FrameTest, framesAreAFunctionOfTheirInput) {
+  // The same input draws the same bits, also after another picture of another size.
+  renderer().add(std::make_unique<SkyPass>(context()));
+  renderer().add(std::make_unique<ToneMapPass>(context()));
+  const core::Image first = draw(pose({0, 700, 0}, 30, 10, 5));
+  draw(pose({5, 20, 0}, 80, -10, 0, 200, 50));
+  const core::Image second = draw(pose({0, 700, 0}, 30, 10, 5));
+  EXPECT_EQ(first.rgba, second.rgba);
+  EXPECT_EQ(first.width, 320);
+  EXPECT_EQ(first.height, 180);
+}
+
+TEST_F(FrameTest, viewsThatAreNotValidDrawNothing) {
+  // The renderer refuses them before it touches the GPU.
+  View view = pose({0, 0, 0}, 0, 0, 0);
+  view.position.x = std::nan("");
+  EXPECT_THROW(draw(view), core::RangeError);
+  EXPECT_EQ(context().ledger().total().draws, 0u);
+}
+
+TEST_F(FrameTest, uniformBlockHasTheSameOffsetsOnBothSides) {
+  // What C++ writes at an offset the shader reads at the same one, for every member.
+  renderer().add(std::make_unique<SkyPass>(context()));
+  draw(pose({0, 0, 0}, 0, 0, 0));
+  const GLuint program =
+      renderer().shaders().shader("fullscreen.vert", "sky/sky.frag", definesOf(features_)).id();
+#define MEMBER(name) \
+  { "Frame." #name, offsetof(FrameUniforms, name) }
+  const std::vector<std::pair<std::string, std::size_t>> members = {
+      MEMBER(viewProjection),  MEMBER(ndcToRay),    MEMBER(eye),
+      MEMBER(viewport),        MEMBER(toSun),       MEMBER(sunLight),
+      MEMBER(skyLight),        MEMBER(groundLight), MEMBER(sunOutside),
+      MEMBER(nightRadiance),   MEMBER(airRayleigh), MEMBER(airHaze),
+      MEMBER(horizonRayleigh), MEMBER(horizonHaze), MEMBER(horizonIsotropic)};
+#undef MEMBER
+  for (const auto& [name, offset] : members) {
+    const char* text = name.c_str();
+    GLuint index = GL_INVALID_INDEX;
+    api().GetUniformIndices(program, 1, &text, &index);
+    ASSERT_NE(index, GL_INVALID_INDEX) << name;
+    GLint found = -1;
+    api().GetActiveUniformsiv(program, 1, &index, GL_UNIFORM_OFFSET, &found);
+    EXPECT_EQ(static_cast<std::size_t>(found), offset) << name;
+  }
+  const GLuint block = api().GetUniformBlockIndex(program, "Frame");
+  GLint size = 0;
+  api().GetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
+  EXPECT_EQ(static_cast<std::size_t>(size), sizeof(FrameUniforms));
+}
+
+// Two horizontal squares seen from above, drawn in the order given, in linear light.
+class TwoPlanesPass final : public Pass {
+ public:
+  TwoPlanesPass(gl::Context& context, const test::TemporaryFolder& folder, double lower, double upper,
+                bool upperFirst)
+      : plane_(context, planeMesh(2e5, 2e5, 1, 1), "plane"),
+        vertex_(folder.write("plane.vert",
+                             "#include \"frame.glsl\"\nlayout(location = 0) in vec3 position;\n"
+                             "uniform vec3 place;\nvoid main() { gl_Position = frame.viewProjection * "
+                             "vec4(position + place, 1.0); }\n")),
+        fragment_(folder.write(
+            "plane.frag", "uniform vec3 tint;\nout vec4 color;\nvoid main() { color = vec4(tint, 1.0); }\n")),
+        heights_{upperFirst ? upper : lower, upperFirst ? lower : upper},
+        upper_(upper) {}
+  std::string_view name() const override { return "planes"; }
+  Slot slot() const override { return Slot::terrain; }
+  void draw(FrameContext& context) override {
+    gl::Shader& shader = context.shaders.shader(vertex_, fragment_);
+    shader.use();
+    for (const double height : heights_) {
+      const View& view = context.frame.view;
+      shader.setVec3("place", relativeToEye(view, {view.position.x, height, view.position.z}));
+      shader.setVec3("tint", height == upper_ ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
+      plane_.draw();
+    }
+  }
+
+ private:
+  Mesh plane_;
+  std::string vertex_, fragment_;
+  double heights_[2];
+  double upper_;
+};
+
+TEST_F(FrameTest, T18_halfAMetreIsResolvedTenKilometresAway) {
+  // Two planes 0.5 m apart, 10 km below the eye: the upper one is seen everywhere, whichever is drawn first.
+  for (const bool upperFirst : {true, false}) {
+    const test::TemporaryFolder folder;
+    Renderer renderer(context(), settings_, false);
+    renderer.add(std::make_unique<TwoPlanesPass>(context(), folder, 0.0, 0.5, upperFirst));
+    renderer.add(std::make_unique<ToneMapPass>(context()));
+    renderer.draw({snapshot_, pose({0, 10000.5, 0}, 0, -90, 0), {}});
+    const core::Image image = renderer.readBack();
+    int wrong = 0;
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) wrong += image.pixel(x, y)[1] < 100;
+    }
+    EXPECT_EQ(wrong, 0) << (upperFirst ? "upper first" : "lower first");
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::render

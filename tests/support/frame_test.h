@@ -1,0 +1,47 @@
+// Fixture of tests that draw whole frames with the renderer.
+#pragma once
+
+#include <glm/trigonometric.hpp>
+#include <memory>
+
+#include "skydrop/render/camera.h"
+#include "skydrop/render/renderer.h"
+#include "support/gl_test.h"
+
+namespace skydrop::test {
+
+class FrameTest : public GLTest {
+ protected:
+  void SetUp() override {
+    GLTest::SetUp();
+    if (!IsSkipped()) renderer_ = std::make_unique<render::Renderer>(context(), settings_, false);
+  }
+  void TearDown() override {
+    GLTest::TearDown();
+    renderer_.reset();
+  }
+
+  render::Renderer& renderer() { return *renderer_; }
+  // Metres and degrees, as in `skydrop render --pose`.
+  render::View pose(const glm::dvec3& position, double yaw, double pitch, double roll, int width = 320,
+                    int height = 180) const {
+    render::Camera camera;
+    camera.setMode(render::CameraMode::free);
+    camera.setPose(position, glm::radians(yaw), glm::radians(pitch), glm::radians(roll));
+    return camera.view(snapshot_, settings_.camera, width, height);
+  }
+  core::Image draw(const render::View& view) {
+    renderer_->apply(settings_);
+    renderer_->draw({snapshot_, view, features_});
+    return renderer_->readBack();
+  }
+
+  render::RenderSettings settings_;
+  game::Snapshot snapshot_;
+  render::FrameFeatures features_{true};
+
+ private:
+  std::unique_ptr<render::Renderer> renderer_;
+};
+
+}  // namespace skydrop::test
