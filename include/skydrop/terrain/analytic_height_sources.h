@@ -1,0 +1,22 @@
+// Lands with a closed form: for tests, and for scenes that need a plain ground.
+#pragma once
+
+#include <memory>
+
+#include "skydrop/terrain/height_source.h"
+
+namespace skydrop::terrain {
+
+std::shared_ptr<const HeightSource> makeFlatSource(double height);
+
+// height = heightAtOrigin + dot(gradient, xz), held to the storable range kLowestHeight .. kHighestHeight.
+std::shared_ptr<const HeightSource> makeTiltedPlaneSource(double heightAtOrigin, glm::dvec2 gradient);
+
+// A ridge along z: height = crest - slope * |x - crestX|, not below `foot`. The gradient on the crest line is
+// 0.
+std::shared_ptr<const HeightSource> makeRidgeSource(double crestX, double crest, double slope, double foot);
+
+// A step along z: `low` where x < edgeX, `high` elsewhere. The gradient is 0 everywhere.
+std::shared_ptr<const HeightSource> makeStepSource(double edgeX, double low, double high);
+
+}  // namespace skydrop::terrain

@@ -1,0 +1,61 @@
+// The samples of one chunk as the cache keeps them and the GPU reads them: 4 bytes a sample.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <stop_token>
+#include <vector>
+
+#include "skydrop/terrain/chunk_key.h"
+#include "skydrop/terrain/height_source.h"
+
+namespace skydrop::terrain {
+
+// Heights are stored over one range for the whole world, so that border samples of neighbours are the same
+// bits: height = kLowestHeight + code * kHeightStep. The step is a power of two: decoding is exact in float.
+inline constexpr double kLowestHeight = -256.0;    // metres
+inline constexpr double kHeightStep = 1.0 / 32.0;  // 3.1 cm; rounding is off by half of it at most
+inline constexpr double kHighestHeight = kLowestHeight + 65535 * kHeightStep;  // 1791.97 m
+
+// Nearest code; heights outside the range (NaN: below) take the nearest end.
+std::uint16_t encodeHeight(double height);
+constexpr double decodeHeight(std::uint16_t code) { return kLowestHeight + code * kHeightStep; }
+
+// Normals are unit vectors with y > 0, kept in two bytes on the upper half of the octahedron, turned by 45
+// degrees so that it fills the square (hemi-octahedral: Cigolle, Donow, Evangelakos, Mara, McGuire, Meyer: A
+// Survey of Efficient Representations for Independent Unit Vectors, 2014). With s = |x| + y + |z|:
+//     low byte  = 128 + round(127 * (x + z) / s)        high byte = 128 + round(127 * (x - z) / s)
+// and back, e = (byte - 128) / 127 (from a UNORM texture: (value * 255 - 128) / 127):
+//     x = (e0 + e1) / 2,   z = (e0 - e1) / 2,   y = 1 - |x| - |z|,   then normalise.
+// The upright normal is exact; the largest error is 0.6 degrees, the mean 0.2 on land
+// (docs/terrain-noise.md).
+std::uint16_t encodeNormal(glm::dvec2 gradient);
+glm::dvec3 decodeNormal(std::uint16_t code);
+
+// A value that may be handed between threads; about 232 kB.
+struct ChunkData {
+  ChunkKey key;
+  std::vector<std::uint16_t> heights;  // kChunkSamples^2 codes, row-major: row = z (south), column = x (east)
+  std::vector<std::uint16_t> normals;  // the same order
+  HeightBounds bounds;                 // exact for the stored (decoded) heights
+
+  // Largest vertical distance, metres, between the stored samples and the mesh of every kLodSkips[i]-th
+  // sample whose quads are cut by the diagonal from (x + skip, z) to (x, z + skip). Exact up to float
+  // rounding (1e-4 m); lodError[0] is 0.
+  std::array<float, kLodCount> lodError{};
+
+  bool empty() const { return heights.empty(); }
+};
+
+constexpr int sampleIndex(int column, int row) { return row * kChunkSamples + column; }
+
+// Makes a chunk: the same bits on every machine and from any thread. The stop is honoured between rows; then
+// the chunk comes back empty.
+ChunkData makeChunk(const HeightSource& source, const ChunkKey& key, std::stop_token stop = {});
+
+// The memory a chunk keeps, bytes: what a cache accounts for.
+std::size_t byteSize(const ChunkData& chunk);
+
+}  // namespace skydrop::terrain

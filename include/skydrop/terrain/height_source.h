@@ -1,0 +1,52 @@
+// The land as a function of position: what chunks are made of, and what collision, target placing and the
+// autopilot ask without any cache. Sea level is height 0; a height below it is sea floor.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <stop_token>
+
+#include "skydrop/terrain/chunk_key.h"
+
+namespace skydrop::terrain {
+
+struct ChunkData;
+
+struct HeightSample {
+  double height = 0;              // metres above sea level
+  glm::dvec2 gradient{0.0, 0.0};  // dh/dx (east), dh/dz (south), metres a metre
+};
+
+// Unit normal of a surface with this gradient: (-dh/dx, 1, -dh/dz) normalised.
+glm::dvec3 normalOf(const HeightSample& sample);
+
+struct HeightBounds {
+  double lowest = 0, highest = 0;  // metres
+};
+
+// Immutable once built, so every function may be called from any thread. Positions are world metres as
+// (x, z); beyond kWorldLimitMetres, and for what is not finite, the answer is that of the nearest position
+// inside (0 for NaN): callers check what matters to them.
+class HeightSource {
+ public:
+  virtual ~HeightSource() = default;
+
+  // Height and analytic gradient at a point.
+  virtual HeightSample sample(glm::dvec2 xz) const = 0;
+  double height(glm::dvec2 xz) const { return sample(xz).height; }
+
+  // Conservative bounds of the height over the rectangle lo..hi (lo <= hi): every sample lies inside, but the
+  // bounds need not be reached. Made for culling before a chunk exists.
+  virtual HeightBounds bounds(glm::dvec2 lo, glm::dvec2 hi) const = 0;
+
+  // Bounds of the whole world.
+  virtual HeightBounds range() const = 0;
+
+  // Fills heights and normals of the chunk (chunk_data.h), which have their full size already. Returns false,
+  // with part of the samples undefined, if a stop was requested meanwhile. The default asks sample() for each
+  // of the 58 081 positions; a source that knows better overrides it. A level above 0 may leave out detail
+  // that its samples cannot carry.
+  virtual bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const;
+};
+
+}  // namespace skydrop::terrain

@@ -1,0 +1,74 @@
+#include "skydrop/terrain/chunk_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "terrain/lod_error.h"
+
+namespace skydrop::terrain {
+
+glm::dvec3 normalOf(const HeightSample& sample) {
+  const double scale =
+      1.0 / std::sqrt(sample.gradient.x * sample.gradient.x + sample.gradient.y * sample.gradient.y + 1.0);
+  return {-sample.gradient.x * scale, scale, -sample.gradient.y * scale};
+}
+
+std::uint16_t encodeHeight(double height) {
+  const double code = std::floor((height - kLowestHeight) / kHeightStep + 0.5);
+  if (!(code > 0)) return 0;
+  return code < 65535 ? static_cast<std::uint16_t>(code) : 65535;
+}
+
+std::uint16_t encodeNormal(glm::dvec2 gradient) {
+  // With the normal (-gx, 1, -gz): s scales with it, so it need not be normalised.
+  const double x = -gradient.x, z = -gradient.y;
+  const double scale = 127.0 / (std::abs(x) + 1.0 + std::abs(z));
+  const auto low = static_cast<unsigned>(std::floor((x + z) * scale + 128.5));
+  const auto high = static_cast<unsigned>(std::floor((x - z) * scale + 128.5));
+  return static_cast<std::uint16_t>(low | high << 8);
+}
+
+glm::dvec3 decodeNormal(std::uint16_t code) {
+  const double e0 = ((code & 0xff) - 128) / 127.0, e1 = ((code >> 8) - 128) / 127.0;
+  const double x = 0.5 * (e0 + e1), z = 0.5 * (e0 - e1);
+  const double y = 1.0 - std::abs(x) - std::abs(z);
+  const double scale = 1.0 / std::sqrt(x * x + y * y + z * z);
+  return {x * scale, y * scale, z * scale};
+}
+
+bool HeightSource::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const {
+  const glm::dvec2 origin = chunkOrigin(key);
+  const double cell = cellMetres(key.level);
+  for (int row = 0; row < kChunkSamples; ++row) {
+    if (stop.stop_requested()) return false;
+    for (int column = 0; column < kChunkSamples; ++column) {
+      const HeightSample s = sample(origin + glm::dvec2(column, row) * cell);
+      const auto i = static_cast<std::size_t>(sampleIndex(column, row));
+      out.heights[i] = encodeHeight(s.height);
+      out.normals[i] = encodeNormal(s.gradient);
+    }
+  }
+  return true;
+}
+
+ChunkData makeChunk(const HeightSource& source, const ChunkKey& key, std::stop_token stop) {
+  ChunkData chunk;
+  chunk.key = key;
+  chunk.heights.resize(static_cast<std::size_t>(kChunkSamples) * kChunkSamples);
+  chunk.normals.resize(chunk.heights.size());
+  if (!source.fillChunk(key, stop, chunk)) {
+    chunk.heights.clear();
+    chunk.normals.clear();
+    return chunk;
+  }
+  const auto [lowest, highest] = std::minmax_element(chunk.heights.begin(), chunk.heights.end());
+  chunk.bounds = {decodeHeight(*lowest), decodeHeight(*highest)};
+  chunk.lodError = lodErrors(chunk.heights);
+  return chunk;
+}
+
+std::size_t byteSize(const ChunkData& chunk) {
+  return sizeof(ChunkData) + (chunk.heights.capacity() + chunk.normals.capacity()) * sizeof(std::uint16_t);
+}
+
+}  // namespace skydrop::terrain
