@@ -17,7 +17,7 @@ struct AirplaneSettings {
   double maxThrottle = 198;
   double inducedYawFactor = 0.055;
 
-  double stabilizingPitch = 0.5;    // 1
+  double stabilizingPitch = 0.65;   // 1
   double inducedPitchFactor = 0.1;  // 1
   double mass = 1200;               // kg
   double cruiseSpeed = 70;          // m/s
@@ -33,7 +33,7 @@ struct AirplaneSettings {
   double dragCoefficient = 0.07;    // 1: the linear damping of the body
   double inducedDrag = 0.05;        // 1
   double sideForceSlope = 1;        // per rad
-  Integrator integrator = Integrator::rkmk4;
+  Integrator integrator = Integrator::rk4;
 };
 
 void describe(core::SettingsVisitor& visitor, AirplaneSettings& settings);

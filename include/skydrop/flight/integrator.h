@@ -15,7 +15,7 @@ enum class Integrator {
   semiImplicitEuler,  // velocities first, then positions with the new velocities, attitude by the exponential
                       // map
   rk4,    // classical Runge-Kutta of order 4 on the quaternion's four numbers, normalised after the step
-  rkmk4,  // Runge-Kutta of order 4 on the rotation group (Munthe-Kaas 1998) with the momentum as state
+  rkmk4,  // Runge-Kutta of order 4 on the rotation group (Munthe-Kaas 1998)
 };
 inline constexpr std::array<std::string_view, 4> kIntegratorNames = {"thesis", "semiImplicitEuler", "rk4",
                                                                      "rkmk4"};

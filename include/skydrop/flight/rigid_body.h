@@ -58,7 +58,7 @@ class RigidBody {
   BodyState state_;
   glm::dvec3 force_{0}, torque_{0};                  // world axes
   glm::dvec3 relativeForce_{0}, relativeTorque_{0};  // body axes
-  Integrator integrator_ = Integrator::rkmk4;
+  Integrator integrator_ = Integrator::rk4;
 };
 
 }  // namespace skydrop::flight

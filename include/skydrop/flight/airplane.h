@@ -1,0 +1,73 @@
+// The aircraft: a rigid body pushed by thrust, control torques, stabilising and induced torques after the
+// thesis (R. A. Bhatia, 3.5.9, equations 3.7 to 3.14), and by lift, side force, drag and the pull of the
+// airflow on its tail, so that the flight path follows the nose. docs/flight.md tells the balance and how the
+// thesis's numbers became SI. Not thread-safe, deterministic.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "skydrop/flight/airplane_settings.h"
+#include "skydrop/flight/rigid_body.h"
+
+namespace skydrop::flight {
+
+// The thesis's torques act on an inertia of 3 of its units: one unit of torque is 1/3 rad/s^2 of angular
+// acceleration. Here too, about each axis, whatever the inertia in kg m^2.
+inline constexpr double kThesisInertia = 3;
+// Newtons per unit of maxThrottle: with the default 198 full thrust equals the drag of level flight at 120
+// m/s.
+inline constexpr double kNewtonsPerThrottleUnit = 50.139;
+
+struct AirplaneInput {
+  double thrust = 0;  // 0..1
+  double brake = 0;   // 0..1
+  double pitch = 0;   // -1..1, nose up positive
+  double roll = 0;    // -1..1, right wing down positive
+  double yaw = 0;     // -1..1, nose right positive
+};
+
+// How the air meets the aircraft.
+struct Airflow {
+  double airspeed = 0;         // m/s
+  double angleOfAttack = 0;    // rad, air from below positive, (-pi, pi]; 0 without airspeed
+  double sideslip = 0;         // rad, flight path right of the nose positive, [-pi/2, pi/2]
+  double liftCoefficient = 0;  // 1
+  double loadFactor = 0;       // lift over weight, along the body's up axis
+  bool stalled = false;        // the wing is past the knee of its lift curve
+};
+
+// The forces of one moment: a pure function of the state, evaluated several times within a step. Finite for
+// every finite state; the aerodynamic part goes to zero continuously with the airspeed.
+Wrench airplaneWrench(const AirplaneSettings& settings, const MassProperties& body,
+                      const AirplaneInput& input, double throttle, const glm::dvec3& wind,
+                      const BodyState& state);
+
+Airflow airflowOf(const AirplaneSettings& settings, const glm::dvec3& wind, const BodyState& state);
+
+// The throttle at which level flight at cruise speed is steady, in [0, 1].
+double cruiseThrottle(const AirplaneSettings& settings);
+
+class Airplane {
+ public:
+  // Throws core::RangeError when the settings or the state are unusable. Starts at cruise throttle.
+  Airplane(const AirplaneSettings& settings, const BodyState& start);
+
+  // Advances by dt seconds in air that moves with `wind` (m/s). dt <= 0 or not finite changes nothing.
+  void step(const AirplaneInput& input, const glm::dvec3& wind, double dt);
+
+  const RigidBody& body() const { return body_; }
+  double throttle() const { return throttle_; }  // 0 idle .. 1 full
+  const AirplaneSettings& settings() const { return settings_; }
+
+  // Places it anew, at cruise throttle. Throws core::RangeError, and changes nothing, unless finite.
+  void place(const BodyState& state);
+  // The same state under other numbers. Throws core::RangeError, and changes nothing, when they are unusable.
+  void apply(const AirplaneSettings& settings);
+
+ private:
+  AirplaneSettings settings_;
+  RigidBody body_;
+  double throttle_ = 0;
+};
+
+}  // namespace skydrop::flight
