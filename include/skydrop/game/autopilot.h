@@ -39,7 +39,7 @@ class Autopilot {
   std::shared_ptr<const terrain::HeightSource> ground_;
   AutopilotSettings settings_;
   std::uint64_t plannedStep_ = 0;  // of the last look at the ground ahead
-  double wantedHeight_ = 0;        // m above the sea
+  double wantedSlope_ = 0;         // m a metre
   bool goingAround_ = false;       // flying away from a target that is too near to turn to
   bool planned_ = false;
 };

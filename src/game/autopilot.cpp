@@ -1,0 +1,134 @@
+#include "skydrop/game/autopilot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "skydrop/core/deterministic_math.h"
+#include "skydrop/flight/environment.h"
+#include "skydrop/game/contact.h"
+#include "skydrop/terrain/height_source.h"
+
+namespace skydrop::game {
+namespace {
+
+namespace dmath = core::dmath;
+
+// The ground ahead is looked at so often, so far apart along the way and so far to both sides of it.
+constexpr std::uint64_t kPlanSteps = 60;
+constexpr double kLookSeconds = 1;
+constexpr double kLookAsideMetres = 80;
+// Heights are to be reached this far before the ground that needs them, m; it also softens small errors.
+constexpr double kReachMetres = 200;
+// Steepest climb and descent that it asks for, radians.
+constexpr double kSteepestClimb = 0.45, kSteepestDescent = 0.17;
+// Below this speed it does not climb, m/s: a margin over the stall in a turn.
+constexpr double kClimbSpeed = 50;
+// A target nearer than this, in diameters of a full turn, and not ahead is left behind first.
+constexpr double kTurnDiameters = 1.2, kReturnDiameters = 2.0;
+constexpr double kAheadRad = 0.6;
+
+double wrapped(double angle) {  // to (-pi, pi]
+  while (angle > dmath::kPi) angle -= dmath::kTwoPi;
+  while (angle <= -dmath::kPi) angle += dmath::kTwoPi;
+  return angle;
+}
+
+}  // namespace
+
+void describe(core::SettingsVisitor& v, AutopilotSettings& s) {
+  v.number(
+      "clearance", s.clearance,
+      {.unit = "m", .min = 30, .max = 2000, .help = "Height above the highest ground ahead: more is safer."});
+  v.number("lookAheadSeconds", s.lookAheadSeconds,
+           {.unit = "s",
+            .min = 5,
+            .max = 120,
+            .help = "Time of flight in which the ground counts: more climbs earlier."});
+  v.number("maxBankDeg", s.maxBankDeg,
+           {.unit = "deg", .min = 10, .max = 70, .help = "Steepest bank in turns: more turns tighter."});
+  v.number("dropMargin", s.dropMargin,
+           {.unit = "1",
+            .min = 0.05,
+            .max = 1,
+            .help = "Drops when the predicted miss is below this share of the radius."});
+}
+
+Autopilot::Autopilot(std::shared_ptr<const terrain::HeightSource> ground, const AutopilotSettings& settings)
+    : ground_(std::move(ground)), settings_(settings) {}
+
+Controls Autopilot::decide(const Snapshot& now) {
+  Controls out;
+  const AircraftSnapshot& craft = now.aircraft;
+  if (!craft.present || craft.crashed) {
+    planned_ = goingAround_ = false;
+    return out;
+  }
+  const double speed = std::max(craft.airspeedMps, 20.0);
+  const double track = dmath::atan2(craft.velocity.x, -craft.velocity.z);
+  const double maxBank = settings_.maxBankDeg * dmath::kRadPerDeg;
+  const double turnRate = flight::kGravity * dmath::tan(maxBank) / speed;  // rad/s in a full turn
+  const double turnDiameter = 2 * speed / turnRate;
+
+  // Where to: the target, or away from it when it lies inside the turn; without one around in a wide circle.
+  double turn = 0.25;
+  if (now.target.present) {
+    const double distance = now.target.distance;
+    turn = wrapped(now.target.bearingRad - track);
+    if (distance < kTurnDiameters * turnDiameter && std::abs(turn) > kAheadRad) goingAround_ = true;
+    if (distance > kReturnDiameters * turnDiameter || std::abs(turn) < kAheadRad) goingAround_ = false;
+    if (goingAround_) turn = 0;
+  }
+
+  // How steep: along the way that this turn will fly, the steepest path that any ground there asks for.
+  if (!planned_ || now.stepCount >= plannedStep_ + kPlanSteps || now.stepCount < plannedStep_) {
+    planned_ = true;
+    plannedStep_ = now.stepCount;
+    wantedSlope_ = -1;
+    glm::dvec2 at{craft.position.x, craft.position.z};
+    double heading = track, left = turn;
+    for (double t = 0; t <= settings_.lookAheadSeconds; t += kLookSeconds) {
+      const glm::dvec2 ahead{dmath::sin(heading), -dmath::cos(heading)}, aside{-ahead.y, ahead.x};
+      for (const double side : {-kLookAsideMetres, 0.0, kLookAsideMetres}) {
+        const double height = surfaceAt(*ground_, at + aside * side).height;
+        const double missing = height + settings_.clearance - craft.position.y;
+        // Behind the margin a slope is a slope; inside it height is missing now.
+        const double way =
+            missing > 0 ? std::max(speed * t - kReachMetres, kReachMetres) : speed * t + kReachMetres;
+        wantedSlope_ = std::max(wantedSlope_, missing / way);
+      }
+      at += ahead * (speed * kLookSeconds);
+      const double change = std::clamp(left, -turnRate * kLookSeconds, turnRate * kLookSeconds);
+      heading += change;
+      left -= change;
+    }
+  }
+
+  // Bank into the turn; feedback on the bank, and what the stabiliser takes away.
+  const double wantedBank = std::clamp(1.5 * turn, -maxBank, maxBank);
+  out.roll = std::clamp(
+      0.67 * dmath::sin(wantedBank) + 2.5 * (wantedBank - craft.bankRad) + 0.3 * craft.angularVelocityBody.z,
+      -1.0, 1.0);
+
+  // Climb or sink along it. The path is held by feedback on the path; in a bank it takes more pull.
+  double climb = std::clamp(wantedSlope_, -kSteepestDescent, kSteepestClimb);
+  if (speed < kClimbSpeed) climb = std::min(climb, 0.0);
+  const double path =
+      dmath::atan2(craft.velocity.y, glm::length(glm::dvec2(craft.velocity.x, craft.velocity.z)));
+  const double sine = dmath::sin(climb);
+  const double hold = 0.65 * sine / (1 - std::abs(sine)) + 0.1 * std::abs(dmath::sin(craft.bankRad));
+  out.pitch = std::clamp(hold + 2 * (climb - path) - 0.8 * craft.angularVelocityBody.x, -1.0, 1.0);
+
+  // Speed: full thrust to climb, brake when a descent runs away.
+  out.thrust = climb > 0.05 || speed < kClimbSpeed ? 1 : 0;
+  out.brake = speed > 90 && climb < 0.02 ? 1 : 0;
+
+  if (now.target.present && now.predictedLanding && now.cooldownSeconds <= 0 && !craft.controls.drop) {
+    const glm::dvec3 miss = *now.predictedLanding - now.target.position;
+    out.drop = std::sqrt(miss.x * miss.x + miss.z * miss.z) < settings_.dropMargin * now.target.radius;
+  }
+  return out;
+}
+
+}  // namespace skydrop::game
