@@ -22,9 +22,9 @@ struct SkySource {
   Vec3 isotropic;
 };
 
-// Light scattered more than once, as a share of that scattered once, without direction. Half makes the clear
-// sky as bright against the sun as measured (Bird and Hulstrom 1981: 10 to 15 % diffuse at noon).
-CONST Real kMultipleScattering = Real(0.5);
+// Light scattered more than once, as a share of that scattered once, without direction: grows with the optical depth
+// above (blue light goes round more often, a hazy sky is whiter), up to this share in a thick layer.
+CONST Real kMultipleScattering = Real(2.5);
 
 // Path through the whole atmosphere against the vertical one, by the cosine of the zenith angle: 1 at the zenith, 40
 // at the horizon and below (Rozenberg, "Twilight", 1966).
@@ -43,11 +43,13 @@ FN Vec3 opticalDepthAbove(Atmosphere air, Real heightM) {
 
 FN Vec3 exp3(Vec3 v) { return Vec3(exp(v.x), exp(v.y), exp(v.z)); }
 
-// What ozone, far above all else, leaves of the sun's light: it takes green and red from low light, so the sky overhead
-// stays blue in the evening. Vertical optical depth after Bruneton (2017), a thin shell 25 km up.
+// What ozone, far above all else, leaves of the sun's light. Low light crosses a thin shell 25 km up at a slant, and
+// from below the horizon it runs along it; ozone takes orange and green, so the evening sky overhead stays blue, which
+// scattering alone would leave grey (Hulburt 1953). Vertical optical depth of 300 Dobson units at sRGB's primaries.
 FN Vec3 ozoneTransmittance(Real cosZenith) {
-  Real path = Real(1.0) / sqrt(cosZenith * cosZenith + Real(0.00785));
-  return exp3(Vec3(Real(-0.0098), Real(-0.0282), Real(-0.0013)) * path);
+  Real c = max(cosZenith, Real(0.0));
+  Real path = Real(1.0) / sqrt(c * c + Real(0.00785)) + Real(250.0) * clamp(-cosZenith, Real(0.0), Real(0.08));
+  return exp3(Vec3(Real(-0.0200), Real(-0.0260), Real(-0.0013)) * path);
 }
 
 // Of sunlight from above the atmosphere down to a height.
@@ -105,7 +107,8 @@ FN SkySource skySource(Atmosphere air, Real heightM, Real cosView, Real cosSun) 
   SkySource source;
   source.rayleigh = once * byAir / both * twilight(cosSun, air.rayleighHeight);
   source.haze = once * byHaze / both * (air.hazeAlbedo * twilight(cosSun, air.hazeHeight));
-  source.isotropic = (source.rayleigh + source.haze) * (kMultipleScattering / (Real(4.0) * kPi));
+  Vec3 again = depth / (depth + Vec3(Real(1.0), Real(1.0), Real(1.0)));
+  source.isotropic = (source.rayleigh + source.haze) * again * (kMultipleScattering / (Real(4.0) * kPi));
   return source;
 }
 

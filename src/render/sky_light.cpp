@@ -26,12 +26,12 @@ constexpr glm::dvec3 kNightRadiance = 4e-4 * glm::dvec3(0.55, 0.75, 1.3);
 // Average land and sea, for light from below.
 constexpr double kGroundAlbedo = 0.12;
 
-// Exposure makes a grey card (18 %) under the frame's light come out of the tone map as grey (its curve takes
-// 0.36 to 0.24), but only partly: an eye that adapted fully would see no evening.
-constexpr double kGreyCardGain = 2;
-constexpr double kReferenceIlluminance = 100;  // klx, where the adaptation is full
-constexpr double kAdaptation = 0.7;            // exponent: 1 adapts fully
-constexpr double kDarkestIlluminance = 2e-3;   // klx, below which the eye adapts no further
+// Exposure brings a grey card (18 %) in the sun at noon to 0.45, which the tone map shows as grey, and
+// follows the light of other hours only partly: an eye that adapted fully would see no evening.
+constexpr double kNoonExposure = 0.08;  // where the level is kNoonLevel
+constexpr double kNoonLevel = 140;      // klx
+constexpr double kAdaptation = 0.7;     // exponent: 1 adapts fully
+constexpr double kDarkestLevel = 1e-3;  // klx, below which the eye adapts no further
 
 double luminance(const glm::dvec3& light) { return glm::dot(light, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
@@ -90,9 +90,12 @@ SkyLight skyLight(const RenderSettings& settings, double eyeHeight) {
   light.horizon = shared::skySource(light.air, eyeHeight, 0, light.toSun.y);
   const glm::dvec3 level = light.sun * std::max(light.toSun.y, 0.0) + light.sky;
   light.ground = level * kGroundAlbedo;
-  const double seen = std::max(luminance(level), kDarkestIlluminance);
-  light.exposure = kGreyCardGain * std::numbers::pi / kReferenceIlluminance *
-                   std::pow(kReferenceIlluminance / seen, kAdaptation) * std::exp2(settings.exposureStops);
+  // A low sun lights the horizon more than the land, and the horizon is what fills the picture.
+  const glm::dvec3 horizon =
+      (light.horizon.rayleigh + light.horizon.haze) / (4 * std::numbers::pi) + light.horizon.isotropic;
+  const double seen = luminance(level + std::numbers::pi * horizon * light.sunOutside);
+  light.exposure = kNoonExposure * std::pow(kNoonLevel / std::max(seen, kDarkestLevel), kAdaptation) *
+                   std::exp2(settings.exposureStops);
   return light;
 }
 

@@ -1,0 +1,164 @@
+#include "skydrop/render/sky_pass.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "skydrop/render/tone_map_pass.h"
+#include "support/frame_test.h"
+#include "support/image_compare.h"
+
+namespace skydrop::render {
+namespace {
+
+// Reads the scene's light behind the tone map.
+class LightProbe final : public Pass {
+ public:
+  explicit LightProbe(std::vector<glm::vec4>& light) : light_(light) {}
+  std::string_view name() const override { return "probe"; }
+  Slot slot() const override { return Slot::toneMap; }
+  void draw(FrameContext& context) override {
+    light_.resize(static_cast<std::size_t>(context.sceneColor.width() * context.sceneColor.height()));
+    context.sceneColor.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(light_)));
+  }
+
+ private:
+  std::vector<glm::vec4>& light_;
+};
+
+class SkyGLTest : public test::FrameTest {
+ protected:
+  void SetUp() override {
+    FrameTest::SetUp();
+    if (IsSkipped()) return;
+    renderer().add(std::make_unique<ToneMapPass>(context()));
+    renderer().add(std::make_unique<SkyPass>(context()));
+    renderer().add(std::make_unique<LightProbe>(light_));
+    settings_.sun.azimuthDegrees = 90;  // east, where yaw 0 looks
+  }
+
+  // Light at a pixel, rows from the bottom.
+  glm::vec3 lightAt(int x, int y) const { return glm::vec3(light_[static_cast<std::size_t>(y * 320 + x)]); }
+
+  std::vector<glm::vec4> light_;
+};
+
+float luminance(const glm::vec3& light) { return glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+TEST_F(SkyGLTest, noonIsBlueAboveAndPaleAtTheHorizon) {
+  // Away from the sun: overhead blue at least twice red; at the horizon brighter and paler.
+  settings_.sun.elevationDegrees = 60;
+  draw(pose({0, 500, 0}, 180, 45, 0));
+  const glm::vec3 high = lightAt(160, 170);
+  draw(pose({0, 500, 0}, 180, 0, 0));
+  const glm::vec3 low = lightAt(160, 91);
+  EXPECT_GT(high.z, 2 * high.x);
+  EXPECT_GT(luminance(low), 1.5f * luminance(high));
+  EXPECT_LT(low.z / low.x, 0.7f * (high.z / high.x));
+}
+
+TEST_F(SkyGLTest, sunStandsWhereTheSettingsSay) {
+  // The brightest pixel is the one that the direction to the sun projects to, for suns all over the sky.
+  for (const auto& [elevation, azimuth] : {std::pair{50.0, 90.0}, {30.0, 200.0}, {10.0, 340.0}}) {
+    settings_.sun.elevationDegrees = elevation;
+    settings_.sun.azimuthDegrees = azimuth;
+    const View view = pose({0, 500, 0}, azimuth - 90 + 7, elevation - 5, 20);
+    draw(view);
+    std::size_t brightest = 0;
+    for (std::size_t i = 0; i < light_.size(); ++i) {
+      if (luminance(glm::vec3(light_[i])) > luminance(glm::vec3(light_[brightest]))) brightest = i;
+    }
+    const glm::vec4 clip = viewProjection(view) * glm::vec4(glm::vec3(directionToSun(settings_.sun)), 0);
+    const glm::vec2 pixel = (glm::vec2(clip) / clip.w * 0.5f + 0.5f) * glm::vec2(320, 180);
+    EXPECT_NEAR(static_cast<float>(brightest % 320) + 0.5f, pixel.x, 1.5f);
+    EXPECT_NEAR(static_cast<float>(brightest / 320) + 0.5f, pixel.y, 1.5f);
+  }
+}
+
+TEST_F(SkyGLTest, eveningIsRedTowardsTheSunAndBlueOverhead) {
+  // Sun on the horizon: red over blue beneath it. Sun below it: blue over red overhead.
+  settings_.sun.elevationDegrees = 0.5;
+  draw(pose({0, 500, 0}, 25, 2, 0));
+  EXPECT_GT(lightAt(160, 91).x, 2 * lightAt(160, 91).z);
+  settings_.sun.elevationDegrees = -4;
+  draw(pose({0, 500, 0}, 0, 90, 0));
+  EXPECT_GT(lightAt(160, 90).z, 1.2f * lightAt(160, 90).x);
+}
+
+TEST_F(SkyGLTest, nightIsDarkBlueAndNotBlack) {
+  // Long after sunset the sky is dim, blue, and the same everywhere within 20 %.
+  settings_.sun.elevationDegrees = -25;
+  const core::Image image = draw(pose({0, 500, 0}, 0, 30, 0));
+  const std::uint8_t* pixel = image.pixel(160, 20);
+  EXPECT_GT(pixel[2], 20);
+  EXPECT_LT(pixel[2], 110);
+  EXPECT_GT(pixel[2], pixel[0]);
+  EXPECT_NEAR(luminance(lightAt(10, 100)) / luminance(lightAt(300, 170)), 1, 0.2);
+}
+
+TEST_F(SkyGLTest, C21_everySunAndEveryAttitudeIsFinite) {
+  // Sun at the zenith, setting, below; looking straight up, down, level, rolled; from below the sea to 20 km:
+  // finite light, never negative, and no direct light once the sun is under the horizon.
+  for (const double elevation : {90.0, 45.0, 0.0, -0.2, -3.0, -30.0}) {
+    settings_.sun.elevationDegrees = elevation;
+    for (const double pitch : {90.0, 0.0, -90.0}) {
+      for (const double height : {-5.0, 0.0, 1000.0, 20000.0}) {
+        draw(pose({0, height, 0}, 0, pitch, 180));
+        for (const glm::vec4& light : light_) {
+          for (int c = 0; c < 3; ++c) {
+            ASSERT_TRUE(std::isfinite(light[c])) << elevation << " " << pitch << " " << height;
+            ASSERT_GE(light[c], 0.0f);
+          }
+        }
+      }
+    }
+    const double direct = skyLight(settings_, 0).sun.y;
+    EXPECT_TRUE(elevation < -0.3 ? direct == 0 : direct > 0) << elevation;
+  }
+}
+
+TEST_F(SkyGLTest, C22_horizonIsContinuous) {
+  // From the row above the horizon to the row below it light changes by less than twice what it changes
+  // between the rows beside them, plus 2 %: horizontal rays are no special case. Clear and thick haze, low
+  // and high.
+  for (const double visibility : {5e3, 8e4, 2e5}) {
+    for (const double height : {2.0, 300.0, 3000.0}) {
+      settings_.atmosphere.visibilityM = visibility;
+      settings_.sun.elevationDegrees = 35;
+      View view = pose({0, height, 0}, 120, 0, 0);
+      view.fovYRad = 2e-4;  // rows of 1e-6 rad: from 2 m the row below the horizon is 2000 km away
+      draw(view);
+      const auto row = [&](int y) { return luminance(lightAt(160, y)); };
+      const float beside = std::max(std::abs(row(92) - row(91)), std::abs(row(88) - row(87)));
+      EXPECT_LT(std::abs(row(90) - row(89)), 2 * beside + 0.02f * row(90)) << visibility << " " << height;
+    }
+  }
+}
+
+TEST_F(SkyGLTest, C25_sunFitsAHalfFloat) {
+  // The disc is a million times brighter than the sky; exposure is applied before it is stored, and what is
+  // left above the format's range is clipped. Six stops of overexposure change nothing about that.
+  settings_.sun.elevationDegrees = 50;
+  settings_.exposureStops = 6;
+  draw(pose({0, 500, 0}, 0, 50, 0));
+  float brightest = 0;
+  for (const glm::vec4& light : light_) brightest = std::max(brightest, luminance(glm::vec3(light)));
+  EXPECT_TRUE(std::isfinite(brightest));
+  EXPECT_GT(brightest, 10000.0f);
+}
+
+TEST_F(SkyGLTest, hazeIsAVariantAndNotABranch) {
+  // With the feature another program runs; what haze does is seen below the horizon, where it veils the land.
+  settings_.sun.elevationDegrees = 40;
+  const core::Image hazy = draw(pose({0, 3000, 0}, 120, -10, 0));
+  const std::size_t programs = renderer().shaders().size();
+  features_.haze = false;
+  const core::Image clear = draw(pose({0, 3000, 0}, 120, -10, 0));
+  EXPECT_EQ(renderer().shaders().size(), programs + 1);
+  EXPECT_GT(test::compareImages(hazy, clear).largest, 20);
+  for (int x = 0; x < 320; x += 40) {
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(hazy.pixel(x, 2)[c], clear.pixel(x, 2)[c]);  // above the horizon
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::render
