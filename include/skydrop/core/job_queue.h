@@ -2,6 +2,8 @@
 // drains what is ready.
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -106,6 +108,12 @@ class JobQueue {
     return results;
   }
 
+  // Waits until there is something to drain, or until the time has come.
+  void waitForResult(std::chrono::steady_clock::time_point end) {
+    std::unique_lock lock(shared_->mutex);
+    shared_->arrived.wait_until(lock, end, [this] { return !shared_->finished.empty(); });
+  }
+
   void cancelAll() {
     std::vector<JobId> all;
     for (const auto& [key, job] : jobs_) all.push_back(job.id);
@@ -139,6 +147,7 @@ class JobQueue {
   // What the jobs share with the queue; it lives as long as the last of them.
   struct Shared {
     std::mutex mutex;
+    std::condition_variable arrived;
     std::vector<Finished> finished;
     std::unordered_set<std::uint64_t> started;  // tickets that run or wait to be drained
   };
@@ -169,6 +178,7 @@ class JobQueue {
       }
       const std::scoped_lock lock(shared->mutex);
       shared->finished.push_back(std::move(finished));
+      shared->arrived.notify_all();
     };
     if (const std::optional<JobId> id = pool_.submit(priority, std::move(job))) {
       jobs_.emplace(key, Submitted{*id, ticket});

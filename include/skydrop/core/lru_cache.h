@@ -1,6 +1,7 @@
 // A bounded cache: the least recently used entry goes first, and what the current frame needs never goes.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -83,6 +84,9 @@ class LRUCache {
     assert(bytes_ <= budgetBytes_);
     return true;
   }
+
+  // Evicts the least recently used entries outside the working set until `bytes` more would fit.
+  void makeRoom(std::size_t bytes) { shrinkTo(budgetBytes_ - std::min(bytes, budgetBytes_)); }
 
   void erase(const Key& key) {
     const auto at = index_.find(key);

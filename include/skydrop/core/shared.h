@@ -34,6 +34,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/depth.glsl"
 #include "shared/atmosphere.glsl"
 #include "shared/tone_map.glsl"
+#include "shared/terrain_lod.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -56,6 +57,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/depth.glsl"
 #include "shared/atmosphere.glsl"
 #include "shared/tone_map.glsl"
+#include "shared/terrain_lod.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

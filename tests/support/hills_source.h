@@ -1,0 +1,13 @@
+// A land with a closed form for tests: hills of three sizes, 900 m high at most, with sea between them.
+#pragma once
+
+#include <memory>
+
+#include "skydrop/terrain/height_source.h"
+
+namespace skydrop::test {
+
+// Its bounds are conservative and close: the slope of a sum of sines is known.
+std::shared_ptr<const terrain::HeightSource> makeHillsSource();
+
+}  // namespace skydrop::test
