@@ -1,0 +1,98 @@
+#include "ui/field_label.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+namespace skydrop::ui {
+namespace {
+
+using core::Field;
+using core::FieldKind;
+using core::TakesEffect;
+
+constexpr int kDigits = 5;       // significant; the thesis's defaults have as many
+constexpr int kMostDigits = 12;  // of a logarithmic slider that starts very low
+constexpr double kHugeRange = 1e15;
+
+std::string numberText(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+std::string valueText(const Field& field, double value) {
+  if (field.kind == FieldKind::flag) return value != 0 ? "on" : "off";
+  if (field.kind == FieldKind::choice) {
+    const auto index = static_cast<std::size_t>(value);
+    return index < field.names.size() ? field.names[index] : "";
+  }
+  return numberText(value);
+}
+
+std::string_view effectText(TakesEffect effect) {
+  switch (effect) {
+    case TakesEffect::live:
+      return "";
+    case TakesEffect::variant:
+      return "Compiles a shader when released.";
+    case TakesEffect::rebuild:
+      return "Rebuilds a part when released.";
+    case TakesEffect::restart:
+      return "From the next start on.";
+  }
+  return "";
+}
+
+bool hasUnit(const Field& field) { return !field.unit.empty() && field.unit != "1"; }
+
+}  // namespace
+
+std::string humanName(std::string_view name) {
+  std::string words;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    const bool upper = std::isupper(c) != 0;
+    const bool afterLower = i > 0 && !std::isupper(static_cast<unsigned char>(name[i - 1]));
+    const bool beforeLower = i + 1 < name.size() && std::islower(static_cast<unsigned char>(name[i + 1]));
+    if (upper && i > 0 && (afterLower || beforeLower)) words += ' ';
+    // An abbreviation stays in capitals: "screenErrorLOD" -> "Screen error LOD".
+    const bool abbreviation = upper && !beforeLower && !(i + 1 == name.size() && afterLower);
+    words += static_cast<char>(i == 0 ? std::toupper(c) : abbreviation ? c : std::tolower(c));
+  }
+  return words;
+}
+
+std::string sliderFormat(const Field& field) {
+  std::string format = "%lld";
+  if (field.kind == FieldKind::number) {
+    int digits = kDigits;
+    // Dear ImGui takes values under 10^-digits for zero on a logarithmic slider.
+    if (field.logarithmic && field.min > 0) {
+      digits = std::clamp(static_cast<int>(std::ceil(-std::log10(field.min))), kDigits, kMostDigits);
+    }
+    format = "%." + std::to_string(digits) + "g";
+  }
+  if (!hasUnit(field)) return format;
+  format += ' ';
+  for (const char c : field.unit) format += c == '%' ? std::string("%%") : std::string(1, c);
+  return format;
+}
+
+std::string tooltipText(const Field& field) {
+  std::string text = field.help;
+  if (!text.empty() && text.back() != '.') text += '.';
+  const std::string unit = hasUnit(field) ? " " + field.unit : "";
+  if (field.kind == FieldKind::number || field.kind == FieldKind::integer) {
+    if (field.max - field.min < kHugeRange) {
+      text += "\nRange " + numberText(field.min) + " to " + numberText(field.max) + unit + ".";
+    }
+  }
+  text += "\nDefault " + valueText(field, field.defaultValue) +
+          (field.kind == FieldKind::flag || field.kind == FieldKind::choice ? "" : unit) + ".";
+  if (field.takesEffect != TakesEffect::live) text += "\n" + std::string(effectText(field.takesEffect));
+  return text + "\n" + field.path;
+}
+
+}  // namespace skydrop::ui

@@ -1,0 +1,250 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include "skydrop/ui/hud.h"
+
+namespace skydrop::ui {
+namespace {
+
+using Tone = HudText::Tone;
+
+// Shares of a line of text.
+constexpr float kMargin = 0.5f, kGap = 0.3f, kPadding = 0.35f, kRowPitch = 1.15f, kThrottleBar = 0.35f;
+constexpr float kCircleOfHeight = 0.2f, kCircleOfWidth = 0.25f;
+constexpr double kPlate = 0.45;
+constexpr double kFaintestPulse = 0.3;  // the drop text never vanishes
+constexpr float kDropOfHeight = 0.26f;  // where the drop text stands when there is room
+
+std::string text(const char* format, double value) {
+  char buffer[64];
+  // A number that would run off its plate is shown by its magnitude.
+  std::snprintf(buffer, sizeof buffer, std::abs(value) < 1e6 ? format : "%.2g", value);
+  return buffer;
+}
+
+std::string distanceText(double metres) {
+  return metres < 1000 ? text("%.0f m", metres) : text("%.2f km", metres / 1000);
+}
+
+// Places the items of one window size.
+class Layouter {
+ public:
+  explicit Layouter(const Interface& context)
+      : context_(context),
+        line_(context.text().pixels),
+        margin_(std::floor(kMargin * line_)),
+        gap_(std::floor(kGap * line_)),
+        padding_(std::floor(kPadding * line_)),
+        pitch_(std::floor(kRowPitch * line_)),
+        width_(static_cast<float>(context.width())),
+        height_(static_cast<float>(context.height())) {}
+
+  HudLayout run(const HudData& data, std::span<const HelpRow> help) {
+    placeScore(data);
+    if (data.autopilot) placeAutopilot();
+    float bottom = height_ - margin_;
+    if (data.aircraft) bottom = placeInstruments(data) - gap_;
+    if (!help.empty()) {
+      placeHelp(data, help, bottom);
+    } else {
+      placeMiddle(data, bottom);
+    }
+    return std::move(layout_);
+  }
+
+ private:
+  struct Row {
+    std::string label, value;
+  };
+
+  float measure(const std::string& words, bool large = false) const {
+    const Typeface& typeface = large ? context_.large() : context_.text();
+    return std::ceil(typeface.face->CalcTextSizeA(typeface.pixels, FLT_MAX, 0, words.c_str()).x);
+  }
+
+  std::string fit(std::string words, float room) const {
+    if (measure(words) <= room) return words;
+    const std::string ellipsis = "\u2026";
+    while (!words.empty() && measure(words + ellipsis) > room) {
+      while (!words.empty() && (static_cast<unsigned char>(words.back()) & 0xc0) == 0x80) words.pop_back();
+      if (!words.empty()) words.pop_back();
+    }
+    return words + ellipsis;
+  }
+
+  float topRow() const { return margin_ + line_ + 2 * padding_; }
+  float below(float y) const { return y + gap_; }
+
+  void placeScore(const HudData& data) {
+    std::string words = "Score " + std::to_string(data.score) + "   Missed " + std::to_string(data.misses);
+    if (data.cooldownSeconds > 0) words += text("   Reload %.1f s", data.cooldownSeconds);
+    words = fit(std::move(words), width_ * 0.6f - margin_);
+    HudItem item{"score", {margin_, margin_, margin_ + measure(words) + 2 * padding_, topRow()}, kPlate, {}};
+    item.texts.push_back({words, {margin_ + padding_, margin_ + padding_}, Tone::normal});
+    layout_.items.push_back(std::move(item));
+  }
+
+  void placeAutopilot() {
+    const std::string words = fit("AUTOPILOT", width_ * 0.35f - margin_);
+    const float right = width_ - margin_, left = right - measure(words) - 2 * padding_;
+    HudItem item{"autopilot", {left, margin_, right, topRow()}, kPlate, {}};
+    item.texts.push_back({words, {left + padding_, margin_ + padding_}, Tone::accent});
+    layout_.items.push_back(std::move(item));
+  }
+
+  // Three rows of label and value on a plate whose bottom edge is the window's margin.
+  void placeRows(const std::string& name, float left, float right, float top, std::span<const Row> rows) {
+    HudItem item{name, {left, top, right, height_ - margin_}, kPlate, {}};
+    float y = top + padding_;
+    for (const Row& row : rows) {
+      item.texts.push_back({row.label, {left + padding_, y}, Tone::dim});
+      const float room = right - left - 2.5f * padding_ - measure(row.label);
+      const std::string value = fit(row.value, room);
+      item.texts.push_back({value, {right - padding_ - measure(value), y}, Tone::normal});
+      y += pitch_;
+    }
+    layout_.items.push_back(std::move(item));
+  }
+
+  // The strip along the bottom; returns its upper edge.
+  float placeInstruments(const HudData& data) {
+    const float rows = std::floor(3 * pitch_ + kThrottleBar * line_ + 2 * padding_);
+    const float wanted = std::min(kCircleOfHeight * height_, kCircleOfWidth * width_);
+    const float diameter = std::floor(std::max(wanted, rows));
+    const float bottom = height_ - margin_;
+    const float circleLeft = std::floor((width_ - diameter) / 2);
+    layout_.items.push_back(
+        {"navigation", {circleLeft, bottom - diameter, circleLeft + diameter, bottom}, 0, {}});
+    layout_.circleRadius = diameter / 2;
+    layout_.circleCentre = {circleLeft + diameter / 2, bottom - diameter / 2};
+
+    const float plate = std::min(std::floor(12 * line_), circleLeft - margin_ - gap_);
+    const Row flight[] = {{"Speed", text("%.0f m/s", data.airspeedMps)},
+                          // rounded first, so that 359.6 reads 000
+                          {"Heading", text("%03.0f\u00b0", std::fmod(std::round(data.headingDeg), 360.0))},
+                          {"Throttle", text("%.0f %%", 100 * data.throttle)}};
+    placeRows("flight", margin_, margin_ + plate, bottom - rows, flight);
+    const float barTop = bottom - padding_ - std::floor(kThrottleBar * line_) + 1;
+    layout_.throttleBar = {margin_ + padding_, barTop, margin_ + plate - padding_, bottom - padding_};
+
+    const Row position[] = {
+        {"Altitude", text("%.0f m", data.altitudeM)},
+        {"Ground", text("%.0f m", data.heightAboveGroundM)},
+        {"Target", data.targetDistanceM ? distanceText(*data.targetDistanceM) : "\u2013"}};
+    placeRows("position", width_ - margin_ - plate, width_ - margin_, bottom - rows, position);
+    return bottom - std::max(diameter, rows);
+  }
+
+  HudText centred(std::string words, float y, Tone tone, bool large, double opacity = 1) const {
+    if (!large) words = fit(std::move(words), width_ - 2 * margin_ - 2 * padding_);
+    const float x = std::floor((width_ - measure(words, large)) / 2);
+    return {std::move(words), {x, y}, tone, large, opacity};
+  }
+
+  // A plate around centred lines, from `top` down.
+  HudItem block(std::string name, float top, std::vector<HudText> texts, double plate) const {
+    HudItem item{std::move(name), {width_, top, 0, top}, plate, std::move(texts)};
+    for (const HudText& line : item.texts) {
+      const float x = line.position.x;
+      item.rect.left = std::min(item.rect.left, x - padding_);
+      item.rect.right = std::max(item.rect.right, x + measure(line.text, line.large) + padding_);
+      item.rect.bottom = std::max(item.rect.bottom, line.position.y + (line.large ? 2 * line_ : line_));
+    }
+    return item;
+  }
+
+  // Messages, drop text, pause and warning share what lies between the score and the instruments. Each has
+  // its own place whether the others are there or not, so nothing jumps.
+  void placeMiddle(const HudData& data, float bottom) {
+    const float messagesTop = below(topRow());
+    const float messagesBottom = messagesTop + 3 * line_;
+    float y = messagesTop;
+    std::vector<HudText> lines;
+    for (const HudMessage& message : data.messages) {
+      lines.push_back(centred(message.text, y, Tone::normal, false, message.opacity));
+      y += line_;
+    }
+    if (!lines.empty()) layout_.items.push_back(block("messages", messagesTop, std::move(lines), kPlate));
+
+    const float blockHeight = 3 * line_, warningHeight = line_ + 2 * padding_;
+    const float warningTop = bottom - warningHeight;
+    const float dropTop = std::floor(std::max(
+        below(messagesBottom), std::min(kDropOfHeight * height_, warningTop - 2 * (blockHeight + gap_))));
+    if (data.dropPulse) {
+      const double opacity = kFaintestPulse + (1 - kFaintestPulse) * *data.dropPulse;
+      layout_.items.push_back(block("drop", dropTop,
+                                    {centred("DROP", dropTop, Tone::accent, true, opacity),
+                                     centred("Space", dropTop + 2 * line_, Tone::accent, false, opacity)},
+                                    0));
+    }
+    if (data.paused) {
+      const float above = dropTop + blockHeight + gap_;
+      const float pauseTop =
+          std::floor(std::max(above, std::min(height_ / 2, warningTop - gap_ - blockHeight)));
+      layout_.items.push_back(block("pause", pauseTop,
+                                    {centred("PAUSED", pauseTop, Tone::normal, true),
+                                     centred("P flies on", pauseTop + 2 * line_, Tone::dim, false)},
+                                    kPlate));
+    }
+    std::string warning;
+    if (data.respawnSeconds)
+      warning = text("Crashed: back in %.1f s", *data.respawnSeconds);
+    else if (data.stalled)
+      warning = "STALL";
+    if (!warning.empty()) {
+      HudItem item = block("warning", warningTop,
+                           {centred(warning, warningTop + padding_, Tone::warning, false)}, kPlate);
+      item.rect.bottom = warningTop + warningHeight;
+      layout_.items.push_back(std::move(item));
+    }
+  }
+
+  // Two columns of keys and meanings in the middle; what else stands there waits while the help is open.
+  void placeHelp(const HudData& data, std::span<const HelpRow> help, float bottom) {
+    const std::size_t perColumn = (help.size() + 1) / 2;
+    float keys = 0, meanings = 0;
+    for (const HelpRow& row : help) {
+      keys = std::max(keys, measure(row.keys));
+      meanings = std::max(meanings, measure(row.meaning));
+    }
+    const float room = (width_ - 2 * margin_ - 2 * padding_ - line_) / 2;
+    const float column = std::min(keys + line_ + meanings, room);
+    const float panel = 2 * column + line_ + 2 * padding_;
+    const float top = below(topRow());
+    // The rows stand closer where the window is low.
+    const float free = (bottom - top - 2 * padding_) / static_cast<float>(perColumn + 1);
+    const float rowPitch = std::floor(std::clamp(free, line_, 1.4f * line_));
+    const float panelHeight = rowPitch * static_cast<float>(perColumn + 1) + 2 * padding_;
+    const float panelTop = std::floor(std::max(top, top + (bottom - top - panelHeight) / 2));
+    const float left = std::floor((width_ - panel) / 2);
+    HudItem item{"help", {left, panelTop, left + panel, panelTop + panelHeight}, 0.72, {}};
+    item.texts.push_back({data.paused ? "Controls (paused)" : "Controls",
+                          {left + padding_, panelTop + padding_},
+                          Tone::accent});
+    for (std::size_t i = 0; i < help.size(); ++i) {
+      const float x = left + padding_ + (i < perColumn ? 0 : column + line_);
+      const float y = panelTop + padding_ + rowPitch * static_cast<float>(1 + i % perColumn);
+      item.texts.push_back({fit(help[i].keys, keys), {x, y}, Tone::normal});
+      item.texts.push_back({fit(help[i].meaning, column - keys - line_), {x + keys + line_, y}, Tone::dim});
+    }
+    layout_.items.push_back(std::move(item));
+  }
+
+  const Interface& context_;
+  float line_, margin_, gap_, padding_, pitch_, width_, height_;
+  HudLayout layout_;
+};
+
+}  // namespace
+
+HudLayout layoutHud(const Interface& context, const HudData& data, std::span<const HelpRow> help) {
+  return Layouter(context).run(data, help);
+}
+
+}  // namespace skydrop::ui
