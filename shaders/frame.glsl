@@ -14,10 +14,15 @@ layout(std140, binding = 0) uniform Frame {
   vec4 sunLight;
   vec4 skyLight;
   vec4 groundLight;
-  vec4 sunOutside;
+  vec4 sunDisc;
   vec4 nightRadiance;
   vec4 airRayleigh;
   vec4 airHaze;
+  vec4 columnDepth;
+  vec4 columnHere;
+  vec4 airLight;
+  vec4 hazeLight;
+  vec4 depthToSea;
   vec4 horizonRayleigh;
   vec4 horizonHaze;
   vec4 horizonIsotropic;
@@ -32,6 +37,18 @@ Atmosphere frameAtmosphere() {
   air.hazeAlbedo = frame.airHaze.z;
   air.hazeAnisotropy = frame.airHaze.w;
   return air;
+}
+
+// The air above the eye; its light is the sun's own, so radiances come out of it without another factor.
+SkyColumn frameColumn() {
+  SkyColumn column;
+  column.depth = frame.columnDepth.xyz;
+  column.sunMass = frame.columnDepth.w;
+  column.airHere = frame.columnHere.xyz;
+  column.hazeHere = frame.columnHere.w;
+  column.airLight = frame.airLight.xyz;
+  column.hazeLight = frame.hazeLight.xyz;
+  return column;
 }
 
 // Light that a matt surface sends out: albedo in [0, 1], unit normal, share of the sun that is not in shadow.

@@ -14,6 +14,16 @@ struct Atmosphere {
   Real hazeAnisotropy;  // g of its phase function, [-0.95, 0.95]
 };
 
+// All that skySource needs and that is the same for every direction: the air above the eye and the light on it.
+struct SkyColumn {
+  Vec3 depth;      // optical depth of everything above the eye
+  Real sunMass;    // air mass towards the sun
+  Vec3 airHere;    // scattering of air at the eye, 1/m
+  Real hazeHere;   // extinction of haze at the eye, 1/m
+  Vec3 airLight;   // sunlight on the air above, per irradiance: ozone, the earth's shadow
+  Vec3 hazeLight;  // the same for haze, times its albedo
+};
+
 // What one sky direction scatters towards the eye. Radiance = sun's irradiance *
 // (rayleigh * rayleighPhase + haze * hazePhase + isotropic).
 struct SkySource {
@@ -85,29 +95,37 @@ FN Real hazePhase(Real cosAngle, Real g) {
   return (Real(1.0) - a * a) / (Real(4.0) * kPi * base * sqrt(base));
 }
 
-// The sky in a direction whose zenith angle has the given cosine (below the horizon: as at the horizon), seen
-// from a height, with the sun at a zenith angle.
-FN SkySource skySource(Atmosphere air, Real heightM, Real cosView, Real cosSun) {
-  Real toEye = airMass(cosView);
-  Real toSun = airMass(cosSun);
-  Vec3 depth = opticalDepthAbove(air, heightM);
-  // Light scattered once at each depth: the integral of exp(-t * toSun) exp(-t * toEye), written so that equal air
+// The air above an eye at a height, with the sun at a zenith angle.
+FN SkyColumn make_skyColumn(Atmosphere air, Real heightM, Real cosSun) {
+  SkyColumn column;
+  column.depth = opticalDepthAbove(air, heightM);
+  column.sunMass = airMass(cosSun);
+  column.airHere = air.rayleigh * densityAt(heightM, air.rayleighHeight);
+  column.hazeHere = air.haze * densityAt(heightM, air.hazeHeight);
+  Vec3 light = ozoneTransmittance(cosSun);
+  column.airLight = light * twilight(cosSun, air.rayleighHeight);
+  column.hazeLight = light * (air.hazeAlbedo * twilight(cosSun, air.hazeHeight));
+  return column;
+}
+
+// The sky in a direction whose zenith angle has the given cosine (below the horizon: as at the horizon).
+FN SkySource skySource(SkyColumn column, Atmosphere air, Real cosView) {
+  Real eyeMass = airMass(cosView);
+  Real sunMass = column.sunMass;
+  // Light scattered once at each depth: the integral of exp(-t * sunMass) exp(-t * eyeMass), written so that equal air
   // masses are no special case and no exponent is positive.
-  Vec3 once = depth * toEye * exp3(-depth * (toEye < toSun ? toEye : toSun)) *
-              oneMinusExpOverX3(depth * abs(toEye - toSun)) * ozoneTransmittance(cosSun);
-  // Which of the two scattered it: what lies within one optical depth of the eye. Overhead that is the whole column, at
-  // the horizon the air at the eye's height.
-  Vec3 airHere = air.rayleigh * densityAt(heightM, air.rayleighHeight);
-  Real hazeHere = air.haze * densityAt(heightM, air.hazeHeight);
-  Vec3 extinction = airHere + Vec3(hazeHere, hazeHere, hazeHere) + Vec3(Real(1e-12), Real(1e-12), Real(1e-12));
-  Vec3 rise = Vec3(Real(1.0), Real(1.0), Real(1.0)) * max(cosView, Real(0.0)) / extinction;
-  Vec3 byAir = airHere * oneMinusExpOverX3(rise / air.rayleighHeight);
-  Vec3 byHaze = oneMinusExpOverX3(rise / air.hazeHeight) * hazeHere;
-  Vec3 both = byAir + byHaze + Vec3(Real(1e-20), Real(1e-20), Real(1e-20));
+  Vec3 once = column.depth * eyeMass * exp3(-column.depth * (eyeMass < sunMass ? eyeMass : sunMass)) *
+              oneMinusExpOverX3(column.depth * abs(eyeMass - sunMass));
+  // Which of the two scattered it: what lies within one optical depth (of green) of the eye. Overhead that is the whole
+  // column, at the horizon the air at the eye's height.
+  Real rise = max(cosView, Real(0.0)) / (column.airHere.y + column.hazeHere + Real(1e-12));
+  Vec3 byAir = column.airHere * oneMinusExpOverX(rise / air.rayleighHeight);
+  Real byHaze = column.hazeHere * oneMinusExpOverX(rise / air.hazeHeight);
+  once = once / (byAir + Vec3(byHaze, byHaze, byHaze) + Vec3(Real(1e-20), Real(1e-20), Real(1e-20)));
+  Vec3 again = column.depth / (column.depth + Vec3(Real(1.0), Real(1.0), Real(1.0)));
   SkySource source;
-  source.rayleigh = once * byAir / both * twilight(cosSun, air.rayleighHeight);
-  source.haze = once * byHaze / both * (air.hazeAlbedo * twilight(cosSun, air.hazeHeight));
-  Vec3 again = depth / (depth + Vec3(Real(1.0), Real(1.0), Real(1.0)));
+  source.rayleigh = once * byAir * column.airLight;
+  source.haze = once * byHaze * column.hazeLight;
   source.isotropic = (source.rayleigh + source.haze) * again * (kMultipleScattering / (Real(4.0) * kPi));
   return source;
 }

@@ -3,26 +3,28 @@
 // The largest radiance that a half float keeps with room for blending.
 const float kBrightest = 60000.0;
 
-// Angle across one pixel in the middle of the picture, in radians.
-float pixelAngle() { return 2.0 * length(frame.ndcToRay[1].xyz) * frame.viewport.w; }
-
-// The sun's disc, its edge smoothed over a pixel. `cosZenith` of the direction: the horizon cuts the disc.
+// The sun's disc, its edge smoothed over a pixel; the horizon cuts it.
 vec3 sunDisc(vec3 direction) {
-  float radius = sqrt(1.0 - frame.toSun.w * frame.toSun.w);
-  float fromCentre = length(cross(direction, frame.toSun.xyz));
-  float inDisc = clamp((radius - fromCentre) / pixelAngle() + 0.5, 0.0, 1.0) *
-                 step(0.0, dot(direction, frame.toSun.xyz)) * clamp(direction.y / pixelAngle() + 0.5, 0.0, 1.0);
-  float solidAngle = kPi * radius * radius;
-  return frame.sunOutside.xyz * sunTransmittance(frameAtmosphere(), frame.eye.x, direction.y) * (inDisc / solidAngle);
+  vec3 aside = cross(direction, frame.toSun.xyz);
+  float pixels = (frame.toSun.w - sqrt(dot(aside, aside))) / frame.depthToSea.w;
+  float above = direction.y / frame.depthToSea.w;
+  float inDisc = clamp(pixels + 0.5, 0.0, 1.0) * clamp(above + 0.5, 0.0, 1.0);
+  return dot(direction, frame.toSun.xyz) > 0.0 ? frame.sunDisc.xyz * inDisc : vec3(0.0);
 }
 
+// How much of the plain's light comes through the haze in a direction: none from above the horizon.
+vec3 plainShare(vec3 direction) {
+  if (direction.y >= 0.0) return vec3(0.0);
+#ifdef HAZE
+  return exp(frame.depthToSea.xyz / min(direction.y, -1e-9));
+#else
+  return vec3(1.0);
+#endif
+}
+
+// Below the horizon skySource is that of the horizon, which is what haze sends towards the eye.
 vec3 skyInDirection(vec3 direction) {
-  float cosSunAngle = dot(direction, frame.toSun.xyz);
-  if (direction.y < 0.0) {
-    vec3 plain = frame.groundLight.xyz / kPi;
-    return throughHaze(plain, direction * (max(frame.eye.x, 1.0) / max(-direction.y, 1e-6)));
-  }
-  SkySource source = skySource(frameAtmosphere(), frame.eye.x, direction.y, frame.toSun.y);
-  vec3 scattered = skyRadiance(source, cosSunAngle, frame.airHaze.w) * frame.sunOutside.xyz;
-  return min(scattered + frame.nightRadiance.xyz + sunDisc(direction), vec3(kBrightest));
+  SkySource source = skySource(frameColumn(), frameAtmosphere(), direction.y);
+  vec3 scattered = skyRadiance(source, dot(direction, frame.toSun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
+  return min(mix(scattered, frame.groundLight.xyz / kPi, plainShare(direction)) + sunDisc(direction), vec3(kBrightest));
 }

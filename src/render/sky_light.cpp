@@ -37,14 +37,14 @@ double luminance(const glm::dvec3& light) { return glm::dot(light, glm::dvec3(0.
 
 // Illuminance on a horizontal surface by the sky: a sum over the hemisphere, rings of equal projected solid
 // angle.
-glm::dvec3 skyIlluminance(const SkyLight& light, double eyeHeight) {
+glm::dvec3 skyIlluminance(const SkyLight& light) {
   constexpr int kRings = 8, kSectors = 12;
   glm::dvec3 sum(0);
   for (int ring = 0; ring < kRings; ++ring) {
     const double sine = std::sqrt((ring + 0.5) / kRings), cosine = std::sqrt(1 - sine * sine);
     for (int sector = 0; sector < kSectors; ++sector) {
       const double angle = 2 * std::numbers::pi * (sector + 0.5) / kSectors;
-      sum += skyRadiance(light, eyeHeight, {sine * std::cos(angle), cosine, sine * std::sin(angle)});
+      sum += skyRadiance(light, {sine * std::cos(angle), cosine, sine * std::sin(angle)});
     }
   }
   return sum * (std::numbers::pi / (kRings * kSectors));
@@ -71,11 +71,15 @@ shared::Atmosphere atmosphereOf(const AtmosphereSettings& settings) {
   return air;
 }
 
-glm::dvec3 skyRadiance(const SkyLight& light, double eyeHeight, const glm::dvec3& direction) {
-  const shared::SkySource source = shared::skySource(light.air, eyeHeight, direction.y, light.toSun.y);
+glm::dvec3 skyRadiance(const SkyLight& light, const glm::dvec3& direction) {
+  const shared::SkySource source = shared::skySource(light.column, light.air, direction.y);
   return shared::skyRadiance(source, glm::dot(direction, light.toSun), light.air.hazeAnisotropy) *
              light.sunOutside +
          light.night;
+}
+
+glm::dvec3 sunDiscRadiance(const SkyLight& light) {
+  return light.sun / (std::numbers::pi * kSunRadiusRad * kSunRadiusRad);
 }
 
 SkyLight skyLight(const RenderSettings& settings, double eyeHeight) {
@@ -86,8 +90,9 @@ SkyLight skyLight(const RenderSettings& settings, double eyeHeight) {
   light.night = kNightRadiance;
   light.sun = kSunOutside * shared::sunTransmittance(light.air, eyeHeight, light.toSun.y) *
               shared::sunVisibleShare(light.toSun.y);
-  light.sky = skyIlluminance(light, eyeHeight);
-  light.horizon = shared::skySource(light.air, eyeHeight, 0, light.toSun.y);
+  light.column = shared::make_skyColumn(light.air, eyeHeight, light.toSun.y);
+  light.sky = skyIlluminance(light);
+  light.horizon = shared::skySource(light.column, light.air, 0);
   const glm::dvec3 level = light.sun * std::max(light.toSun.y, 0.0) + light.sky;
   light.ground = level * kGroundAlbedo;
   // A low sun lights the horizon more than the land, and the horizon is what fills the picture.

@@ -135,13 +135,14 @@ TEST_F(SharedGLTest, skyAgrees) {
   // the earth's shadow multiplies rounding by its exponent.
   const std::vector<glm::vec4> rows = randomRows(4);
   run(rows, std::string(kAir) +
-                "SkySource s = skySource(air, a.x * 5000.0, a.y, a.z * 1.3 - 0.3);\n"
+                "SkySource s = skySource(make_skyColumn(air, a.x * 5000.0, a.z * 1.3 - 0.3), air, a.y);\n"
                 "r.xyz = skyRadiance(s, a.w * 2.0 - 1.0, 0.76);\n"
                 "r.w = opticalDepthBetween(air, a.x * 3000.0, a.y * 3000.0, a.w * 1e5).y;");
   for (std::size_t i = 0; i < kCount; ++i) {
     const glm::vec4& a = rows[i];
-    const glm::vec3 expected =
-        shared::skyRadiance(shared::skySource(air(), a.x * 5000, a.y, a.z * 1.3f - 0.3f), a.w * 2 - 1, 0.76f);
+    const glm::vec3 expected = shared::skyRadiance(
+        shared::skySource(shared::make_skyColumn(air(), a.x * 5000, a.z * 1.3f - 0.3f), air(), a.y),
+        a.w * 2 - 1, 0.76f);
     const float scale = std::max({expected.x, expected.y, expected.z, 1e-6f});
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(result_[i][c], expected[c], 5e-5f * scale);
     const float depth = shared::opticalDepthBetween(air(), a.x * 3000, a.y * 3000, a.w * 1e5f).y;

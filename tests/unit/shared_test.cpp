@@ -116,9 +116,12 @@ TEST(Shared, floatSkyEqualsDoubleSky) {
   for (int i = 0; i < 20000; ++i) {
     const double height = random.nextUnit() * 8000, view = random.nextUnit(),
                  sun = random.nextUnit() * 1.4 - 0.4;
-    const auto exact = f64::skySource(clearAir<f64::Atmosphere>(), height, view, sun);
-    const auto rounded = f32::skySource(clearAir<f32::Atmosphere>(), static_cast<float>(height),
-                                        static_cast<float>(view), static_cast<float>(sun));
+    const auto air = clearAir<f64::Atmosphere>();
+    const auto airF = clearAir<f32::Atmosphere>();
+    const auto exact = f64::skySource(f64::make_skyColumn(air, height, sun), air, view);
+    const auto rounded =
+        f32::skySource(f32::make_skyColumn(airF, static_cast<float>(height), static_cast<float>(sun)), airF,
+                       static_cast<float>(view));
     const double scale = std::max(
         {exact.rayleigh.x, exact.rayleigh.y, exact.rayleigh.z, exact.haze.x, exact.haze.y, exact.haze.z});
     for (int c = 0; c < 3; ++c) {
@@ -133,7 +136,8 @@ TEST(Shared, floatSkyEqualsDoubleSky) {
 TEST(Shared, skyWithEqualAirMassesIsTheLimit) {
   // Where view and sun stand equally high the closed form is 0/0; the function passes through smoothly.
   const auto air = clearAir<f64::Atmosphere>();
-  const auto at = f64::skySource(air, 0, 0.3, 0.3), beside = f64::skySource(air, 0, 0.3, 0.3 + 1e-9);
+  const auto at = f64::skySource(f64::make_skyColumn(air, 0, 0.3), air, 0.3);
+  const auto beside = f64::skySource(f64::make_skyColumn(air, 0, 0.3 + 1e-9), air, 0.3);
   EXPECT_NEAR(at.rayleigh.y / beside.rayleigh.y, 1, 1e-7);
   EXPECT_TRUE(std::isfinite(at.rayleigh.x));
 }

@@ -19,6 +19,7 @@ struct SkyLight {
   glm::dvec3 sky{0};         // on a horizontal surface, from the sky alone
   glm::dvec3 ground{0};      // on a surface that faces down, from average land
   glm::dvec3 night{0};       // radiance of the sky without any sun
+  core::shared::f64::SkyColumn column{};   // the air above the eye
   core::shared::f64::SkySource horizon{};  // the sky at the horizon, seen from the eye's height
 };
 
@@ -29,6 +30,9 @@ core::shared::f64::Atmosphere atmosphereOf(const AtmosphereSettings& settings);
 // eyeHeight in m above the sea, any finite value.
 SkyLight skyLight(const RenderSettings& settings, double eyeHeight);
 // Radiance of the sky in a unit direction, without the sun's disc; below the horizon that of the horizon.
-glm::dvec3 skyRadiance(const SkyLight& light, double eyeHeight, const glm::dvec3& direction);
+glm::dvec3 skyRadiance(const SkyLight& light, const glm::dvec3& direction);
+// Radiance of the sun's disc, angular radius kSunRadiusRad.
+glm::dvec3 sunDiscRadiance(const SkyLight& light);
+inline constexpr double kSunRadiusRad = 0.00466;  // 0.267 degrees: the mean over the year
 
 }  // namespace skydrop::render
