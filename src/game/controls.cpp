@@ -15,7 +15,8 @@ std::int8_t toStep(double value, double lowest) {
     core::countGuard(core::Guard::notFiniteControl);
     return 0;
   }
-  return static_cast<std::int8_t>(std::floor(std::clamp(value, lowest, 1.0) * kSteps + 0.5));
+  const double held = std::clamp(value, lowest, 1.0);
+  return static_cast<std::int8_t>(std::copysign(std::floor(std::abs(held) * kSteps + 0.5), held));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "targets.h"
+#include "game/targets.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "game/targets.h"
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/fixed_step.h"
@@ -18,7 +19,6 @@
 #include "skydrop/flight/package.h"
 #include "skydrop/flight/rotation.h"
 #include "skydrop/game/contact.h"
-#include "targets.h"
 
 namespace skydrop::game {
 namespace {
@@ -32,6 +32,8 @@ constexpr glm::dvec3 kBay{0, -1.2, 0};
 constexpr std::uint64_t kPredictionSteps = 12;
 // More packages than this in the world at once are not possible (with the cool-down of 2 s: never reached).
 constexpr std::size_t kMostPackages = 64;
+// Events that nobody takes are kept up to this many, the newest.
+constexpr std::size_t kMostEvents = 1024;
 // Safe places are noted twice a second and kept for a minute.
 constexpr std::uint64_t kSafePlaceSteps = 60;
 constexpr std::size_t kSafePlaces = 120;
@@ -426,6 +428,7 @@ void World::State::say(std::string text) {
 
 void World::State::report(GameEventKind kind, const glm::dvec3& position, std::uint32_t id,
                           double missDistance, bool onWater) {
+  if (events.size() == kMostEvents) events.erase(events.begin());
   events.push_back({kind, steps, position, id, missDistance, onWater});
 }
 
@@ -585,6 +588,7 @@ void World::apply(const GameSettings& settings) {
 }
 
 void World::placeAircraft(const StartPose& pose) {
+  if (!state_->airplane) return;
   state_->place(pose);
   state_->predictedLanding = state_->predict();
   state_->fill(state_->now);

@@ -93,7 +93,7 @@ TEST(Package, predictionOutsideAnySenseIsEmpty) {
 }
 
 TEST(Package, predictionSeesARidgeInTheWay) {
-  // A ridge with slopes of 45 degrees stands in the middle of the 113 m that the package travels: it lands on
+  // A ridge with slopes of 45 degrees stands in the middle of the 130 m that the package travels: it lands on
   // its near side.
   const auto ridge = [](const glm::dvec2& xz) { return std::max(0.0, 160 - std::abs(xz.y + 80)); };
   const auto landing = predictLanding({}, {{0, 158, 0}, {0, 0, -70}}, glm::dvec3(0), ridge);

@@ -72,7 +72,7 @@ class World {
   // now().
   Snapshot interpolated(double alpha) const;
 
-  // The events since the last call, in order.
+  // The events since the last call, in order (the newest 1024).
   std::vector<GameEvent> takeEvents();
 
   // Digest of everything that decides the future (not of what is derived from it).
@@ -85,7 +85,8 @@ class World {
   void apply(const flight::PackageSettings& settings);
   void apply(const GameSettings& settings);
 
-  // Places the aircraft anew (a pose from the command line or a test). Throws core::RangeError unless finite.
+  // Places the aircraft, if there is one, anew (a pose from the command line or a test). Throws
+  // core::RangeError, and changes nothing, unless finite.
   void placeAircraft(const StartPose& pose);
 
  private:
