@@ -1,0 +1,143 @@
+"""The game's sounds. Writes one WAV file each (16 bit, mono, 22050 Hz) into the folder given.
+
+    python3 make_sounds.py ../audio
+
+Every sample is rounded to 16 bits from a signal that is designed, not recorded; the noise comes from one seed.
+"""
+
+import argparse
+import pathlib
+import struct
+
+import numpy as np
+
+RATE = 22050
+SEED = 20260102
+
+
+def seconds(duration):
+    return np.arange(int(round(duration * RATE))) / RATE
+
+
+def noise(rng, count):
+    return rng.uniform(-1, 1, count)
+
+
+def low_pass(signal, hertz):
+    """One pole, run twice: 12 dB an octave."""
+    a = 1 - np.exp(-2 * np.pi * hertz / RATE)
+    for _ in range(2):
+        out, state = np.empty_like(signal), 0.0
+        for i, x in enumerate(signal):
+            state += a * (x - state)
+            out[i] = state
+        signal = out
+    return signal
+
+
+def envelope(t, attack, decay):
+    return np.minimum(t / attack, 1) * np.exp(-np.maximum(t - attack, 0) / decay)
+
+
+def faded(signal, duration=0.01):
+    """No click at either end."""
+    n = int(duration * RATE)
+    ramp = 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / n)
+    signal = signal.copy()
+    signal[:n] *= ramp
+    signal[-n:] *= ramp[::-1]
+    return signal
+
+
+def chime(t, notes, step, decay):
+    out = np.zeros_like(t)
+    for k, hertz in enumerate(notes):
+        local = t - k * step
+        on = local >= 0
+        for partial, gain in ((1, 1.0), (2, .35), (3, .12)):
+            out[on] += gain * np.sin(2 * np.pi * hertz * partial * local[on]) * np.exp(-local[on] * partial / decay)
+    return out
+
+
+def engine(rng):
+    """A loop of whole periods: a six-cylinder at 2400/min fires 120 times a second; one turn is 40 Hz."""
+    duration = 1.0  # whole periods of every partial below
+    t = seconds(duration)
+    out = np.zeros_like(t)
+    for k in range(1, 40):
+        hertz = 40 * k
+        firing = 1.0 if k % 3 == 0 else 0.32
+        out += firing / k**0.9 * np.cos(2 * np.pi * hertz * t + rng.uniform(0, 2 * np.pi))
+    # Breath of the propeller: noise made periodic in the frequency domain, beating with the blades (80 Hz).
+    spectrum = np.fft.rfft(noise(rng, len(t)))
+    f = np.fft.rfftfreq(len(t), 1 / RATE)
+    breath = np.fft.irfft(spectrum * np.exp(-((f - 420) / 380) ** 2), len(t))
+    breath /= np.abs(breath).max()
+    return out / np.abs(out).max() + 0.35 * breath * (1 + 0.6 * np.cos(2 * np.pi * 80 * t))
+
+
+def drop(rng):
+    t = seconds(.45)
+    latch = noise(rng, len(t)) * envelope(t, .001, .012)
+    whoosh = low_pass(noise(rng, len(t)), 900) * envelope(t, .12, .12)
+    return faded(latch * .6 + whoosh * 4, .003)
+
+
+def parachute(rng):
+    t = seconds(.9)
+    flap = low_pass(noise(rng, len(t)), 1400) * (1 + .8 * np.sin(2 * np.pi * 23 * t)) * envelope(t, .02, .22)
+    snap = low_pass(noise(rng, len(t)), 260) * envelope(np.maximum(t - .28, 0), .004, .07) * (t > .28)
+    return faded(flap * 2 + snap * 9, .003)
+
+
+def landing(rng):
+    t = seconds(.5)
+    thud = np.sin(2 * np.pi * (70 * t - 40 * t * t)) * envelope(t, .004, .09)
+    return faded(thud + low_pass(noise(rng, len(t)), 500) * envelope(t, .002, .05) * 2.5, .003)
+
+
+def splash(rng):
+    t = seconds(1.1)
+    return faded(low_pass(noise(rng, len(t)), 2600) * envelope(t, .015, .25) *
+                 (1 + .3 * np.sin(2 * np.pi * 9 * t)), .003)
+
+
+def score(rng):
+    return faded(chime(seconds(1.4), (659.25, 783.99, 1046.5), .12, .35), .003)
+
+
+def miss(rng):
+    return faded(chime(seconds(.9), (311.13, 233.08), .17, .25), .003)
+
+
+def crash(rng):
+    t = seconds(1.6)
+    boom = low_pass(noise(rng, len(t)), 180) * envelope(t, .005, .35) * 9
+    debris = low_pass(noise(rng, len(t)), 3200) * envelope(t, .002, .12) * 1.5
+    ring = sum(np.sin(2 * np.pi * h * t) * np.exp(-t / .18) for h in (523, 871, 1373)) * .12
+    return faded(boom + debris + ring, .003)
+
+
+SOUNDS = {"engine": (engine, .8), "drop": (drop, .7), "parachute": (parachute, .7), "landing": (landing, .8),
+          "splash": (splash, .7), "score": (score, .55), "miss": (miss, .5), "crash": (crash, .9)}
+
+
+def write_wav(path, signal, peak):
+    signal = signal / np.abs(signal).max() * peak
+    data = np.floor(signal * 32767 + .5).astype("<i2").tobytes()
+    header = b"RIFF" + struct.pack("<I", 36 + len(data)) + b"WAVEfmt " + struct.pack(
+        "<IHHIIHH", 16, 1, 1, RATE, RATE * 2, 2, 16) + b"data" + struct.pack("<I", len(data))
+    path.write_bytes(header + data)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=pathlib.Path)
+    folder = parser.parse_args().folder
+    folder.mkdir(parents=True, exist_ok=True)
+    for k, (name, (make, peak)) in enumerate(SOUNDS.items()):
+        write_wav(folder / f"{name}.wav", make(np.random.default_rng(SEED + k)), peak)
+
+
+if __name__ == "__main__":
+    main()

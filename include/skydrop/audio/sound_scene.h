@@ -1,0 +1,36 @@
+// What is heard of a flight: the engine with the throttle, and the game's events. Built only for scenes that
+// call for sound. Main thread.
+#pragma once
+
+#include <span>
+
+#include "skydrop/audio/audio_manager.h"
+#include "skydrop/game/events.h"
+#include "skydrop/game/snapshot.h"
+
+namespace skydrop::audio {
+
+class SoundScene {
+ public:
+  // The manager must outlive it. Loads every sound: throws core::DataError for one that is broken.
+  SoundScene(AudioManager& audio, const AudioSettings& settings);
+  ~SoundScene();
+  SoundScene(const SoundScene&) = delete;
+  SoundScene& operator=(const SoundScene&) = delete;
+
+  // Once a frame, with the events of the steps since the last call.
+  void update(const game::Snapshot& now, std::span<const game::GameEvent> events);
+  void apply(const AudioSettings& settings) { settings_ = settings; }
+
+  // Pitch of the engine's loop at a throttle in [0, 1]: 0.7 idle .. 1.3 full, a little more in a dive. Speed in
+  // m/s.
+  static double enginePitch(double throttle, double airspeed);
+  static double engineGain(double throttle);
+
+ private:
+  AudioManager& audio_;
+  AudioSettings settings_;
+  Voice engine_ = 0;
+};
+
+}  // namespace skydrop::audio

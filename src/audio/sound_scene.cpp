@@ -1,0 +1,73 @@
+#include "skydrop/audio/sound_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "skydrop/core/assets.h"
+
+namespace skydrop::audio {
+namespace {
+
+using game::GameEventKind;
+
+constexpr std::string_view kEngine = "engine";
+constexpr std::array<std::string_view, 7> kEventSounds = {"drop",  "parachute", "landing", "score",
+                                                          "miss",  "crash",     "splash"};
+
+std::filesystem::path soundFile(std::string_view name) {
+  return core::assetPath("audio/" + std::string(name) + ".wav");
+}
+
+std::optional<std::string_view> soundOf(const game::GameEvent& event) {
+  switch (event.kind) {
+    case GameEventKind::drop: return "drop";
+    case GameEventKind::parachuteOpened: return "parachute";
+    case GameEventKind::packageLanded: return event.onWater ? "splash" : "landing";
+    case GameEventKind::scored: return "score";
+    case GameEventKind::missed: return "miss";
+    case GameEventKind::crashed: return event.onWater ? "splash" : "crash";
+    case GameEventKind::packageRemoved:
+    case GameEventKind::targetDrawn:
+    case GameEventKind::respawned:
+    case GameEventKind::reset: return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+constexpr double kCruiseSpeed = 70;  // m/s, where the airflow leaves the propeller's pitch alone
+
+}  // namespace
+
+SoundScene::SoundScene(AudioManager& audio, const AudioSettings& settings) : audio_(audio), settings_(settings) {
+  audio_.load(soundFile(kEngine));
+  for (const std::string_view name : kEventSounds) audio_.load(soundFile(name));
+}
+
+SoundScene::~SoundScene() { audio_.stop(engine_); }
+
+double SoundScene::enginePitch(double throttle, double airspeed) {
+  const double dive = std::clamp((airspeed - kCruiseSpeed) / kCruiseSpeed, -0.5, 1.0);
+  return 0.7 + 0.6 * std::clamp(throttle, 0.0, 1.0) + 0.1 * dive;
+}
+
+double SoundScene::engineGain(double throttle) { return 0.45 + 0.55 * std::clamp(throttle, 0.0, 1.0); }
+
+void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEvent> events) {
+  const bool running = now.aircraft.present && !now.aircraft.crashed;
+  if (!running) {
+    audio_.stop(engine_);
+    engine_ = 0;
+  } else if (engine_ == 0) {
+    engine_ = audio_.play2d(soundFile(kEngine), true);
+  }
+  audio_.setPitch(engine_, enginePitch(now.aircraft.throttle, now.aircraft.airspeedMps));
+  audio_.setGain(engine_, settings_.engineVolume * engineGain(now.aircraft.throttle));
+  for (const game::GameEvent& event : events) {
+    if (const auto sound = soundOf(event)) audio_.play2d(soundFile(*sound));
+  }
+}
+
+}  // namespace skydrop::audio
