@@ -192,6 +192,9 @@ class Parser {
 
   void check() const {
     if (line_.autopilot && line_.replay) throw UsageError("--autopilot and --replay exclude each other");
+    if (line_.replay && (line_.scene || line_.seed)) {
+      throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
+    }
     if (line_.verb != Verb::render) return;
     if (line_.frames > 1 && line_.out.find("%d") == std::string::npos) {
       throw UsageError("--out: '" + line_.out + "' needs %d for several frames");

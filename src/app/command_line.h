@@ -25,10 +25,12 @@ struct Pose {
   double yawDegrees = 0, pitchDegrees = 0, rollDegrees = 0;
 };
 
+inline constexpr const char* kDefaultScene = "terrain";
+
 struct CommandLine {
   Verb verb = Verb::fly;
 
-  std::string scene = "terrain";
+  std::optional<std::string> scene;  // kDefaultScene unless told; a replay brings its own
   std::vector<std::string> set;  // PATH=VALUE, in order
   std::optional<std::uint64_t> seed;
   std::optional<int> workers;  // 1 .. 64; cores - 1 unless told

@@ -26,7 +26,7 @@ std::string refusalOf(std::vector<const char*> words) {
 TEST(CommandLine, noWordsFlyTheTerrainScene) {
   const CommandLine line = parse({}).commandLine;
   EXPECT_EQ(line.verb, Verb::fly);
-  EXPECT_EQ(line.scene, "terrain");
+  EXPECT_FALSE(line.scene);
 }
 
 TEST(CommandLine, everyFlagOfRenderArrives) {

@@ -1,0 +1,13 @@
+#include "app/accuracy/integrator_study.h"
+#include "app/accuracy/study.h"
+
+namespace skydrop::app {
+
+const std::vector<Study>& studies() {
+  static const std::vector<Study> all = {
+      {"integrators", "attitude error of a tumbling body against time, by integrator and step rate", integratorStudy},
+  };
+  return all;
+}
+
+}  // namespace skydrop::app

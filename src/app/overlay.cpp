@@ -1,0 +1,34 @@
+#include "app/overlay.h"
+
+#include "app/parts.h"
+
+namespace skydrop::app {
+
+Overlay::Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help)
+    : drawsHud_(effects.contains(scene::Effect::hud)),
+      help_(std::move(help)),
+      sections_(menuSections(effects)),
+      interface_(size.width, size.height) {}
+
+OverlayResult Overlay::build(const OverlayFrame& frame) {
+  OverlayResult result;
+  result.fontsChanged = interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds);
+  if (drawsHud_) {
+    const ui::HudData data = ui::makeHudData(frame.snapshot);
+    const std::vector<ui::HelpRow> none;
+    ui::drawHud(interface_, data, ui::layoutHud(interface_, data, helpOpen ? help_ : none));
+  }
+  if (menuOpen) {
+    result.menu = menu_.draw(interface_, {frame.table, sections_, frame.statistics, frame.error});
+    if (result.menu.closed) menuOpen = false;
+  }
+  if (escapeOpen) {
+    result.escape = escapeMenu_.draw(interface_);
+  } else {
+    escapeMenu_.reset();
+  }
+  interface_.endFrame();
+  return result;
+}
+
+}  // namespace skydrop::app

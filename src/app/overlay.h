@@ -1,0 +1,56 @@
+// What is drawn over the frame: HUD, help, configuration menu, Escape menu. Owns the interface and remembers
+// what is open; what follows from a change or an action is the caller's business. Main thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/command_line.h"
+#include "skydrop/core/frame_statistics.h"
+#include "skydrop/core/settings_table.h"
+#include "skydrop/game/snapshot.h"
+#include "skydrop/scene/effect.h"
+#include "skydrop/ui/hud.h"
+#include "skydrop/ui/imgui_context.h"
+#include "skydrop/ui/menu.h"
+
+namespace skydrop::app {
+
+struct OverlayFrame {
+  const game::Snapshot& snapshot;
+  Size size;
+  double seconds = 0;  // since the last frame
+  const core::SettingsTable& table;
+  const core::FrameStatistics* statistics = nullptr;
+  std::string_view error = {};  // of the last reload
+};
+
+struct OverlayResult {
+  ui::MenuResult menu;
+  ui::EscapeAction escape = ui::EscapeAction::none;
+  bool fontsChanged = false;  // render::ImGuiPass::uploadFonts() is due before the frame is drawn
+};
+
+class Overlay {
+ public:
+  Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help);
+
+  bool menuOpen = false;
+  bool helpOpen = false;
+  bool escapeOpen = false;
+
+  // Builds the draw data of this frame (ImGui::GetDrawData). The cross of the menu has closed it when this
+  // returns.
+  OverlayResult build(const OverlayFrame& frame);
+
+ private:
+  bool drawsHud_;
+  std::vector<ui::HelpRow> help_;
+  std::vector<ui::MenuSection> sections_;
+  ui::Interface interface_;
+  ui::ConfigurationMenu menu_;
+  ui::EscapeMenu escapeMenu_;
+};
+
+}  // namespace skydrop::app

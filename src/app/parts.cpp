@@ -1,0 +1,50 @@
+#include "app/parts.h"
+
+#include "app/stage.h"
+#include "skydrop/render/sky_pass.h"
+
+namespace skydrop::app {
+namespace {
+
+using scene::Effect;
+
+void addSky(Stage& stage) {
+  stage.renderer().add(std::make_unique<render::SkyPass>(stage.renderer().context()));
+}
+
+void addHaze(render::FrameFeatures& features) { features.haze = true; }
+
+}  // namespace
+
+const std::vector<Part>& parts() {
+  static const std::vector<Part> all = {
+      {Effect::aircraft, nullptr, nullptr, {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
+      {Effect::targets, nullptr, nullptr, {{"game", "Game"}, {"package", "Package"}}},
+      {Effect::terrain, nullptr, nullptr, {{"streaming", "Detail of the land"}, {"terrain", "Shape of the land"}}},
+      {Effect::sky, addSky, nullptr, {{"render.sun", "Sun"}}},
+      {Effect::haze, nullptr, addHaze, {{"render.atmosphere", "Air"}}},
+      {Effect::sound, nullptr, nullptr, {{"audio", "Sound"}}},
+      {Effect::hud, nullptr, nullptr, {}},
+  };
+  return all;
+}
+
+std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects) {
+  std::vector<ui::MenuSection> sections;
+  for (const Part& part : parts()) {
+    if (!effects.contains(part.effect)) continue;
+    sections.insert(sections.end(), part.menuSections.begin(), part.menuSections.end());
+  }
+  sections.insert(sections.end(), {{"render.camera", "Cameras"}, {"view", "View"}});
+  return sections;
+}
+
+render::FrameFeatures frameFeatures(const scene::EffectSet& effects) {
+  render::FrameFeatures features;
+  for (const Part& part : parts()) {
+    if (part.addFeatures && effects.contains(part.effect)) part.addFeatures(features);
+  }
+  return features;
+}
+
+}  // namespace skydrop::app

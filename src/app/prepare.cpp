@@ -1,0 +1,48 @@
+#include "app/prepare.h"
+
+#include "app/user_settings.h"
+#include "skydrop/core/error.h"
+
+namespace skydrop::app {
+namespace {
+
+std::optional<std::filesystem::path> userFolder(const CommandLine& line) {
+  if (line.userDir) return line.userDir;
+  if (line.verb != Verb::fly) return std::nullopt;
+  const std::filesystem::path folder = defaultUserFolder();
+  return folder.empty() ? std::nullopt : std::optional(folder);
+}
+
+// A replay brings its scene, seed and settings along.
+void readReplay(const std::filesystem::path& file, SimulationSetup& setup) {
+  setup.pilot = Pilot::replay;
+  setup.replayFile = file.string();
+  setup.replay = game::readInputLog(file);
+  setup.scene = scene::loadScene(setup.replay->scene);
+  setup.seed = setup.replay->seed;
+}
+
+}  // namespace
+
+std::unique_ptr<Run> prepareRun(const CommandLine& line) {
+  auto run = std::make_unique<Run>();
+  SimulationSetup& setup = run->setup;
+  if (line.replay) {
+    readReplay(*line.replay, setup);
+  } else {
+    setup.scene = scene::loadScene(line.scene.value_or(kDefaultScene));
+    setup.seed = line.seed.value_or(setup.scene.seed);
+    setup.pilot = line.autopilot ? Pilot::autopilot : Pilot::player;
+  }
+  setup.record = line.record.has_value();
+
+  applyScene(run->table, setup.scene);
+  run->base = run->settings;
+  run->userFolder = userFolder(line);
+  if (run->userFolder) run->warning = loadUserSettings(run->table, *run->userFolder);
+  if (setup.replay) applyLogged(run->table, setup.replay->settings, setup.replayFile);
+  applyOverrides(run->table, line.set);
+  return run;
+}
+
+}  // namespace skydrop::app

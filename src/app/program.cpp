@@ -1,0 +1,46 @@
+#include <cstdio>
+
+#include "app/verbs.h"
+#include "skydrop/core/error.h"
+
+namespace skydrop::app {
+namespace {
+
+constexpr int kFailed = 1, kUsage = 2, kNoGraphics = 3;
+
+int runVerb(const CommandLine& line) {
+  switch (line.verb) {
+    case Verb::fly: return fly(line);
+    case Verb::render: return render(line);
+    case Verb::simulate: return simulate(line);
+    case Verb::accuracy: return accuracy(line);
+    case Verb::info: return info(line);
+  }
+  return kFailed;
+}
+
+int refuse(int exitCode, const char* reason) {
+  std::fprintf(stderr, "skydrop: %s\n", reason);
+  return exitCode;
+}
+
+}  // namespace
+
+int runProgram(int argc, const char* const* argv) {
+  try {
+    const ParsedCommandLine parsed = parseCommandLine(argc, argv);
+    if (parsed.answer) {
+      std::fputs(parsed.answer->c_str(), stdout);
+      return 0;
+    }
+    return runVerb(parsed.commandLine);
+  } catch (const core::UsageError& error) {
+    return refuse(kUsage, error.what());
+  } catch (const core::GraphicsUnavailable& error) {
+    return refuse(kNoGraphics, error.what());
+  } catch (const std::exception& error) {
+    return refuse(kFailed, error.what());
+  }
+}
+
+}  // namespace skydrop::app

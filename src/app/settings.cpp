@@ -1,0 +1,74 @@
+#include "app/settings.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::app {
+namespace {
+
+constexpr std::array<std::string_view, 4> kSimulationGroups = {"aircraft.", "package.", "game.", "terrain."};
+
+constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "free"};
+
+}  // namespace
+
+void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
+  visitor.choice("camera", settings.camera, kCameraNames,
+                 {"From where the game is seen: behind the aircraft, from its seat, or from anywhere."});
+}
+
+void describe(core::SettingsVisitor& visitor, Settings& settings) {
+  visitor.group("aircraft", settings.aircraft, "How the aircraft answers the controls.");
+  visitor.group("package", settings.package, "The package and its parachute.");
+  visitor.group("game", settings.game, "Targets, drops and score.");
+  visitor.group("autopilot", settings.autopilot, "How the autopilot flies.");
+  visitor.group("terrain", settings.terrain, "The shape of the land.");
+  visitor.group("streaming", settings.streaming, "How fine and how far the land is drawn, and what it may cost.");
+  visitor.group("render", settings.render, "Sun, air, cameras and exposure.");
+  visitor.group("audio", settings.audio, "What is heard.");
+  visitor.group("view", settings.view, "How the game is looked at.");
+}
+
+void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {
+  core::applyJson(table, nlohmann::json::parse(scene.settingsJson), scene.file.string());
+}
+
+void applyOverrides(const core::SettingsTable& table, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) {
+    try {
+      core::setField(table, assignment);
+    } catch (const core::RangeError& error) {
+      throw core::UsageError(std::string("--set: ") + error.what());
+    }
+  }
+}
+
+bool decidesSimulation(std::string_view path) {
+  return std::any_of(kSimulationGroups.begin(), kSimulationGroups.end(),
+                     [&](std::string_view group) { return path.starts_with(group); });
+}
+
+std::vector<game::SettingOverride> simulationSettings(const core::SettingsTable& table) {
+  std::vector<game::SettingOverride> settings;
+  for (const core::Field& field : table.fields()) {
+    if (decidesSimulation(field.path)) settings.push_back({field.path, core::fieldText(field)});
+  }
+  return settings;
+}
+
+void applyLogged(const core::SettingsTable& table, const std::vector<game::SettingOverride>& settings,
+                 std::string_view file) {
+  for (const game::SettingOverride& setting : settings) {
+    try {
+      if (!decidesSimulation(setting.path)) throw core::RangeError(setting.path + ": is no setting of the simulation");
+      core::setField(table.at(setting.path), setting.value);
+    } catch (const core::RangeError& error) {
+      throw core::DataError(file, "settings", error.what());
+    }
+  }
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,60 @@
+// Every setting of the program: the modules' structs, composed. Precedence, later wins: defaults, scene, the
+// player's file (fly only, or where --user-dir is given), --set, menu.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "skydrop/audio/audio_settings.h"
+#include "skydrop/core/settings.h"
+#include "skydrop/core/settings_table.h"
+#include "skydrop/flight/airplane_settings.h"
+#include "skydrop/flight/package_settings.h"
+#include "skydrop/game/autopilot.h"
+#include "skydrop/game/game_settings.h"
+#include "skydrop/game/input_log.h"
+#include "skydrop/render/camera.h"
+#include "skydrop/render/render_settings.h"
+#include "skydrop/scene/scene.h"
+#include "skydrop/terrain/terrain_settings.h"
+#include "skydrop/terrain/terrain_streaming_settings.h"
+
+namespace skydrop::app {
+
+// How the player looks at the game.
+struct ViewSettings {
+  render::CameraMode camera = render::CameraMode::chase;
+};
+
+struct Settings {
+  flight::AirplaneSettings aircraft;
+  flight::PackageSettings package;
+  game::GameSettings game;
+  game::AutopilotSettings autopilot;
+  terrain::TerrainSettings terrain;
+  terrain::TerrainStreamingSettings streaming;
+  render::RenderSettings render;
+  audio::AudioSettings audio;
+  ViewSettings view;
+};
+
+void describe(core::SettingsVisitor& visitor, ViewSettings& settings);
+void describe(core::SettingsVisitor& visitor, Settings& settings);
+
+// Applies the scene's overrides. Throws core::DataError.
+void applyScene(const core::SettingsTable& table, const scene::Scene& scene);
+
+// Applies --set in order. Throws core::UsageError.
+void applyOverrides(const core::SettingsTable& table, const std::vector<std::string>& assignments);
+
+// The settings that decide the simulation, all of them, as an input log keeps them; and back (a value that is
+// refused is a core::DataError that names `file`).
+std::vector<game::SettingOverride> simulationSettings(const core::SettingsTable& table);
+void applyLogged(const core::SettingsTable& table, const std::vector<game::SettingOverride>& settings,
+                 std::string_view file);
+
+// Whether a change of the field at this path changes the simulation.
+bool decidesSimulation(std::string_view path);
+
+}  // namespace skydrop::app

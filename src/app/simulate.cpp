@@ -1,0 +1,37 @@
+#include <cmath>
+#include <cstdio>
+
+#include "app/frame_times.h"
+#include "app/prepare.h"
+#include "app/statistics_json.h"
+#include "app/verbs.h"
+#include "skydrop/core/fixed_step.h"
+
+namespace skydrop::app {
+
+int simulate(const CommandLine& line) {
+  const std::unique_ptr<Run> run = prepareRun(line);
+  Simulation simulation(run->setup, run->settings, run->table);
+
+  // Frames are only imitated: each asks for the steps that are due, as a window would.
+  core::FixedStep clock;
+  const auto wantedSteps = static_cast<std::uint64_t>(std::llround(line.seconds * core::FixedStep::kStepsPerSecond));
+  for (std::uint64_t done = 0; done < wantedSteps && !simulation.finished();) {
+    for (int due = clock.advance(1 / line.fps); due > 0 && done < wantedSteps && !simulation.finished(); --due, ++done) {
+      simulation.step({});
+      simulation.world().takeEvents();
+    }
+  }
+
+  core::FrameStatistics statistics;
+  simulation.writeTo(statistics);
+  const game::Snapshot& now = simulation.world().now();
+  std::printf("%.3f s, score %lld of %lld drops, %lld misses, at %.1f %.1f %.1f, state %016llx\n", now.simulatedSeconds,
+              static_cast<long long>(now.score), static_cast<long long>(now.drops), static_cast<long long>(now.misses),
+              now.aircraft.position.x, now.aircraft.position.y, now.aircraft.position.z,
+              static_cast<unsigned long long>(statistics.stateHash));
+  if (line.stats) writeStatistics(*line.stats, statistics);
+  return 0;
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,89 @@
+#include "app/stage.h"
+
+#include <chrono>
+
+#include "app/parts.h"
+#include "skydrop/render/tone_map_pass.h"
+
+namespace skydrop::app {
+namespace {
+
+using scene::Effect;
+
+terrain::ViewVolume viewVolume(const render::View& view) {
+  return terrain::makeViewVolume(view.position, view.worldToView, view.fovYRad, view.width, view.height);
+}
+
+}  // namespace
+
+Stage::Stage(render::gl::Context& context, const Setup& setup, const Settings& settings)
+    : setup_(setup), settings_(settings), renderer_(context, settings.render, setup.measuring) {
+  camera_.setMode(settings.view.camera);
+  if (setup_.effects.contains(Effect::terrain)) {
+    workers_ = std::make_unique<core::JobPool>(setup_.workers.value_or(core::JobPool::defaultWorkerCount()));
+    land_ = std::make_unique<terrain::EndlessTerrain>(setup_.ground, *workers_, settings_.streaming);
+  }
+  for (const Part& part : parts()) {
+    if (part.addPasses && setup_.effects.contains(part.effect)) part.addPasses(*this);
+  }
+  renderer_.add(std::make_unique<render::ToneMapPass>(context));
+}
+
+Stage::~Stage() = default;
+
+void Stage::apply(const Settings& settings) {
+  if (settings.view.camera != settings_.view.camera) camera_.setMode(settings.view.camera);
+  settings_ = settings;
+  renderer_.apply(settings_.render);
+  if (land_) land_->apply(settings_.streaming);
+}
+
+void Stage::addOverlay() {
+  auto pass = std::make_unique<render::ImGuiPass>(renderer_.context());
+  overlay_ = pass.get();
+  renderer_.add(std::move(pass));
+}
+
+void Stage::uploadFonts() { overlay_->uploadFonts(); }
+
+void Stage::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
+  const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height);
+  settleMs_ = 0;
+  if (land_) {
+    const terrain::ViewVolume volume = viewVolume(view);
+    if (streaming == Streaming::settled) {
+      const auto begin = std::chrono::steady_clock::now();
+      land_->settle(volume);
+      settleMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    } else {
+      land_->update(volume);
+    }
+  }
+  renderer_.draw({snapshot, view, frameFeatures(setup_.effects)});
+}
+
+std::vector<std::string> Stage::takeMessages() {
+  std::vector<std::string> messages = renderer_.reloadShaders().errors;
+  if (land_) {
+    const std::vector<std::string> ofLand = land_->takeMessages();
+    messages.insert(messages.end(), ofLand.begin(), ofLand.end());
+  }
+  return messages;
+}
+
+void Stage::writeTo(core::FrameStatistics& statistics) {
+  renderer_.fillStatistics(statistics);
+  statistics.threads = 1;
+  if (!land_) return;
+  const terrain::StreamingStatistics& land = land_->statistics();
+  statistics.threads += setup_.workers.value_or(core::JobPool::defaultWorkerCount());
+  statistics.terrain.chunksDrawn = static_cast<std::int64_t>(land.chunksDrawn);
+  statistics.terrain.triangles = static_cast<std::int64_t>(land.triangles);
+  statistics.terrain.generated = static_cast<std::int64_t>(land.generated);
+  statistics.terrain.cacheHits = static_cast<std::int64_t>(land.cacheHits);
+  statistics.terrain.queue = static_cast<std::int64_t>(land.queue);
+  statistics.terrain.bytes = static_cast<std::int64_t>(land.bytes);
+  statistics.terrain.coarsened = static_cast<std::int64_t>(land.coarsened + land.overBudget);
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,72 @@
+// The graphics of a scene: renderer, the passes that its effects call for, camera, streaming of the land. Main
+// thread, on the context's thread. Draws snapshots; knows nothing of time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/settings.h"
+#include "skydrop/core/frame_statistics.h"
+#include "skydrop/core/image.h"
+#include "skydrop/core/job_pool.h"
+#include "skydrop/game/snapshot.h"
+#include "skydrop/render/camera.h"
+#include "skydrop/render/imgui_pass.h"
+#include "skydrop/render/renderer.h"
+#include "skydrop/scene/effect.h"
+#include "skydrop/terrain/endless_terrain.h"
+
+namespace skydrop::app {
+
+// How a frame treats land that is not there yet: draw what there is, or wait until all of it is.
+enum class Streaming { asItComes, settled };
+
+class Stage {
+ public:
+  struct Setup {
+    scene::EffectSet effects;
+    std::shared_ptr<const terrain::HeightSource> ground;
+    std::optional<int> workers;
+    bool measuring = false;  // times are asked for: a software renderer may be slowed down for them
+  };
+
+  // The context must outlive the stage. Throws core::DataError (shader, model).
+  Stage(render::gl::Context& context, const Setup& setup, const Settings& settings);
+  ~Stage();
+
+  render::Camera& camera() { return camera_; }
+  render::Renderer& renderer() { return renderer_; }
+
+  // Takes the settings over for the next frame.
+  void apply(const Settings& settings);
+
+  // From now on draws what Dear ImGui has built; the interface's context must exist.
+  void addOverlay();
+  void uploadFonts();  // after the interface changed its fonts
+
+  // One frame of the size into the renderer's output.
+  void draw(const game::Snapshot& snapshot, Size size, Streaming streaming);
+
+  // Milliseconds that the last draw() spent in waiting for land.
+  double settleMs() const { return settleMs_; }
+
+  // Compiles changed shaders anew and gives up nothing: one line for each that is broken, and for each part of
+  // the land that could not be made.
+  std::vector<std::string> takeMessages();
+
+  void writeTo(core::FrameStatistics& statistics);
+
+ private:
+  Setup setup_;
+  Settings settings_;
+  render::Renderer renderer_;
+  render::Camera camera_;
+  std::unique_ptr<core::JobPool> workers_;         // with terrain only
+  std::unique_ptr<terrain::EndlessTerrain> land_;  // with terrain only
+  render::ImGuiPass* overlay_ = nullptr;           // the renderer's
+  double settleMs_ = 0;
+};
+
+}  // namespace skydrop::app

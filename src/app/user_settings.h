@@ -1,0 +1,24 @@
+// The player's own settings: what was changed in the menu, kept between flights.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "skydrop/core/settings_table.h"
+
+namespace skydrop::app {
+
+// $XDG_CONFIG_HOME/skydrop, or ~/.config/skydrop; empty where neither variable is set.
+std::filesystem::path defaultUserFolder();
+
+// Applies settings.json of the folder, if there is one. A broken file is the one exception of the failure
+// policy: it is renamed to settings.json.bad, nothing of it is applied, and the line to say so comes back.
+std::optional<std::string> loadUserSettings(const core::SettingsTable& table, const std::filesystem::path& folder);
+
+// Writes what differs from `base` (the values before the player's file and the menu came in). Makes the folder.
+// Throws core::DataError.
+void saveUserSettings(const core::SettingsTable& table, const core::SettingsTable& base,
+                      const std::filesystem::path& folder);
+
+}  // namespace skydrop::app

@@ -1,0 +1,71 @@
+// Golden frames: the program itself renders, headless, and the picture is compared with the one that was looked
+// at and blessed (SKYDROP_BLESS=1). tests/golden/<name>.png are the references; a failure leaves actual,
+// reference and difference in the artifact folder.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "skydrop/core/image.h"
+#include "support/image_compare.h"
+#include "support/process.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::test {
+namespace {
+
+// Processors without AVX round a few bytes in ten thousand by one step, and a pixel on a silhouette may then
+// fall on the other side: rare large differences, a tiny mean.
+constexpr ImageLimits kSoftwareRounding{48, 0.02};
+
+struct Golden {
+  const char* name;
+  std::vector<std::string> words;  // after `skydrop render`
+  ImageLimits limits = kSoftwareRounding;
+  const char* flatBecause = nullptr;  // why it exists although a shift or a brighter frame would not show
+};
+
+const std::vector<Golden>& goldens() {
+  static const std::vector<Golden> all = {
+      {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
+      {"takeoff", {"--time", "1"}},
+  };
+  return all;
+}
+
+class GoldenFrame : public testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenFrame, isThePictureThatWasBlessed) {
+  // The program's frame equals the reference within two limits, and the limits are narrow enough to see a shift
+  // of one pixel and 2 % of brightness.
+  const Golden& golden = GetParam();
+  const char* backend = std::getenv("SKYDROP_TEST_BACKEND");
+  const TemporaryFolder folder;
+  const std::filesystem::path picture = folder.path() / (std::string(golden.name) + ".png");
+  std::vector<std::string> words = {"render", "--size", "320x180", "--out", picture.string(),
+                                    "--backend", backend ? backend : "egl"};
+  words.insert(words.end(), golden.words.begin(), golden.words.end());
+  const ProcessResult result = runSkydrop(words);
+  if (result.exitCode == 3) GTEST_SKIP() << result.err;
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+
+  const core::Image actual = core::readPng(picture);
+  const std::filesystem::path reference =
+      std::filesystem::path(SKYDROP_SOURCE_DIR) / "tests/golden" / (std::string(golden.name) + ".png");
+  EXPECT_TRUE(matchesReference(actual, reference, golden.limits));
+  const bool seesShift = !within(compareImages(shiftedByOnePixel(actual), actual), golden.limits);
+  const bool seesBrightness = !within(compareImages(brightened(actual, 1.02), actual), golden.limits);
+  if (golden.flatBecause) {
+    EXPECT_FALSE(seesShift && seesBrightness) << "has contrast after all: drop flatBecause";
+  } else {
+    EXPECT_TRUE(seesShift);
+    EXPECT_TRUE(seesBrightness);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Frames, GoldenFrame, testing::ValuesIn(goldens()),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace skydrop::test
