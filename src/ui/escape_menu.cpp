@@ -16,7 +16,7 @@ constexpr int kEntryCount = static_cast<int>(std::size(kEntries));
 constexpr float kButtonWidth = 12;  // lines of text
 
 bool keyPressed(ImGuiKey key) {
-#if IMGUI_VERSION_NUM >= 18700
+#if IMGUI_VERSION_NUM >= 18900
   return ImGui::IsKeyPressed(key);
 #else
   return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));

@@ -1,13 +1,18 @@
 #include "skydrop/ui/hud.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "app/key_map.h"
 
 namespace skydrop::ui {
 namespace {
@@ -76,6 +81,196 @@ TEST(Hud, noItemCoversAnotherOrLeavesTheWindowAtAnySize) {
       }
     }
   }
+}
+
+TEST(Hud, textsStayInsideTheirItem) {
+  // Cut with an ellipsis where they would not; measured as Dear ImGui draws them.
+  for (const auto& [width, height] : kSizes) {
+    const Interface context(width, height);
+    for (const bool help : {false, true}) {
+      const HudLayout layout = layoutHud(context, fullest(), help ? longHelp() : std::vector<HelpRow>());
+      for (const HudItem& item : layout.items) {
+        for (const HudText& text : item.texts) {
+          const Typeface& typeface = text.large ? context.large() : context.text();
+          const ImVec2 size = typeface.face->CalcTextSizeA(typeface.pixels, FLT_MAX, 0, text.text.c_str());
+          EXPECT_GE(text.position.x, item.rect.left) << width << " " << item.name << ": " << text.text;
+          EXPECT_LE(text.position.x + size.x, item.rect.right)
+              << width << " " << item.name << ": " << text.text;
+          EXPECT_GE(text.position.y, item.rect.top) << width << " " << item.name << ": " << text.text;
+          EXPECT_LE(text.position.y + size.y, item.rect.bottom)
+              << width << " " << item.name << ": " << text.text;
+        }
+      }
+    }
+  }
+}
+
+TEST(Hud, ordinaryValuesAreShownInFullAtEverySize) {
+  // No ellipsis in a usual flight, the real help included.
+  HudData data = makeHudData(flying());
+  data.autopilot = true;
+  data.dropPulse = 1;
+  data.cooldownSeconds = 2;
+  data.score = 99;
+  data.misses = 99;
+  data.altitudeM = 12345;
+  data.targetDistanceM = 5999;
+  for (const auto& [width, height] : kSizes) {
+    const Interface context(width, height);
+    for (const bool help : {false, true}) {
+      const auto rows = help ? app::helpRows(app::defaultKeyMap()) : std::vector<HelpRow>();
+      for (const HudItem& item : layoutHud(context, data, rows).items) {
+        for (const HudText& text : item.texts) {
+          EXPECT_EQ(text.text.find("\u2026"), std::string::npos)
+              << width << "x" << height << ": " << text.text;
+        }
+      }
+    }
+  }
+}
+
+TEST(Hud, tinyWindowsAreLaidOutWithoutHarm) {
+  for (const auto& [width, height] :
+       {std::pair(1, 1), std::pair(7, 5), std::pair(64, 36), std::pair(16384, 1)}) {
+    const Interface context(width, height);
+    EXPECT_FALSE(layoutHud(context, fullest(), longHelp()).items.empty());
+    EXPECT_FALSE(layoutHud(context, fullest()).items.empty());
+  }
+}
+
+TEST(Hud, readsTheSnapshot) {
+  game::Snapshot snapshot = flying();
+  snapshot.score = 3;
+  snapshot.misses = 1;
+  snapshot.aircraft.throttle = 0.5;
+  const HudData data = makeHudData(snapshot);
+  EXPECT_TRUE(data.aircraft);
+  EXPECT_EQ(data.airspeedMps, 60);
+  EXPECT_EQ(data.altitudeM, 812);
+  EXPECT_EQ(data.heightAboveGroundM, 310);
+  EXPECT_DOUBLE_EQ(data.headingDeg, 90);
+  EXPECT_EQ(data.throttle, 0.5);
+  EXPECT_EQ(data.targetDistanceM, 500);
+  EXPECT_EQ(data.score, 3);
+  EXPECT_EQ(data.misses, 1);
+  EXPECT_FALSE(data.dropPulse);
+  EXPECT_FALSE(data.respawnSeconds);
+}
+
+TEST(Hud, withoutAircraftOnlyScoreMessagesAndNotesRemain) {
+  game::Snapshot snapshot;
+  snapshot.target.present = true;
+  const HudData data = makeHudData(snapshot);
+  EXPECT_FALSE(data.navigation.dot);
+  const Interface context(640, 360);
+  const HudLayout layout = layoutHud(context, data);
+  ASSERT_EQ(layout.items.size(), 1u);
+  EXPECT_EQ(layout.items[0].name, "score");
+  EXPECT_EQ(layout.circleRadius, 0);
+}
+
+TEST(NavigationBar, theArrowIsTheVelocityOnAMapWithNorthOnTop) {
+  // +x is east: right; -z is north: up (y grows downwards). Vertical speed does not show.
+  game::Snapshot snapshot = flying();
+  snapshot.aircraft.velocity = {0, 50, -kNavigationSpeedMps / 2};
+  EXPECT_EQ(makeHudData(snapshot).navigation.arrow, glm::dvec2(0, -0.5));
+  snapshot.aircraft.velocity = {10 * kNavigationSpeedMps, 0, 0};
+  EXPECT_EQ(makeHudData(snapshot).navigation.arrow, glm::dvec2(1, 0)) << "capped at the rim";
+  snapshot.aircraft.velocity = {0, -80, 0};
+  EXPECT_FALSE(makeHudData(snapshot).navigation.arrow) << "straight down has no direction on a map";
+}
+
+TEST(NavigationBar, theDotMovesInsideWhenNearAndStaysOnTheRimWhenFar) {
+  game::Snapshot snapshot = flying();
+  const glm::dvec3 from = snapshot.aircraft.position;
+  const auto dotAt = [&](double x, double z) {
+    snapshot.target.position = {from.x + x, 40, from.z + z};
+    return makeHudData(snapshot).navigation.dot.value();
+  };
+  EXPECT_EQ(dotAt(0, -kNavigationRangeM / 2), glm::dvec2(0, -0.5));
+  EXPECT_EQ(dotAt(kNavigationRangeM, 0), glm::dvec2(1, 0));
+  EXPECT_EQ(dotAt(0, 3 * kNavigationRangeM), glm::dvec2(0, 1));
+  const glm::dvec2 far = dotAt(-1e9, 1e9);
+  EXPECT_NEAR(std::hypot(far.x, far.y), 1, 1e-12);  // rounding of one division
+}
+
+TEST(NavigationBar, P22_theDotIsTheCentreExactlyAboveTheTarget) {
+  // Player exactly on the target: the direction is undefined, the dot is not.
+  game::Snapshot snapshot = flying();
+  snapshot.target.position = snapshot.aircraft.position;
+  snapshot.aircraft.velocity = {0, 0, 0};
+  const HudData data = makeHudData(snapshot);
+  EXPECT_EQ(data.navigation.dot, glm::dvec2(0, 0));
+  EXPECT_FALSE(data.navigation.arrow);
+  const Interface context(640, 360);
+  for (const HudItem& item : layoutHud(context, data).items) {
+    for (const HudText& text : item.texts) EXPECT_EQ(text.text.find("nan"), std::string::npos) << text.text;
+  }
+}
+
+TEST(NavigationBar, theDotBlinksBySimulatedTimeAlone) {
+  game::Snapshot snapshot = flying();
+  snapshot.simulatedSeconds = 1e7 + 0.25 * kBlinkPeriodSeconds;
+  EXPECT_TRUE(makeHudData(snapshot).navigation.dotLit);
+  EXPECT_TRUE(makeHudData(snapshot).navigation.dotLit);
+  snapshot.simulatedSeconds = 1e7 + 0.75 * kBlinkPeriodSeconds;
+  EXPECT_FALSE(makeHudData(snapshot).navigation.dotLit);
+}
+
+TEST(Hud, theDropTextPulsesWhileInTheZone) {
+  game::Snapshot snapshot = flying();
+  snapshot.dropZone = true;
+  EXPECT_NEAR(makeHudData(snapshot).dropPulse.value(), 1, 1e-12);
+  snapshot.simulatedSeconds = kPulsePeriodSeconds / 2;
+  EXPECT_NEAR(makeHudData(snapshot).dropPulse.value(), 0, 1e-12);
+}
+
+TEST(Hud, valuesThatAreNotFiniteAreShownAsZero) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                   kInf = std::numeric_limits<double>::infinity();
+  game::Snapshot snapshot = flying();
+  snapshot.aircraft.position = {kNan, kInf, kNan};
+  snapshot.aircraft.velocity = {kNan, 0, -kInf};
+  snapshot.aircraft.airspeedMps = kInf;
+  snapshot.aircraft.headingRad = kNan;
+  snapshot.aircraft.throttle = kNan;
+  snapshot.target.distance = kInf;
+  snapshot.simulatedSeconds = kNan;
+  const HudData data = makeHudData(snapshot);
+  EXPECT_EQ(data.altitudeM, 0);
+  EXPECT_EQ(data.airspeedMps, 0);
+  EXPECT_EQ(data.headingDeg, 0);
+  EXPECT_EQ(data.throttle, 0);
+  EXPECT_EQ(data.targetDistanceM, 0);
+  EXPECT_FALSE(data.navigation.arrow);
+  EXPECT_TRUE(std::isfinite(data.navigation.dot->x) && std::isfinite(data.navigation.dot->y));
+}
+
+TEST(Hud, headingReads000To359) {
+  game::Snapshot snapshot = flying();
+  const Interface context(1280, 720);
+  const auto shown = [&](double degrees) {
+    snapshot.aircraft.headingRad = degrees * std::numbers::pi / 180;
+    for (const HudItem& item : layoutHud(context, makeHudData(snapshot)).items) {
+      if (item.name == "flight") return item.texts.at(3).text;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(shown(0), "000\u00b0");
+  EXPECT_EQ(shown(7.2), "007\u00b0");
+  EXPECT_EQ(shown(359.7), "000\u00b0");
+  EXPECT_EQ(shown(-90), "270\u00b0");
+}
+
+TEST(Hud, onlyTheLastThreeMessagesAreShownAndTheyFade) {
+  game::Snapshot snapshot = flying();
+  for (const char* text : {"one", "two", "three", "four"}) snapshot.messages.push_back({text, 3});
+  snapshot.messages[1].secondsLeft = 0.25;
+  const HudData data = makeHudData(snapshot);
+  ASSERT_EQ(data.messages.size(), 3u);
+  EXPECT_EQ(data.messages[0].text, "two");
+  EXPECT_DOUBLE_EQ(data.messages[0].opacity, 0.5);
+  EXPECT_EQ(data.messages[2].opacity, 1);
 }
 
 }  // namespace

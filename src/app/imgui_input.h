@@ -1,0 +1,40 @@
+// Hands the window's events to Dear ImGui, in place of its GLFW back-end: plain data in, so tests drive the
+// menus by the same path. Events that would hide each other within one frame (a press and its release, a
+// click and the move after it) are spread over frames, so nothing is lost at low frame rates. Main thread.
+#pragma once
+
+#include <deque>
+#include <set>
+
+#include "skydrop/render/gl/window_context.h"
+
+namespace skydrop::app {
+
+class ImGuiInput {
+ public:
+  // For the current Dear ImGui context, which must exist (ui::Interface).
+  ImGuiInput();
+
+  // pixelsPerUnit: pixels of the frame buffer in a window coordinate, 1 except on some high-density screens.
+  void handle(const render::gl::WindowEvent& event, double pixelsPerUnit = 1);
+
+  // Before Interface::beginFrame, once a frame.
+  void beginFrame();
+
+  // A text field takes the keyboard.
+  static bool wantsText();
+  // The mouse is over the interface, or holds one of its widgets.
+  static bool wantsMouse();
+
+ private:
+  bool apply(const render::gl::WindowEvent& event);
+  void releaseEverything();
+
+  std::deque<render::gl::WindowEvent> queue_;  // mouse positions already in pixels
+  std::set<int> heldKeys_;
+  // What this frame has already seen.
+  std::set<int> changedKeys_, changedButtons_;
+  bool scrolled_ = false;
+};
+
+}  // namespace skydrop::app
