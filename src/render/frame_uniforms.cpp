@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 namespace skydrop::render {
 namespace {
@@ -11,8 +10,6 @@ glm::vec4 rgb(const glm::dvec3& light, double w = 0) {
   return glm::vec4(glm::vec3(light), static_cast<float>(w));
 }
 
-// The largest radiance that a half float keeps with room for blending.
-constexpr double kBrightest = 60000;
 constexpr double kTimeWrap = 3600;  // s: keeps float time exact to 0.25 ms
 
 }  // namespace
@@ -28,7 +25,7 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simu
   u.sunLight = rgb(light.sun * e);
   u.skyLight = rgb(light.sky * e);
   u.groundLight = rgb(light.ground * e);
-  u.sunDisc = rgb(glm::min(sunDiscRadiance(light) * e, kBrightest));
+  u.sunDisc = rgb(sunDiscRadiance(light) * e);
   u.nightRadiance = rgb(light.night * e);
   u.airRayleigh = rgb(light.air.rayleigh, light.air.rayleighHeight);
   u.airHaze = glm::vec4(light.air.haze, light.air.hazeHeight, light.air.hazeAlbedo, light.air.hazeAnisotropy);

@@ -44,6 +44,10 @@ class ImGuiScope {
       ImGui::End();
       ImGui::GetForegroundDrawList()->AddRectFilled({width - 20, height - 10}, {width, height},
                                                     IM_COL32(255, 0, 0, 255));
+      // A blue rectangle of which the clip leaves 30x4 pixels near the top.
+      ImGui::GetForegroundDrawList()->PushClipRect({200, 5}, {230, 9});
+      ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, {width, height}, IM_COL32(0, 0, 255, 255));
+      ImGui::GetForegroundDrawList()->PopClipRect();
       ImGui::GetForegroundDrawList()->AddCircle({width - 60, height - 40}, 25, IM_COL32(255, 255, 0, 200), 0,
                                                 3);
       ImGui::Render();
@@ -85,19 +89,26 @@ TEST(Backends, imguiIsTheSameInEveryBit) {
 using ImGuiGLTest = test::FrameTest;
 
 TEST_F(ImGuiGLTest, menuIsDrawnWhereItWasPutAndClipped) {
-  // A rectangle at the lower right of the screen is red there and nowhere else; the target is upright.
+  // A rectangle at the lower right of the screen is red there and nowhere else; a screen of blue shows
+  // through its clip only: the target is upright.
   const core::Image image = drawMenu(context());
-  const auto isRed = [&](int x, int y) {
+  const auto isColor = [&](int x, int y, int r, int g, int b) {
     const std::uint8_t* p = image.pixel(x, y);
-    return p[0] == 255 && p[1] == 0 && p[2] == 0;
+    return p[0] == r && p[1] == g && p[2] == b;
   };
-  int red = 0;
+  int red = 0, blue = 0;
   for (int y = 0; y < 180; ++y) {
-    for (int x = 0; x < 320; ++x) red += isRed(x, y);
+    for (int x = 0; x < 320; ++x) {
+      red += isColor(x, y, 255, 0, 0);
+      blue += isColor(x, y, 0, 0, 255);
+    }
   }
   EXPECT_EQ(red, 200);
-  EXPECT_TRUE(isRed(319, 179));
-  EXPECT_TRUE(isRed(300, 170));
+  EXPECT_TRUE(isColor(319, 179, 255, 0, 0));
+  EXPECT_TRUE(isColor(300, 170, 255, 0, 0));
+  EXPECT_EQ(blue, 120);
+  EXPECT_TRUE(isColor(200, 5, 0, 0, 255));
+  EXPECT_TRUE(isColor(229, 8, 0, 0, 255));
 }
 
 TEST_F(ImGuiGLTest, nothingShownIsIdle) {

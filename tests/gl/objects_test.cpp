@@ -125,7 +125,9 @@ TEST_F(GLTest, frameBufferBindsClearsResizesAndRestores) {
   EXPECT_EQ(test::readFloats(inner).size(), 24u);
   EXPECT_EQ(test::readFloats(inner).back(), glm::vec4(0, 1, 0, 1));
 
-  // Drawn to another buffer it fills it, whatever the sizes.
+  // Drawn to another buffer it fills it, whatever the sizes and whatever scissor box was left behind.
+  api().Enable(GL_SCISSOR_TEST);
+  api().Scissor(0, 0, 1, 1);
   inner.drawTo(outer);
   EXPECT_EQ(test::readFloats(outer).back(), glm::vec4(0, 1, 0, 1));
 }

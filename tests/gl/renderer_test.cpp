@@ -174,5 +174,55 @@ TEST_F(FrameTest, T18_halfAMetreIsResolvedTenKilometresAway) {
   }
 }
 
+TEST_F(FrameTest, framesDoNotShowTheOneBefore) {
+  // Land fills one frame; the next looks up and equals the first frame of a fresh renderer, in every bit.
+  const test::TemporaryFolder folder;
+  const auto lookUp = [&](bool afterLand) {
+    Renderer renderer(context(), settings_, false);
+    renderer.add(std::make_unique<TwoPlanesPass>(context(), folder, 0.0, 0.5, true));
+    renderer.add(std::make_unique<SkyPass>(context()));
+    renderer.add(std::make_unique<ToneMapPass>(context()));
+    if (afterLand) renderer.draw({snapshot_, pose({0, 50, 0}, 0, -90, 0), {}});
+    renderer.draw({snapshot_, pose({0, 50, 0}, 0, 60, 0), {}});
+    return renderer.readBack().rgba;
+  };
+  EXPECT_EQ(lookUp(true), lookUp(false));
+}
+
+// Leaves every state that a pass may change as no other pass expects it.
+class UntidyPass final : public Pass {
+ public:
+  std::string_view name() const override { return "untidy"; }
+  Slot slot() const override { return Slot::terrain; }
+  void draw(FrameContext& context) override {
+    const gl::Functions& gl = context.gl.api();
+    gl.DepthFunc(GL_NEVER);
+    gl.DepthMask(GL_FALSE);
+    gl.ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_ZERO, GL_ZERO);
+    gl.Enable(GL_CULL_FACE);
+    gl.CullFace(GL_FRONT_AND_BACK);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(0, 0, 1, 1);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_POINT);
+    gl.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  }
+};
+
+TEST_F(FrameTest, passesMayLeaveAnyStateBehind) {
+  // A pass that turns everything upside down changes no pixel of this frame or the next.
+  const auto drawTwice = [&](bool untidy) {
+    Renderer renderer(context(), settings_, false);
+    if (untidy) renderer.add(std::make_unique<UntidyPass>());
+    renderer.add(std::make_unique<SkyPass>(context()));
+    renderer.add(std::make_unique<ToneMapPass>(context()));
+    renderer.draw({snapshot_, pose({0, 50, 0}, 0, -20, 0), {}});
+    renderer.draw({snapshot_, pose({0, 50, 0}, 0, 20, 0), {}});
+    return renderer.readBack().rgba;
+  };
+  EXPECT_EQ(drawTwice(true), drawTwice(false));
+}
+
 }  // namespace
 }  // namespace skydrop::render

@@ -175,6 +175,9 @@ TEST(View, raysGoThroughThePixelsTheyAreNamedAfter) {
         const glm::dvec2 hit =
             (glm::dvec2(clip) / static_cast<double>(clip.w) * 0.5 + 0.5) * glm::dvec2(width, height);
         EXPECT_LT(glm::distance(hit, pixel), 1e-3);
+        // Reversed depth: the near plane over the distance along the view axis.
+        const double viewZ = glm::dot(world - view.position, view.forward());
+        EXPECT_NEAR(static_cast<double>(clip.z / clip.w) * viewZ / view.nearM, 1, 1e-5);
       }
     }
   }

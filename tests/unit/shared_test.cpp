@@ -75,6 +75,9 @@ TEST(Shared, hashesScatterNeighbours) {
   EXPECT_NEAR(sum / 32768, 0.5, 0.01);  // standard error .0016
   EXPECT_LT(f32::unitOf(0xffffffffu), 1.0f);
   EXPECT_NE(f32::hash2({1, 2}), f32::hash2({2, 1}));
+  // Pictures depend on these bits.
+  EXPECT_EQ(f32::hash2({1, 2}), glm::u32vec2(45825804u, 214070181u));
+  EXPECT_EQ(f32::hash3({1, 2, 3}), glm::u32vec3(4204755366u, 1223881804u, 1500469937u));
 }
 
 TEST(Shared, phaseFunctionsIntegrateToOne) {

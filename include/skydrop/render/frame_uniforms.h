@@ -22,7 +22,7 @@ struct FrameUniforms {
   glm::vec4 sunLight;       // rgb: illuminance of the sun at the eye's height on a surface that faces it
   glm::vec4 skyLight;       // rgb: illuminance by the sky on a level surface
   glm::vec4 groundLight;    // rgb: illuminance from below
-  glm::vec4 sunDisc;        // rgb: radiance of the sun's disc, clipped to what a half float holds
+  glm::vec4 sunDisc;        // rgb: radiance of the sun's disc; may exceed a half float
   glm::vec4 nightRadiance;  // rgb
   glm::vec4 airRayleigh;    // rgb: scattering at sea level (1/m); w: scale height (m)
   glm::vec4 airHaze;        // extinction at sea level (1/m), scale height (m), albedo, anisotropy

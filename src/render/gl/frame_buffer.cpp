@@ -84,6 +84,7 @@ void FrameBuffer::clear() {
 }
 
 void FrameBuffer::blit(GLuint target, GLsizei width, GLsizei height) const {
+  context().api().Disable(GL_SCISSOR_TEST);  // it applies to copies as well
   const GLenum filter = width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR;
   context().api().BlitNamedFramebuffer(id(), target, 0, 0, width_, height_, 0, 0, width, height,
                                        GL_COLOR_BUFFER_BIT, filter);
