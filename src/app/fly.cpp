@@ -1,5 +1,11 @@
 #include "app/verbs.h"
-#include "skydrop/core/error.h"
+#include "app/window_game.h"
+
 namespace skydrop::app {
-int fly(const CommandLine&) { throw core::GraphicsUnavailable("no display; `skydrop render` needs none"); }
+
+int fly(const CommandLine& line) {
+  WindowGame(line).run();
+  return 0;
 }
+
+}  // namespace skydrop::app

@@ -40,9 +40,30 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line) {
   run->base = run->settings;
   run->userFolder = userFolder(line);
   if (run->userFolder) run->warning = loadUserSettings(run->table, *run->userFolder);
+  run->player = run->settings;
   if (setup.replay) applyLogged(run->table, setup.replay->settings, setup.replayFile);
   applyOverrides(run->table, line.set);
   return run;
+}
+
+void reloadScene(Run& run, const CommandLine& line) {
+  const scene::Scene scene = scene::loadScene(run.setup.scene.file.string());
+  Settings base;
+  const core::SettingsTable baseTable(base);
+  applyScene(baseTable, scene);
+
+  Settings player = base;
+  const core::SettingsTable playerTable(player);
+  for (std::size_t i = 0; i < playerTable.fields().size(); ++i) {
+    const double chosen = run.playerTable.fields()[i].get();
+    if (chosen != run.baseTable.fields()[i].get()) playerTable.fields()[i].set(chosen);
+  }
+  run.setup.scene = scene;
+  if (!line.seed && !line.replay) run.setup.seed = scene.seed;
+  run.base = base;
+  run.player = player;
+  run.settings = player;
+  applyOverrides(run.table, line.set);
 }
 
 }  // namespace skydrop::app

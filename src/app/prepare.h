@@ -13,14 +13,16 @@ namespace skydrop::app {
 
 // Not movable: the table refers to the settings.
 struct Run {
-  Run() : table(settings), baseTable(base) {}
+  Run() : table(settings), baseTable(base), playerTable(player) {}
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
   Settings settings;
   core::SettingsTable table;
-  Settings base;  // as they were before the player's file, --set and the menu: what is saved is the difference
+  Settings base;  // defaults and the scene
   core::SettingsTable baseTable;
+  Settings player;  // base, the player's file and the menu, without --set: saved is what differs from base
+  core::SettingsTable playerTable;
   SimulationSetup setup;
   std::optional<std::filesystem::path> userFolder;  // where the player's settings are kept
   std::optional<std::string> warning;               // a broken settings file, to be said once
@@ -28,5 +30,9 @@ struct Run {
 
 // Throws core::UsageError, core::DataError.
 std::unique_ptr<Run> prepareRun(const CommandLine& line);
+
+// Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays. All
+// or nothing: throws core::DataError and changes nothing.
+void reloadScene(Run& run, const CommandLine& line);
 
 }  // namespace skydrop::app

@@ -4,7 +4,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/frame_times.h"
-#include "app/help.h"
+#include "app/key_map.h"
 #include "app/open_context.h"
 #include "app/overlay.h"
 #include "app/prepare.h"
@@ -60,7 +60,7 @@ int render(const CommandLine& line) {
   if (line.pose) place(stage.camera(), *line.pose);
   std::unique_ptr<Overlay> overlay;
   if (simulation.effects().contains(scene::Effect::hud) || line.menu) {
-    overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows());
+    overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(defaultKeyMap()));
     overlay->menuOpen = line.menu;
     stage.addOverlay();
   }

@@ -48,6 +48,13 @@ std::string statisticsJson(const core::FrameStatistics& s) {
                   {"misses", s.game.misses},
                   {"targets", s.game.targets},
                   {"position", s.game.position}};
+  if (!s.window.camera.empty()) {
+    json["window"] = {{"width", s.window.width},           {"height", s.window.height},
+                         {"camera", s.window.camera},         {"menuOpen", s.window.menuOpen},
+                         {"helpOpen", s.window.helpOpen},     {"escapeOpen", s.window.escapeOpen},
+                         {"paused", s.window.paused},         {"fullScreen", s.window.fullScreen},
+                         {"screenshots", s.window.screenshots}};
+  }
   json["guards"] = s.guards;
   json["other"] = s.other;
   json["steps"] = s.steps;

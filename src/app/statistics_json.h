@@ -11,7 +11,7 @@ namespace skydrop::app {
 inline constexpr int kStatisticsSchema = 1;
 
 // Members: schema, frame.ms {median, p99, max}, passes.<name> {ms, draws, dispatches, skipped}, gl, terrain,
-// threads, effects, game, guards, stateHash (sixteen hexadecimal digits), other {name: ms}.
+// threads, effects, game, window, guards, stateHash (sixteen hexadecimal digits), other {name: ms}.
 std::string statisticsJson(const core::FrameStatistics& statistics);
 
 // Throws core::DataError when the file cannot be written.

@@ -31,6 +31,14 @@ struct GameStatistics {
   double position[3] = {0, 0, 0};
 };
 
+// The state of a window and of what is open in it; empty in headless runs.
+struct WindowStatistics {
+  std::int64_t width = 0, height = 0;  // pixels
+  std::string camera;
+  bool menuOpen = false, helpOpen = false, escapeOpen = false, paused = false, fullScreen = false;
+  std::int64_t screenshots = 0;
+};
+
 struct FrameStatistics {
   // Over the measured frames; without settling, read-back and PNG, which are rows of `other`.
   std::int64_t frames = 0;
@@ -43,6 +51,7 @@ struct FrameStatistics {
   GlStatistics gl;
   TerrainStatistics terrain;
   GameStatistics game;
+  WindowStatistics window;
   std::int64_t threads = 0;
   std::vector<std::string> effects;
   std::map<std::string, std::int64_t> guards;  // numerical guards that fired (guards.h)

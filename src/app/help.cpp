@@ -1,9 +1,0 @@
-#include "app/help.h"
-
-namespace skydrop::app {
-
-std::vector<ui::HelpRow> helpRows() {
-  return {};
-}
-
-}  // namespace skydrop::app

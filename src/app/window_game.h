@@ -1,0 +1,78 @@
+// The game in its window: events in, steps of the simulation, frames out, until the player quits. Main thread.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/frame_times.h"
+#include "app/imgui_input.h"
+#include "app/overlay.h"
+#include "app/player_input.h"
+#include "app/prepare.h"
+#include "app/stage.h"
+#include "skydrop/audio/audio_manager.h"
+#include "skydrop/audio/sound_scene.h"
+#include "skydrop/core/fixed_step.h"
+#include "skydrop/render/gl/window_context.h"
+
+namespace skydrop::app {
+
+class WindowGame {
+ public:
+  // Throws core::GraphicsUnavailable, core::DataError, core::UsageError.
+  explicit WindowGame(const CommandLine& line);
+  ~WindowGame();
+
+  // Returns when the window was closed, the player quit or a signal asked to end; then the statistics, the
+  // recording and the player's settings are written.
+  void run();
+
+ private:
+  void buildScene();
+  void handleEvents();
+  void handleAction(Action action);
+  void advance(double seconds);
+  void moveFreeCamera(const game::Controls& controls);
+  void drawFrame(double seconds);
+  void applyMenuChanges(const std::vector<std::string>& paths);
+  void applyAll(const std::vector<std::string>& changedPaths);
+  void watchFiles();
+  void saveScreenshot();
+  void notice(std::string text);
+  game::Snapshot snapshotToDraw();
+  core::FrameStatistics statistics();
+  void finish();
+
+  bool isPaused() const { return paused_ || overlay_->escapeOpen; }
+
+  CommandLine line_;
+  std::unique_ptr<Run> run_;
+  render::gl::WindowContext window_;
+  std::optional<Simulation> simulation_;
+  std::unique_ptr<Overlay> overlay_;  // before the stage, whose pass draws its fonts
+  std::unique_ptr<Stage> stage_;
+  std::unique_ptr<audio::AudioManager> audio_;  // with sound only
+  std::unique_ptr<audio::SoundScene> sound_;
+  PlayerInput input_;
+  std::optional<ImGuiInput> imguiInput_;  // for the overlay's context
+  core::FixedStep clock_;
+
+  bool paused_ = false;
+  bool screenshotWanted_ = false;
+  bool replayEnded_ = false;
+  int screenshots_ = 0;
+  std::string error_;  // of the last reload, shown in the menu
+  std::vector<game::Message> notices_;
+  std::vector<game::GameEvent> events_;  // of the steps since the last frame
+  FrameTimes times_;
+  core::FrameStatistics shownStatistics_;
+  std::chrono::steady_clock::time_point nextWatch_, nextStatistics_;
+  std::filesystem::file_time_type sceneWritten_;
+};
+
+}  // namespace skydrop::app
