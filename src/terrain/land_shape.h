@@ -23,13 +23,15 @@ struct SmoothStep {
   }
 };
 
-// sqrt(x^2 + e^2) - e: |x| with a rounded foot.
+// |x| - e / 2 with the foot between -e and e replaced by the parabola x^2 / (2 e).
 template <class R>
-struct SmoothAbs {
-  R e;
+struct RoundedAbs {
+  R e, scale;  // scale = 1 / e
   SKYDROP_INLINE Slope<R> operator()(R x) const {
-    const R root = std::sqrt(x * x + e * e);
-    return {root - e, x / root};
+    R t = x * scale;
+    t = t < R(-1) ? R(-1) : t;
+    t = t > R(1) ? R(1) : t;
+    return {t * (x - R(0.5) * e * t), t};
   }
 };
 
@@ -66,6 +68,16 @@ struct SoftLimit {
   }
 };
 
+// The amplitude of octave `index` (0 is the coarsest) of the relief, in the ridged and in the smooth sum. The
+// coarsest ridges are the mountains themselves; roughness is what stands on them.
+inline constexpr double kDetailMetres = 40;  // height of the hills of the coarsest octave
+inline double ridgeShare(const TerrainSettings& s, int index) {
+  return index == 0 ? 1.0 : s.roughness / static_cast<double>(1 << index);
+}
+inline double detailShare(const TerrainSettings& s, int index) {
+  return kDetailMetres * s.plainRoughness / static_cast<double>(1 << index);
+}
+
 // The sums of octaves that the shape starts from, each in about [-1, 1].
 template <class N>
 struct LandFields {
@@ -77,15 +89,15 @@ template <class N>
 struct LandState {
   N base;      // the land without relief, metres
   N mountain;  // how mountainous: 0 on plains and at sea, 1 inside a range
-  N relief;    // the ridged sum so far
+  N relief;    // the ridged sum so far, in about [0, 2]
   N weight;    // what the next octave of the ridged sum may add
-  N detail;    // the smooth sum so far
+  N detail;    // the smooth sum so far, metres
 };
 
 // R is the scalar that the constants are kept in; N is Jet<R>, or Interval with R = double.
 template <class R>
 struct LandShape {
-  R landBias, seaDepth, plainHeight, mountainHeight, valleyWidth2, roughness, plainRoughness;
+  R landBias, seaDepth, plainHeight, mountainHeight, valleyWidth2;  // mountainHeight is per unit of relief
   SmoothStep<R> rangeStep, inlandStep;
   SoftLimit<R> limit;
 
@@ -93,10 +105,8 @@ struct LandShape {
       : landBias(static_cast<R>(s.landBias)),
         seaDepth(static_cast<R>(s.seaDepth)),
         plainHeight(static_cast<R>(s.plainHeight)),
-        mountainHeight(static_cast<R>(s.mountainHeight)),
+        mountainHeight(static_cast<R>(0.7 * s.mountainHeight)),
         valleyWidth2(static_cast<R>(s.valleyWidth * s.valleyWidth)),
-        roughness(static_cast<R>(s.roughness)),
-        plainRoughness(static_cast<R>(s.plainRoughness)),
         rangeStep{static_cast<R>(0.3 - s.rangeShare), R(2)},
         inlandStep{R(0.02), R(3)},
         limit{R(-200), R(1500), R(56), R(290)} {}
@@ -116,20 +126,18 @@ struct LandShape {
     return state;
   }
 
-  // One octave of the relief; `share` is its amplitude (1, 1/2, 1/4, ...).
+  // One octave of the relief; its amplitudes in the ridged and in the smooth sum.
   template <class N>
-  SKYDROP_INLINE void octave(const N& noise, R share, LandState<N>& state) const {
-    const N ridge = even(noise, SmoothAbs<R>{R(0.06)}) * R(-1) + R(1);
-    const N signal = ridge * ridge;
-    state.relief = state.relief + signal * state.weight * share;
-    state.weight = signal * state.weight;
-    state.detail = state.detail + noise * share;
+  SKYDROP_INLINE void octave(const N& noise, R ridgeShare, R detailShare, LandState<N>& state) const {
+    const N ridge = even(noise, RoundedAbs<R>{R(0.06), R(1 / 0.06)}) * R(-1) + R(1);
+    state.weight = ridge * ridge * state.weight;
+    state.relief = state.relief + state.weight * ridgeShare;
+    state.detail = state.detail + noise * detailShare;
   }
 
   template <class N>
   SKYDROP_INLINE N finish(const LandState<N>& state) const {
-    const N plain = state.detail * (R(40) * plainRoughness);
-    const N height = state.base + plain + state.mountain * state.relief * (R(0.7) * mountainHeight);
+    const N height = state.base + state.detail + state.mountain * state.relief * mountainHeight;
     return rising(height, limit);
   }
 };

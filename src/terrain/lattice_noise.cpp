@@ -2,10 +2,21 @@
 
 namespace skydrop::terrain {
 
-Lattice makeLattice(double cell, std::uint64_t seed) {
-  const std::uint64_t bits = core::mix64(seed ^ 0x6f63746176650000ull);
-  const auto fraction = [](std::uint64_t b) { return static_cast<double>(b & 0xfffff) * 0x1p-20; };
-  return {cell, fraction(bits), fraction(bits >> 32), seed};
+namespace {
+
+// Gradient noise is 0 at its nodes and has least variance around them. These offsets, in 64ths of a cell,
+// were searched so that at the nodes of any octave of a chain the sum of the others has the variance that it
+// has elsewhere, within 0.3 % (hard case T22). From the sixth octave on, two take turns.
+struct Offset {
+  int x, z;
+};
+constexpr Offset kOffsets[] = {{21, 43}, {21, 15}, {63, 37}, {41, 3}, {39, 13}, {57, 19}, {7, 45}};
+
+}  // namespace
+
+Lattice makeLattice(double cell, int index, std::uint64_t seed) {
+  const Offset& offset = kOffsets[index < 7 ? index : 5 + (index + 1) % 2];
+  return {cell, offset.x / 64.0, offset.z / 64.0, seed};
 }
 
 Jet<double> noiseAt(const Lattice& lattice, double x, double z) {
@@ -15,8 +26,8 @@ Jet<double> noiseAt(const Lattice& lattice, double x, double z) {
   const double u = px - cellX, w = pz - cellZ;
   const auto i = static_cast<std::int64_t>(cellX), j = static_cast<std::int64_t>(cellZ);
   const std::uint64_t upper = lattice.rowSeed(j), lower = lattice.rowSeed(j + 1);
-  const NodeGradient g00 = Lattice::node(upper, i), g10 = Lattice::node(upper, i + 1);
-  const NodeGradient g01 = Lattice::node(lower, i), g11 = Lattice::node(lower, i + 1);
+  const NodeGradient g00 = directionOf(nodeBits(upper, i)), g10 = directionOf(nodeBits(upper, i + 1));
+  const NodeGradient g01 = directionOf(nodeBits(lower, i)), g11 = directionOf(nodeBits(lower, i + 1));
 
   const double fx = fade(u), fz = fade(w), dfx = fadeSlope(u), dfz = fadeSlope(w);
   // Left and right lattice column at this z: value a + slope b along x, and their derivatives by z.

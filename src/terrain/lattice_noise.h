@@ -29,28 +29,35 @@ SKYDROP_INLINE NodeGradient directionOf(std::uint64_t bits) {
   return {(bits & 2) != 0 ? -x : x, (bits & 4) != 0 ? -z : z};
 }
 
-// One octave's lattice. Cells are squares of `cell` metres (a power of two, so that dividing by it is exact);
-// the lattice is shifted by a fraction of a cell so that octaves share no nodes.
+// One octave's lattice. Cells are squares of `cell` metres (a power of two); the lattice is shifted so that
+// octaves share no nodes. Positions of chunk samples in cells are then exact in double out to
+// kWorldLimitMetres: a sample gets the same bits in whatever chunk and level it lies.
 struct Lattice {
   double cell = 0;
-  double offsetX = 0, offsetZ = 0;  // cells, multiples of 2^-20 in [0, 1)
+  double offsetX = 0, offsetZ = 0;  // cells, multiples of 1/64 in [0, 1)
   std::uint64_t seed = 0;
 
-  // The gradient of node (i, j) is directionOf(hashCombine(columnSeed..)): rows first, so that a chunk hashes
-  // a row's seed once.
+  // The gradient of node (i, j) is directionOf(nodeBits(rowSeed(j), i)).
   std::uint64_t rowSeed(std::int64_t j) const {
     return core::hashCombine(seed, static_cast<std::uint64_t>(j));
   }
-  static NodeGradient node(std::uint64_t rowSeed, std::int64_t i) {
-    return directionOf(core::hashCombine(rowSeed, static_cast<std::uint64_t>(i)));
-  }
 };
 
-Lattice makeLattice(double cell, std::uint64_t seed);
+SKYDROP_INLINE std::uint64_t nodeBits(std::uint64_t rowSeed, std::int64_t i) {
+  return core::hashCombine(rowSeed, static_cast<std::uint64_t>(i));
+}
+
+// The lattice of octave `index` (0 is the coarsest) in a chain in which each cell is half the one before.
+Lattice makeLattice(double cell, int index, std::uint64_t seed);
 
 // Largest absolute value of gradient noise with unit gradients: sqrt(1/2), reached in the middle of a cell
 // whose four gradients point there. Noise is scaled by kNoiseScale to fill [-1, 1].
 inline constexpr double kNoiseScale = 1.4142135623730951;
+
+// Bounds over all positions and all choices of unit gradients (maximised on a grid of 400 x 400 positions and
+// 36 directions; the true maxima are 2.927 and 13.07), for one cell of side 1 and kNoiseScale included.
+inline constexpr double kNoiseSlopeLimit = 3.0;       // length of the gradient
+inline constexpr double kNoiseCurvatureLimit = 13.5;  // second derivative in any direction
 
 template <class R>
 SKYDROP_INLINE R fade(R t) {

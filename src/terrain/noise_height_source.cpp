@@ -2,89 +2,67 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "skydrop/core/error.h"
-#include "skydrop/terrain/chunk_data.h"
-#include "terrain/land_shape.h"
-#include "terrain/lattice_noise.h"
+#include "skydrop/core/settings_table.h"
+#include "terrain/land_bounds.h"
+#include "terrain/land_point.h"
+#include "terrain/noise_chunk.h"
+#include "terrain/noise_source.h"
 
 namespace skydrop::terrain {
 namespace {
-
-// By the exponent's bits, not by libm: the same on every machine.
-double roundToPowerOfTwo(double metres) {
-  int exponent = 0;
-  const double mantissa = std::frexp(metres, &exponent);  // [1/2, 1)
-  return std::ldexp(mantissa < 0.70710678118654752 ? 0.5 : 1.0, exponent);
-}
-
-struct Octaves {
-  std::vector<Lattice> continent, range, valley, relief;
-};
-
-Octaves makeOctaves(const TerrainSettings& s, std::uint64_t seed) {
-  std::uint64_t counter = 0;
-  const auto chain = [&](double coarsest, double finest) {
-    std::vector<Lattice> lattices;
-    for (double cell = roundToPowerOfTwo(coarsest); cell >= finest; cell /= 2)
-      lattices.push_back(makeLattice(cell, core::hashCombine(seed, counter++)));
-    return lattices;
-  };
-  Octaves octaves;
-  octaves.continent = chain(s.continentWavelength, roundToPowerOfTwo(s.continentWavelength) / 8);
-  octaves.range = chain(s.rangeWavelength, roundToPowerOfTwo(s.rangeWavelength) / 2);
-  octaves.valley = chain(s.valleyWavelength, roundToPowerOfTwo(s.valleyWavelength) / 4);
-  octaves.relief = chain(s.mountainWavelength, roundToPowerOfTwo(s.finestWavelength));
-  return octaves;
-}
 
 // NaN becomes 0.
 double insideWorld(double metres) {
   if (!(metres > -kWorldLimitMetres)) return metres == metres ? -kWorldLimitMetres : 0.0;
   return metres < kWorldLimitMetres ? metres : kWorldLimitMetres;
 }
+glm::dvec2 insideWorld(glm::dvec2 xz) { return {insideWorld(xz.x), insideWorld(xz.y)}; }
 
 class NoiseHeightSource final : public HeightSource {
  public:
-  NoiseHeightSource(const TerrainSettings& settings, std::uint64_t seed)
-      : shape_(settings), octaves_(makeOctaves(settings, seed)) {}
+  NoiseHeightSource(const TerrainSettings& settings, std::uint64_t seed, const RowKernels& kernels)
+      : settings_(settings),
+        shape_(settings),
+        rowShape_(settings),
+        octaves_(makeLandOctaves(settings, seed)),
+        kernels_(kernels) {}
 
-  HeightSample sample(glm::dvec2 xz) const override {
-    const double x = insideWorld(xz.x), z = insideWorld(xz.y);
-    const auto sum = [&](const std::vector<Lattice>& lattices) {
-      Jet<double> total;
-      double share = 1;
-      for (const Lattice& lattice : lattices) {
-        total = total + noiseAt(lattice, x, z) * share;
-        share *= 0.5;
-      }
-      return total;
-    };
-    LandState<Jet<double>> state = shape_.begin(
-        LandFields<Jet<double>>{sum(octaves_.continent), sum(octaves_.range), sum(octaves_.valley)});
-    double share = 1;
-    for (const Lattice& lattice : octaves_.relief) {
-      shape_.octave(noiseAt(lattice, x, z), share, state);
-      share *= 0.5;
-    }
-    const Jet<double> height = shape_.finish(state);
+  HeightSample sample(glm::dvec2 position) const override {
+    const Jet<double> height = landAt(settings_, shape_, octaves_, insideWorld(position));
     return {height.v, {height.x, height.z}};
   }
 
-  HeightBounds bounds(glm::dvec2, glm::dvec2) const override { return range(); }
+  HeightBounds bounds(glm::dvec2 lo, glm::dvec2 hi) const override {
+    return landBounds(settings_, shape_, octaves_, insideWorld(lo), insideWorld(hi));
+  }
   HeightBounds range() const override { return {kLowestHeight, kHighestHeight}; }
 
+  bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const override {
+    return fillNoiseChunk(settings_, rowShape_, octaves_, kernels_, key, stop, out);
+  }
+
  private:
+  TerrainSettings settings_;
   LandShape<double> shape_;
-  Octaves octaves_;
+  LandShape<float> rowShape_;
+  LandOctaves octaves_;
+  const RowKernels& kernels_;
 };
 
 }  // namespace
 
+std::shared_ptr<const HeightSource> makeNoiseHeightSource(const TerrainSettings& settings, std::uint64_t seed,
+                                                          const RowKernels& kernels) {
+  TerrainSettings checked = settings;
+  const core::SettingsTable table(checked);
+  for (const core::Field& field : table.fields()) core::setField(field, field.get());
+  return std::make_shared<NoiseHeightSource>(settings, seed, kernels);
+}
+
 std::shared_ptr<const HeightSource> makeNoiseHeightSource(const TerrainSettings& settings,
                                                           std::uint64_t seed) {
-  return std::make_shared<NoiseHeightSource>(settings, seed);
+  return makeNoiseHeightSource(settings, seed, bestRowKernels());
 }
 
 }  // namespace skydrop::terrain

@@ -1,0 +1,21 @@
+# Sources that are compiled once for each instruction set: src/terrain/row_kernels.inl through its four
+# row_kernels_*.cpp. Results are the same bits (hard case T24), so the program picks the widest at run time.
+# Optimised in every build type: unoptimised, a debug build could not fly.
+set(kernels ${PROJECT_SOURCE_DIR}/src/terrain/row_kernels)
+if(MSVC)
+  set(flags_sse41 "")
+  set(flags_avx2 /arch:AVX2)
+  set(flags_avx512 /arch:AVX512)
+else()
+  set(flags_sse41 -O3 -msse4.1)
+  set(flags_avx2 -O3 -mavx2)
+  set(flags_avx512 -O3 -mavx512f -mavx512vl -mavx512dq -mavx512bw -mprefer-vector-width=512)
+  set_source_files_properties(${kernels}_baseline.cpp PROPERTIES COMPILE_OPTIONS -O3)
+endif()
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  foreach(isa sse41 avx2 avx512)
+    set_source_files_properties(${kernels}_${isa}.cpp PROPERTIES
+      COMPILE_OPTIONS "${flags_${isa}}" COMPILE_DEFINITIONS SKYDROP_BUILD_ROW_KERNELS)
+  endforeach()
+  set_source_files_properties(${kernels}.cpp PROPERTIES COMPILE_DEFINITIONS SKYDROP_WIDE_ROW_KERNELS)
+endif()

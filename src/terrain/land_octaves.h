@@ -1,0 +1,22 @@
+// The lattices that the land is summed from.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "skydrop/terrain/terrain_settings.h"
+#include "terrain/lattice_noise.h"
+
+namespace skydrop::terrain {
+
+// Chains of octaves, the coarsest first; each cell is half the one before, each amplitude too.
+struct LandOctaves {
+  std::vector<Lattice> continent, range, valley, relief;
+};
+
+// Of the worlds that a seed numbers, the first whose origin is a good place to begin a flight: plain land,
+// most of it dry for 6 km around, with mountains in sight. Where settings leave no such place, the first
+// world.
+LandOctaves makeLandOctaves(const TerrainSettings& settings, std::uint64_t seed);
+
+}  // namespace skydrop::terrain

@@ -1,0 +1,17 @@
+// Chunks of the noise land, row by row.
+#pragma once
+
+#include <stop_token>
+
+#include "skydrop/terrain/chunk_data.h"
+#include "terrain/land_octaves.h"
+#include "terrain/row_kernels.h"
+
+namespace skydrop::terrain {
+
+// HeightSource::fillChunk for the land of these shares and octaves. `shape` and `octaves` belong together.
+bool fillNoiseChunk(const TerrainSettings& settings, const LandShape<float>& shape,
+                    const LandOctaves& octaves, const RowKernels& kernels, const ChunkKey& key,
+                    const std::stop_token& stop, ChunkData& out);
+
+}  // namespace skydrop::terrain

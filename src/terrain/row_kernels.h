@@ -1,0 +1,87 @@
+// The loops over one row of a chunk's samples, compiled once for each instruction set (row_kernels_*.cpp).
+// Every set gives the same bits: the sources are the same plain loops, without contraction or reordering, and
+// a sample's arithmetic does not depend on where in its row it stands.
+//
+// The row is why no gather is needed: along a row, z is constant, so the two gradients of a lattice column
+// fold into a value and a slope; between two columns the noise is then a polynomial of x alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "skydrop/terrain/chunk_key.h"
+#include "terrain/land_shape.h"
+
+namespace skydrop::terrain {
+
+// Rows are padded: in front and behind by what whole lattice cells of up to 16 samples stick out, and so that
+// their length is a multiple of 8 floats.
+inline constexpr int kRowPad = 16;
+inline constexpr int kRowSize = 248;  // kChunkSamples rounded up
+
+struct alignas(64) PaddedRow {
+  float storage[kRowPad + kRowSize + kRowPad + 8] = {};
+  float* samples() { return storage + kRowPad; }
+  const float* samples() const { return storage + kRowPad; }
+};
+
+// One value and its gradient along a row.
+struct JetRow {
+  PaddedRow v, x, z;
+};
+
+struct RowState {
+  LandFields<JetRow> fields;
+  LandState<JetRow> land;
+  JetRow noise;
+};
+
+// Gradients of lattice nodes along a lattice row.
+struct NodeRow {
+  std::array<float, kRowSize + 8> x{}, z{};
+};
+
+// One octave over one row of samples. Sample s lies in cell c = (s + phase) / perCell at index
+// k = (s + phase) % perCell in it; u[k], fade[k] and fadeSlope[k] are x in cells there, and its fade. Where
+// cells are smaller than the samples' distance, each sample has a cell of its own: perCell is 1, c = s.
+struct OctaveRow {
+  int perCell = 1;
+  int phase = 0;
+  int cells = 0;
+  const float *u = nullptr, *fade = nullptr, *fadeSlope = nullptr;
+
+  // Nodes of cell c at index c: west and east, north and south of it.
+  const float *northWestX = nullptr, *northWestZ = nullptr, *northEastX = nullptr, *northEastZ = nullptr;
+  const float *southWestX = nullptr, *southWestZ = nullptr, *southEastX = nullptr, *southEastZ = nullptr;
+
+  float w = 0, fadeZ = 0, fadeSlopeZ = 0;  // z in cells, and its fade
+  float amplitude = 1;                     // of the octave; kNoiseScale included
+  float perMetre = 1;                      // 1 / cell
+  bool carriesGradient = true;             // false: the gradient counts as 0 (docs/terrain-noise.md)
+};
+
+struct RowKernels {
+  // Gradients of `count` nodes first, first + stride, ... of a lattice row.
+  void (*nodes)(std::uint64_t rowSeed, std::int64_t first, std::int64_t stride, int count, NodeRow& out);
+  // The octave's noise, stored to `out` or added to it.
+  void (*storeNoise)(const OctaveRow& octave, JetRow& out);
+  void (*addNoise)(const OctaveRow& octave, JetRow& out);
+  // The steps of LandShape: state.fields to state.land, state.noise into state.land, state.land to codes of
+  // heights and normals (kChunkSamples each; chunk_data.h).
+  void (*begin)(const LandShape<float>& shape, RowState& state);
+  void (*octave)(const LandShape<float>& shape, float ridgeShare, float detailShare, RowState& state);
+  void (*finish)(const LandShape<float>& shape, const RowState& state, std::uint16_t* heights,
+                 std::uint16_t* normals);
+};
+
+enum class InstructionSet { baseline, sse41, avx2, avx512 };
+inline constexpr std::array<InstructionSet, 4> kInstructionSets{
+    InstructionSet::baseline, InstructionSet::sse41, InstructionSet::avx2, InstructionSet::avx512};
+
+// Null where this processor, or the build, lacks the set; never for the baseline.
+const RowKernels* rowKernels(InstructionSet set);
+
+// Those of the widest set.
+const RowKernels& bestRowKernels();
+
+}  // namespace skydrop::terrain

@@ -1,0 +1,345 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "skydrop/core/error.h"
+#include "skydrop/terrain/chunk_data.h"
+#include "skydrop/terrain/chunk_grid.h"
+#include "terrain/land_octaves.h"
+#include "terrain/land_shape.h"
+#include "terrain/noise_source.h"
+
+namespace skydrop::terrain {
+namespace {
+
+constexpr std::uint64_t kSeed = 20;
+
+std::size_t at(int column, int row) { return static_cast<std::size_t>(sampleIndex(column, row)); }
+
+glm::dvec2 samplePosition(const ChunkKey& key, int column, int row) {
+  return chunkOrigin(key) + glm::dvec2(column, row) * cellMetres(key.level);
+}
+
+// The noise in long double, written from Perlin's definition: the fade-weighted mean of the planes that stand
+// on the four nodes.
+long double referenceNoise(const Lattice& lattice, long double x, long double z) {
+  const long double px = x / lattice.cell + lattice.offsetX, pz = z / lattice.cell + lattice.offsetZ;
+  const long double cx = std::floor(px), cz = std::floor(pz);
+  const auto i = static_cast<std::int64_t>(cx), j = static_cast<std::int64_t>(cz);
+  long double sum = 0;
+  for (int dj = 0; dj < 2; ++dj) {
+    for (int di = 0; di < 2; ++di) {
+      const NodeGradient g = directionOf(nodeBits(lattice.rowSeed(j + dj), i + di));
+      const long double u = px - cx - di, w = pz - cz - dj;
+      sum += (1 - fade(std::abs(u))) * (1 - fade(std::abs(w))) * (g.x * u + g.z * w);
+    }
+  }
+  return sum * std::sqrt(2.0L);
+}
+
+long double referenceHeight(const TerrainSettings& settings, const LandOctaves& octaves, glm::dvec2 xz) {
+  using Number = Jet<long double>;
+  const LandShape<long double> shape(settings);
+  const auto sum = [&](const std::vector<Lattice>& lattices) {
+    Number total;
+    long double share = 1;
+    for (const Lattice& lattice : lattices) {
+      total.v += share * referenceNoise(lattice, xz.x, xz.y);
+      share /= 2;
+    }
+    return total;
+  };
+  LandState<Number> state =
+      shape.begin(LandFields<Number>{sum(octaves.continent), sum(octaves.range), sum(octaves.valley)});
+  for (std::size_t k = 0; k < octaves.relief.size(); ++k) {
+    const int index = static_cast<int>(k);
+    shape.octave(Number{referenceNoise(octaves.relief[k], xz.x, xz.y), 0, 0},
+                 static_cast<long double>(ridgeShare(settings, index)),
+                 static_cast<long double>(detailShare(settings, index)), state);
+  }
+  return shape.finish(state).v;
+}
+
+TEST(Stability, T01_heightsFarOutAreThoseOfALongDoubleReference) {
+  // Out to 1e9 m a point is right within 1e-6 m (double keeps positions to 1.2e-7 m there; slopes reach 5)
+  // and a chunk's samples are what its format can hold: half a step, and 2 mm for float arithmetic on 2 km.
+  const TerrainSettings settings;
+  const LandOctaves octaves = makeLandOctaves(settings, kSeed);
+  const auto land = makeNoiseHeightSource(settings, kSeed);
+  for (const double distance : {0.0, 1e6, 1e7, 1e9}) {
+    const ChunkKey key = chunkAt({distance, -distance});
+    const ChunkData chunk = makeChunk(*land, key);
+    for (int row = 0; row < kChunkSamples; row += 48) {
+      for (int column = 0; column < kChunkSamples; column += 5) {
+        const glm::dvec2 xz = samplePosition(key, column, row);
+        const auto truth = static_cast<double>(referenceHeight(settings, octaves, xz));
+        ASSERT_NEAR(land->height(xz), truth, 1e-6) << distance;
+        ASSERT_NEAR(decodeHeight(chunk.heights[at(column, row)]), truth, kHeightStep / 2 + 0.002) << distance;
+        const glm::dvec2 between = xz + glm::dvec2(1.37, 2.11);
+        ASSERT_NEAR(land->height(between), static_cast<double>(referenceHeight(settings, octaves, between)),
+                    1e-6);
+      }
+    }
+  }
+}
+
+TEST(Stability, T01_samplesFarOutAreDistinct) {
+  // No terraces: all 241 columns of a chunk differ, on land at every distance.
+  const auto land = makeNoiseHeightSource({}, kSeed);
+  for (const double distance : {1e6, 1e7, 1e9, 1e12}) {
+    ChunkKey key = chunkAt({distance, -distance});
+    while (land->height(samplePosition(key, 120, 120)) < 20) ++key.x;
+    const ChunkData chunk = makeChunk(*land, key);
+    std::set<std::vector<std::uint16_t>> columns;
+    for (int column = 0; column < kChunkSamples; ++column) {
+      std::vector<std::uint16_t> heights;
+      for (int row = 0; row < kChunkSamples; ++row) heights.push_back(chunk.heights[at(column, row)]);
+      columns.insert(heights);
+    }
+    EXPECT_EQ(columns.size(), std::size_t{kChunkSamples}) << distance;
+  }
+}
+
+TEST(Stability, T05_theNoiseDoesNotRepeat) {
+  // One octave against itself, shifted by 2^k cells along x, z and both: uncorrelated. 60 x 60 cells hold
+  // about 3600 independent values, so 0.1 is six standard deviations.
+  const Lattice lattice = makeLattice(16, 3, kSeed);
+  constexpr double kStep = 16.0 * 60 / 241;
+  const auto samples = [&](double x0, double z0) {
+    std::vector<double> values;
+    for (int row = 0; row < 241; ++row) {
+      for (int column = 0; column < 241; ++column)
+        values.push_back(noiseAt(lattice, x0 + column * kStep, z0 + row * kStep).v);
+    }
+    return values;
+  };
+  const std::vector<double> here = samples(5, 7);
+  double power = 0;
+  for (const double v : here) power += v * v;
+  for (int k = 1; k <= 40; ++k) {
+    const double shift = std::ldexp(16.0, k);
+    for (const glm::dvec2 by : {glm::dvec2(shift, 0), glm::dvec2(0, shift), glm::dvec2(shift, shift)}) {
+      const std::vector<double> there = samples(5 + by.x, 7 + by.y);
+      double product = 0, otherPower = 0;
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        product += here[i] * there[i];
+        otherPower += there[i] * there[i];
+      }
+      ASSERT_LT(std::abs(product) / std::sqrt(power * otherPower), 0.1) << k;
+    }
+  }
+}
+
+TEST(Stability, T06_chunksHoldTheHeightsOfPoints) {
+  // What is drawn is what is collided with: at 1000 samples of a chunk, borders included, the stored height
+  // is the point's within half a step of the format (16 mm), and 2 mm for float arithmetic on 2 km.
+  const auto land = makeNoiseHeightSource({}, kSeed);
+  core::RandomStream random{6, 0};
+  for (const ChunkKey key : {ChunkKey{0, 0, 0}, ChunkKey{-1, -1, 0}, ChunkKey{41, -87, 0}, ChunkKey{-3, 2, 3},
+                             ChunkKey{1, 0, 6}, ChunkKey{0, -1, kMaxChunkLevel}}) {
+    const ChunkData chunk = makeChunk(*land, key);
+    for (int i = 0; i < 1000; ++i) {
+      int column = static_cast<int>(random.next() % kChunkSamples);
+      int row = static_cast<int>(random.next() % kChunkSamples);
+      if (i % 4 == 0) column = i % 8 == 0 ? 0 : kChunkCells;
+      if (i % 4 == 1) row = i % 8 == 1 ? 0 : kChunkCells;
+      ASSERT_NEAR(decodeHeight(chunk.heights[at(column, row)]),
+                  land->height(samplePosition(key, column, row)), kHeightStep / 2 + 0.002)
+          << "level " << key.level << " column " << column << " row " << row;
+    }
+  }
+}
+
+TEST(Stability, T07_neighboursShareTheirBorderAndLevelsTheirSamples) {
+  // No crack and no pop can come from the data: a position has one code, in whatever chunk and level it lies.
+  const auto land = makeNoiseHeightSource({}, kSeed);
+  for (const std::int64_t far : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1} << 30}) {
+    const ChunkData here = makeChunk(*land, {2 * far, 6, 0}), east = makeChunk(*land, {2 * far + 1, 6, 0});
+    const ChunkData south = makeChunk(*land, {2 * far, 7, 0});
+    for (int i = 0; i < kChunkSamples; ++i) {
+      ASSERT_EQ(here.heights[at(kChunkCells, i)], east.heights[at(0, i)]);
+      ASSERT_EQ(here.normals[at(kChunkCells, i)], east.normals[at(0, i)]);
+      ASSERT_EQ(here.heights[at(i, kChunkCells)], south.heights[at(i, 0)]);
+      ASSERT_EQ(here.normals[at(i, kChunkCells)], south.normals[at(i, 0)]);
+    }
+    ChunkKey key{2 * far, 6, 0};
+    ChunkData child = here;
+    while (key.level < kMaxChunkLevel) {
+      const ChunkKey parentKey = parentOf(key);
+      const ChunkData parent = makeChunk(*land, parentKey);
+      const int column0 = key.x % 2 != 0 ? kChunkCells / 2 : 0, row0 = key.z % 2 != 0 ? kChunkCells / 2 : 0;
+      for (int row = 0; row < kChunkSamples; row += 2) {
+        for (int column = 0; column < kChunkSamples; column += 2) {
+          ASSERT_EQ(child.heights[at(column, row)], parent.heights[at(column0 + column / 2, row0 + row / 2)])
+              << "level " << key.level;
+        }
+      }
+      key = parentKey;
+      child = parent;
+    }
+  }
+}
+
+TEST(Stability, T16_storedNormalsAreThoseOfTheAnalyticGradient) {
+  // At 1e4 points of full-detail chunks: on average within half a degree, nowhere beyond two.
+  const auto land = makeNoiseHeightSource({}, kSeed);
+  core::RandomStream random{16, 0};
+  double sum = 0, worst = 0;
+  for (int c = 0; c < 20; ++c) {
+    const ChunkKey key{static_cast<std::int64_t>(random.next() % 2000) - 1000,
+                       static_cast<std::int64_t>(random.next() % 2000) - 1000, 0};
+    const ChunkData chunk = makeChunk(*land, key);
+    for (int i = 0; i < 500; ++i) {
+      const int column = static_cast<int>(random.next() % kChunkSamples);
+      const int row = static_cast<int>(random.next() % kChunkSamples);
+      const glm::dvec3 stored = decodeNormal(chunk.normals[at(column, row)]);
+      const glm::dvec3 truth = normalOf(land->sample(samplePosition(key, column, row)));
+      const glm::dvec3 off = stored - truth;
+      const double degrees =
+          2 * std::asin(0.5 * std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z)) * 57.29578;
+      sum += degrees;
+      worst = std::max(worst, degrees);
+    }
+  }
+  EXPECT_LT(sum / 1e4, 0.5);
+  EXPECT_LT(worst, 2.0);
+}
+
+TEST(Stability, T16_theAnalyticGradientIsTheSlopeOfTheHeight) {
+  // Against central differences of the long double reference over 2 mm: 1e-5 absolute, of slopes up to 5. The
+  // rounded creases bend most, by less than 1 / 100 m on the finest octave: 1e-5 a millimetre.
+  const TerrainSettings settings;
+  const LandOctaves octaves = makeLandOctaves(settings, kSeed);
+  const auto land = makeNoiseHeightSource(settings, kSeed);
+  core::RandomStream random{17, 0};
+  int compared = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const glm::dvec2 xz((random.nextUnit() - 0.5) * 2e5, (random.nextUnit() - 0.5) * 2e5);
+    const double h = 0x1p-10;
+    const glm::dvec2 gradient = land->sample(xz).gradient;
+    const auto difference = [&](glm::dvec2 d) {
+      return static_cast<double>(referenceHeight(settings, octaves, xz + d) -
+                                 referenceHeight(settings, octaves, xz - d)) /
+             (2 * h);
+    };
+    ASSERT_NEAR(difference({h, 0}), gradient.x, 2e-4);
+    ASSERT_NEAR(difference({0, h}), gradient.y, 2e-4);
+    compared += std::abs(gradient.x) > 0.01;
+  }
+  EXPECT_GT(compared, 2000) << "the land is too flat for this test to mean anything";
+}
+
+TEST(Stability, T23_heightsLieInTheirRangeAndFewAreLimited) {
+  // 1e7 samples: none at the ends of the format's range, and less than 0.1 % of them where the soft limit
+  // bends the land (below -200 m or above 1500 m). A third of the world is sea.
+  const auto land = makeNoiseHeightSource({}, kSeed);
+  core::RandomStream random{23, 0};
+  long samples = 0, limited = 0, sea = 0;
+  while (samples < 10000000) {
+    const ChunkKey key{static_cast<std::int64_t>(random.next() % 20000) - 10000,
+                       static_cast<std::int64_t>(random.next() % 20000) - 10000, 5};
+    const ChunkData chunk = makeChunk(*land, key);
+    for (const std::uint16_t code : chunk.heights) {
+      ASSERT_NE(code, 0);
+      ASSERT_NE(code, 65535);
+      const double height = decodeHeight(code);
+      limited += height < -200 || height > 1500;
+      sea += height < 0;
+    }
+    samples += static_cast<long>(chunk.heights.size());
+  }
+  EXPECT_LT(static_cast<double>(limited), 1e-3 * static_cast<double>(samples));
+  EXPECT_GT(static_cast<double>(sea), 0.30 * static_cast<double>(samples));
+  EXPECT_LT(static_cast<double>(sea), 0.40 * static_cast<double>(samples));
+}
+
+TEST(Stability, T23_heightsStayInRangeForAnySettings) {
+  // With every knob at its ends the soft limit still holds: no sample at the ends of the range.
+  TerrainSettings wild;
+  wild.seaDepth = 240;
+  wild.plainHeight = 600;
+  wild.mountainHeight = 1500;
+  wild.rangeShare = 1;
+  wild.roughness = wild.plainRoughness = 2;
+  for (const double bias : {-1.0, 0.0, 1.0}) {
+    wild.landBias = bias;
+    const auto land = makeNoiseHeightSource(wild, kSeed);
+    for (std::int64_t i = 0; i < 8; ++i) {
+      const ChunkData chunk = makeChunk(*land, {i, -i, 5});
+      EXPECT_GT(chunk.bounds.lowest, kLowestHeight);
+      EXPECT_LT(chunk.bounds.highest, kHighestHeight);
+    }
+  }
+}
+
+// The digest of 64 chunks, made by this many threads.
+std::uint64_t worldHash(const HeightSource& land, int workers) {
+  std::vector<std::uint64_t> hashes(64);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < hashes.size(); i = next++) {
+      const auto n = static_cast<std::int64_t>(i);
+      // Mostly full detail; some coarse, and some far out.
+      const ChunkKey key{n % 8 - 4 + (i % 7 == 0 ? std::int64_t{1} << 33 : 0), n / 8 - 4, i % 5 == 0 ? 4 : 0};
+      const ChunkData chunk = makeChunk(land, key);
+      core::StateHasher hasher;
+      for (const std::uint16_t code : chunk.heights) hasher.add(std::uint64_t{code});
+      for (const std::uint16_t code : chunk.normals) hasher.add(std::uint64_t{code});
+      hashes[i] = hasher.value();
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int w = 0; w < workers; ++w) threads.emplace_back(work);
+  }
+  core::StateHasher all;
+  for (const std::uint64_t hash : hashes) all.add(hash);
+  return all.value();
+}
+
+TEST(Stability, T24_oneWorldForAnyInstructionSetAndAnyNumberOfWorkers) {
+  // The baseline's bits on one thread are the truth; every other set and 2 and 8 workers give the same.
+  // (Sets that the processor lacks are left out; the fixed hash below ties machines together.)
+  for (const std::uint64_t seed : {std::uint64_t{0}, ~std::uint64_t{0}, std::uint64_t{1} << 63}) {
+    const auto baseline = makeNoiseHeightSource({}, seed, *rowKernels(InstructionSet::baseline));
+    const std::uint64_t truth = worldHash(*baseline, 1);
+    for (const InstructionSet set : kInstructionSets) {
+      const RowKernels* kernels = rowKernels(set);
+      if (kernels == nullptr) continue;
+      EXPECT_EQ(worldHash(*makeNoiseHeightSource({}, seed, *kernels), 1), truth) << static_cast<int>(set);
+    }
+    const auto best = makeNoiseHeightSource({}, seed);
+    EXPECT_EQ(worldHash(*best, 2), truth);
+    EXPECT_EQ(worldHash(*best, 8), truth);
+  }
+}
+
+TEST(Stability, T24_seedsGiveDifferentWorlds) {
+  // Also those that differ in one bit, or in what a 32-bit or signed seed would lose.
+  std::set<std::uint64_t> hashes;
+  for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0},
+                                   std::uint64_t{1} << 63, std::uint64_t{1} << 32}) {
+    hashes.insert(worldHash(*makeNoiseHeightSource({}, seed), 2));
+  }
+  EXPECT_EQ(hashes.size(), 5u);
+}
+
+TEST(Stability, P23_heightsAnswerAnywhere) {
+  // Also beyond the world's limit and for what is no position: the nearest position's height, 0 for NaN.
+  const auto land = makeNoiseHeightSource({}, kSeed);
+  for (const double x : {1e15, -1e15, 1e18, -1e300, std::numeric_limits<double>::infinity()}) {
+    const HeightSample s = land->sample({x, -x});
+    EXPECT_GE(s.height, kLowestHeight);
+    EXPECT_LE(s.height, kHighestHeight);
+    EXPECT_TRUE(std::isfinite(s.gradient.x) && std::isfinite(s.gradient.y));
+  }
+  EXPECT_EQ(land->height({1e300, 0}), land->height({kWorldLimitMetres, 0}));
+  EXPECT_EQ(land->height({std::nan(""), 0}), land->height({0, 0}));
+}
+
+}  // namespace
+}  // namespace skydrop::terrain
