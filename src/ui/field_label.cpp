@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace skydrop::ui {
 namespace {
@@ -45,6 +46,14 @@ std::string_view effectText(TakesEffect effect) {
   return "";
 }
 
+// "m/s^2" with a raised 2.
+std::string raisedPowers(std::string unit) {
+  for (const auto& [plain, raised] : {std::pair("^2", "\u00b2"), std::pair("^3", "\u00b3")}) {
+    for (std::size_t at; (at = unit.find(plain)) != std::string::npos;) unit.replace(at, 2, raised);
+  }
+  return unit;
+}
+
 bool hasUnit(const Field& field) { return !field.unit.empty() && field.unit != "1"; }
 
 }  // namespace
@@ -76,14 +85,14 @@ std::string sliderFormat(const Field& field) {
   }
   if (!hasUnit(field)) return format;
   format += ' ';
-  for (const char c : field.unit) format += c == '%' ? std::string("%%") : std::string(1, c);
+  for (const char c : raisedPowers(field.unit)) format += c == '%' ? std::string("%%") : std::string(1, c);
   return format;
 }
 
 std::string tooltipText(const Field& field) {
   std::string text = field.help;
   if (!text.empty() && text.back() != '.') text += '.';
-  const std::string unit = hasUnit(field) ? " " + field.unit : "";
+  const std::string unit = hasUnit(field) ? " " + raisedPowers(field.unit) : "";
   if (field.kind == FieldKind::number || field.kind == FieldKind::integer) {
     if (field.max - field.min < kHugeRange) {
       text += "\nRange " + numberText(field.min) + " to " + numberText(field.max) + unit + ".";

@@ -48,12 +48,13 @@ void drawArrow(ImDrawList& list, glm::dvec2 centre, double radius, glm::dvec2 ar
   const glm::dvec2 point = centre + along * tip, neck = centre + along * (tip - head);
   const ImU32 black = color(0, 0, 0, 1);
   const double half = std::max(kShaftHalfWidth * radius, 0.75);
+  // Clockwise: Dear ImGui smooths the edges of such shapes only.
   if (tip > head) {
-    list.AddQuadFilled(vec(centre - across * half), vec(centre + across * half), vec(neck + across * half),
-                       vec(neck - across * half), black);
+    list.AddQuadFilled(vec(centre - across * half), vec(neck - across * half), vec(neck + across * half),
+                       vec(centre + across * half), black);
   }
-  list.AddTriangleFilled(vec(point), vec(neck - across * (kHeadHalfWidth * radius)),
-                         vec(neck + across * (kHeadHalfWidth * radius)), black);
+  list.AddTriangleFilled(vec(point), vec(neck + across * (kHeadHalfWidth * radius)),
+                         vec(neck - across * (kHeadHalfWidth * radius)), black);
 }
 
 void drawNavigationBar(ImDrawList& list, const Interface& context, const NavigationBar& bar, glm::vec2 middle,

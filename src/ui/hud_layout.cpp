@@ -15,7 +15,8 @@ namespace {
 using Tone = HudText::Tone;
 
 // Shares of a line of text.
-constexpr float kMargin = 0.5f, kGap = 0.3f, kPadding = 0.35f, kRowPitch = 1.15f, kThrottleBar = 0.35f;
+constexpr float kMargin = 0.5f, kGap = 0.3f, kPadding = 0.35f, kRowPitch = 1.15f, kThrottleBar = 0.35f,
+                kTightPadding = 0.15f;  // above and below lines in the middle, where height is scarce
 constexpr float kCircleOfHeight = 0.2f, kCircleOfWidth = 0.25f;
 constexpr double kPlate = 0.45;
 constexpr double kFaintestPulse = 0.3;  // the drop text never vanishes
@@ -41,6 +42,7 @@ class Layouter {
         margin_(std::floor(kMargin * line_)),
         gap_(std::floor(kGap * line_)),
         padding_(std::floor(kPadding * line_)),
+        tight_(std::floor(kTightPadding * line_)),
         pitch_(std::floor(kRowPitch * line_)),
         width_(static_cast<float>(context.width())),
         height_(static_cast<float>(context.height())) {}
@@ -154,7 +156,8 @@ class Layouter {
       const float x = line.position.x;
       item.rect.left = std::min(item.rect.left, x - padding_);
       item.rect.right = std::max(item.rect.right, x + measure(line.text, line.large) + padding_);
-      item.rect.bottom = std::max(item.rect.bottom, line.position.y + (line.large ? 2 * line_ : line_));
+      item.rect.bottom =
+          std::max(item.rect.bottom, line.position.y + (line.large ? 2 * line_ : line_) + tight_);
     }
     return item;
   }
@@ -163,8 +166,8 @@ class Layouter {
   // its own place whether the others are there or not, so nothing jumps.
   void placeMiddle(const HudData& data, float bottom) {
     const float messagesTop = below(topRow());
-    const float messagesBottom = messagesTop + 3 * line_;
-    float y = messagesTop;
+    const float messagesBottom = messagesTop + 3 * line_ + 2 * tight_;
+    float y = messagesTop + tight_;
     std::vector<HudText> lines;
     for (const HudMessage& message : data.messages) {
       lines.push_back(centred(message.text, y, Tone::normal, false, message.opacity));
@@ -172,34 +175,36 @@ class Layouter {
     }
     if (!lines.empty()) layout_.items.push_back(block("messages", messagesTop, std::move(lines), kPlate));
 
-    const float blockHeight = 3 * line_, warningHeight = line_ + 2 * padding_;
+    const float blockHeight = 3 * line_ + 2 * tight_, warningHeight = line_ + 2 * tight_;
     const float warningTop = bottom - warningHeight;
     const float dropTop = std::floor(std::max(
         below(messagesBottom), std::min(kDropOfHeight * height_, warningTop - 2 * (blockHeight + gap_))));
     if (data.dropPulse) {
       const double opacity = kFaintestPulse + (1 - kFaintestPulse) * *data.dropPulse;
-      layout_.items.push_back(block("drop", dropTop,
-                                    {centred("DROP", dropTop, Tone::accent, true, opacity),
-                                     centred("Space", dropTop + 2 * line_, Tone::accent, false, opacity)},
-                                    0));
+      layout_.items.push_back(
+          block("drop", dropTop,
+                {centred("DROP", dropTop + tight_, Tone::accent, true, opacity),
+                 centred("Space", dropTop + tight_ + 2 * line_, Tone::accent, false, opacity)},
+                0));
     }
     if (data.paused) {
       const float above = dropTop + blockHeight + gap_;
-      const float pauseTop =
-          std::floor(std::max(above, std::min(height_ / 2, warningTop - gap_ - blockHeight)));
+      const float pauseTop = std::floor(std::max(above, std::min(height_ / 2, bottom - blockHeight)));
       layout_.items.push_back(block("pause", pauseTop,
-                                    {centred("PAUSED", pauseTop, Tone::normal, true),
-                                     centred("P flies on", pauseTop + 2 * line_, Tone::dim, false)},
+                                    {centred("PAUSED", pauseTop + tight_, Tone::normal, true),
+                                     centred("P resumes", pauseTop + tight_ + 2 * line_, Tone::dim, false)},
                                     kPlate));
     }
     std::string warning;
-    if (data.respawnSeconds)
+    if (data.respawnSeconds) {
       warning = text("Crashed: back in %.1f s", *data.respawnSeconds);
-    else if (data.stalled)
+    } else if (data.stalled) {
       warning = "STALL";
-    if (!warning.empty()) {
-      HudItem item = block("warning", warningTop,
-                           {centred(warning, warningTop + padding_, Tone::warning, false)}, kPlate);
+    }
+    // In a pause there is nothing to warn of, and its text needs the room in low windows.
+    if (!warning.empty() && !data.paused) {
+      HudItem item =
+          block("warning", warningTop, {centred(warning, warningTop + tight_, Tone::warning, false)}, kPlate);
       item.rect.bottom = warningTop + warningHeight;
       layout_.items.push_back(std::move(item));
     }
@@ -237,7 +242,7 @@ class Layouter {
   }
 
   const Interface& context_;
-  float line_, margin_, gap_, padding_, pitch_, width_, height_;
+  float line_, margin_, gap_, padding_, tight_, pitch_, width_, height_;
   HudLayout layout_;
 };
 

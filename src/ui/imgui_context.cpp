@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLinesOfHeight = 40;  // lines of text that fit into the window's height
 constexpr int kLinesOfWidth = 60;   // and into its width, so that narrow windows keep their rows
-constexpr int kMinLinePixels = 9;   // below that the strokes of a letter touch
+constexpr int kMinLinePixels = 10;  // below that an 8 and a 0 look the same
 constexpr int kMaxLinePixels = 72;
 constexpr double kMinFrameSeconds = 1e-6, kMaxFrameSeconds = 0.25;
 
