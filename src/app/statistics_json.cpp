@@ -36,6 +36,7 @@ std::string statisticsJson(const core::FrameStatistics& s) {
                 {"buffers", s.gl.buffers},
                 {"programs", s.gl.programs},
                 {"framebuffers", s.gl.framebuffers},
+                {"errors", s.gl.errors},
                 {"bytes", s.gl.bytes}};
   json["terrain"] = {{"chunksDrawn", s.terrain.chunksDrawn}, {"triangles", s.terrain.triangles},
                      {"generated", s.terrain.generated},     {"cacheHits", s.terrain.cacheHits},

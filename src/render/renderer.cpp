@@ -45,13 +45,15 @@ void Renderer::resize(int width, int height) {
     scene_.resize(width, height);
     output_.resize(width, height);
   }
-  sceneColorOnly_ = gl::FrameBuffer(context_, &scene_.colorTexture(), nullptr, "scene colour");
+  sceneColorOnly_ = {};  // made where a pass needs it
 }
 
 void Renderer::bindTarget(Slot slot) {
-  gl::FrameBuffer& target = slot <= Slot::sky              ? scene_
-                            : slot <= Slot::weatherEffects ? sceneColorOnly_
-                                                           : output_;
+  const bool readsDepth = slot == Slot::clouds || slot == Slot::weatherEffects;
+  if (readsDepth && !sceneColorOnly_) {
+    sceneColorOnly_ = gl::FrameBuffer(context_, &scene_.colorTexture(), nullptr, "scene colour");
+  }
+  gl::FrameBuffer& target = readsDepth ? sceneColorOnly_ : slot <= Slot::sky ? scene_ : output_;
   target.bind(gl::FrameBuffer::Clear::no);
 }
 
@@ -90,7 +92,13 @@ void Renderer::draw(const FrameInput& input) {
     context_.setDefaultState();
     ledger.beginPass(pass->name());
     timer_.begin(pass->name());
-    pass->draw(frame);
+    try {
+      pass->draw(frame);
+    } catch (...) {
+      timer_.end();
+      ledger.endPass();
+      throw;
+    }
     timer_.end();
     ledger.endPass();
   }
@@ -154,6 +162,7 @@ void Renderer::fillStatistics(core::FrameStatistics& statistics) {
   statistics.gl.buffers = ledger.live(gl::ObjectKind::buffer);
   statistics.gl.programs = ledger.live(gl::ObjectKind::program);
   statistics.gl.framebuffers = ledger.live(gl::ObjectKind::frameBuffer);
+  statistics.gl.errors = static_cast<std::int64_t>(context_.debugErrors());
   statistics.gl.bytes = static_cast<std::int64_t>(ledger.bytes());
 }
 

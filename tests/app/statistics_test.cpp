@@ -19,7 +19,7 @@ TEST(Statistics, theFileHasTheMembersOfTheContract) {
   EXPECT_EQ(json["passes"]["sky"]["ms"], 1.5);
   EXPECT_FALSE(json["passes"]["sky"].contains("skipped"));
   EXPECT_EQ(json["passes"]["clouds"]["skipped"], "no ray meets the layer");
-  for (const char* name : {"textures", "buffers", "programs", "framebuffers", "bytes"}) {
+  for (const char* name : {"textures", "buffers", "programs", "framebuffers", "bytes", "errors"}) {
     EXPECT_TRUE(json["gl"].contains(name)) << name;
   }
   for (const char* name : {"chunksDrawn", "triangles", "generated", "cacheHits", "queue", "bytes"}) {

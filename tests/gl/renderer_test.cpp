@@ -68,7 +68,8 @@ TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
   EXPECT_EQ(statistics.passes[1].second.draws, 1);
   EXPECT_EQ(statistics.gl.textures, 3);
   EXPECT_EQ(statistics.gl.programs, 2);
-  EXPECT_EQ(statistics.gl.framebuffers, 3);
+  EXPECT_EQ(statistics.gl.framebuffers, 2);
+  EXPECT_EQ(statistics.gl.errors, 0);
   EXPECT_EQ(statistics.gl.bytes, static_cast<std::int64_t>(320 * 180 * 16 + sizeof(FrameUniforms)));
   EXPECT_EQ(statistics.clock, "none");
 }
@@ -83,6 +84,33 @@ TEST_F(FrameTest, framesAreAFunctionOfTheirInput) {
   EXPECT_EQ(first.rgba, second.rgba);
   EXPECT_EQ(first.width, 320);
   EXPECT_EQ(first.height, 180);
+}
+
+// Has a shader that does not compile.
+class BrokenPass final : public Pass {
+ public:
+  explicit BrokenPass(std::string fragment) : fragment_(std::move(fragment)) {}
+  std::string_view name() const override { return "broken"; }
+  Slot slot() const override { return Slot::weatherEffects; }
+  void draw(FrameContext& context) override { context.shaders.shader("fullscreen.vert", fragment_).use(); }
+
+ private:
+  std::string fragment_;
+};
+
+TEST_F(FrameTest, brokenShaderIsThrownAndTheNextFrameIsWhole) {
+  // The error names the file; mended, the same renderer draws on, and its times and counts are not out of
+  // step.
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("broken.frag", "void main() { nonsense; }\n");
+  renderer().add(std::make_unique<SkyPass>(context()));
+  renderer().add(std::make_unique<BrokenPass>(file));
+  renderer().add(std::make_unique<ToneMapPass>(context()));
+  EXPECT_THROW(draw(pose({0, 100, 0}, 0, 0, 0)), core::DataError);
+  folder.write("broken.frag", "void main() {}\n");
+  const core::Image image = draw(pose({0, 100, 0}, 0, 30, 0));
+  EXPECT_GT(image.pixel(160, 90)[2], 50);
+  EXPECT_EQ(context().ledger().passes().at("toneMap").draws, 1u);
 }
 
 TEST_F(FrameTest, viewsThatAreNotValidDrawNothing) {

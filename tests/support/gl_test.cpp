@@ -34,6 +34,7 @@ void GLTest::SetUp() {
 
 void GLTest::TearDown() {
   if (!context_) return;
+  context_->makeCurrent();
   EXPECT_EQ(context_->api().GetError(), static_cast<GLenum>(GL_NO_ERROR));
   for (const gl::DebugMessage& message : context_->debugMessages()) {
     if (message.isError) ADD_FAILURE() << "the driver says: " << message.text;

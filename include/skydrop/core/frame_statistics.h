@@ -17,7 +17,8 @@ struct PassStatistics {
 
 struct GlStatistics {
   std::int64_t textures = 0, buffers = 0, programs = 0, framebuffers = 0;
-  std::int64_t bytes = 0;  // textures and buffers
+  std::int64_t bytes = 0;   // textures and buffers
+  std::int64_t errors = 0;  // faults that the driver reported since the start
 };
 
 struct TerrainStatistics {

@@ -33,7 +33,8 @@ class Renderer {
   const RenderSettings& settings() const { return settings_; }
 
   // Draws one frame of the view's size into the output target. Throws core::RangeError for a view that is not
-  // valid (requireValid), core::DataError for a shader that does not compile; nothing is drawn then.
+  // valid (requireValid; nothing is drawn then) and core::DataError for a shader that does not compile (the
+  // frame is then incomplete, the renderer as usable as before).
   void draw(const FrameInput& input);
 
   // The output of the last frame; waits for the GPU. Black before the first.

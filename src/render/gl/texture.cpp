@@ -80,6 +80,47 @@ std::uint64_t texelBytes(GLenum internalFormat) {
   }
 }
 
+namespace {
+
+// Bytes of one texel as the CPU hands it over; 0 for a combination that the game does not use.
+std::size_t transferBytes(GLenum format, GLenum type) {
+  std::size_t components = 0;
+  switch (format) {
+    case GL_RED:
+    case GL_RED_INTEGER:
+    case GL_DEPTH_COMPONENT:
+      components = 1;
+      break;
+    case GL_RG:
+    case GL_RG_INTEGER:
+      components = 2;
+      break;
+    case GL_RGB:
+      components = 3;
+      break;
+    case GL_RGBA:
+    case GL_RGBA_INTEGER:
+      components = 4;
+      break;
+    default:
+      return 0;
+  }
+  switch (type) {
+    case GL_UNSIGNED_BYTE:
+      return components;
+    case GL_UNSIGNED_SHORT:
+    case GL_HALF_FLOAT:
+      return components * 2;
+    case GL_FLOAT:
+    case GL_UNSIGNED_INT:
+      return components * 4;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
 GLsizei mipLevels(GLsizei width, GLsizei height) {
   GLsizei levels = 1;
   for (GLsizei side = std::max(width, height); side > 1; side /= 2) ++levels;
@@ -103,16 +144,18 @@ Texture::Texture(Context& context, GLenum target, GLenum internalFormat, GLsizei
     gl.TextureStorage3D(id(), levels, internalFormat, width, height, depth);
   }
   std::uint64_t texels = 0;
-  for (GLsizei level = 0; level < levels; ++level) {
-    auto side = [level](GLsizei full) { return static_cast<std::uint64_t>(std::max(full >> level, 1)); };
-    texels += side(width) * side(height) *
-              (target == GL_TEXTURE_3D ? side(depth) : static_cast<std::uint64_t>(depth));
-  }
+  for (GLint level = 0; level < levels; ++level) texels += texelCount(level);
   setBytes(texels * texelBytes(internalFormat));
   setLabel(label);
   const GLenum magnify = isFilterable(internalFormat) ? GL_LINEAR : GL_NEAREST;
   setFilter(levels > 1 && magnify == GL_LINEAR ? GL_LINEAR_MIPMAP_LINEAR : magnify, magnify);
   setWrap(GL_CLAMP_TO_EDGE);
+}
+
+std::uint64_t Texture::texelCount(GLint level) const {
+  const auto side = [level](GLsizei full) { return static_cast<std::uint64_t>(std::max(full >> level, 1)); };
+  return side(width_) * side(height_) *
+         (target_ == GL_TEXTURE_3D ? side(depth_) : static_cast<std::uint64_t>(depth_));
 }
 
 Texture Texture::make2D(Context& context, GLenum internalFormat, GLsizei width, GLsizei height,
@@ -132,6 +175,7 @@ Texture Texture::make3D(Context& context, GLenum internalFormat, GLsizei width, 
 
 void Texture::upload(GLenum format, GLenum type, std::span<const std::byte> texels, GLint level) {
   assert(level < levels_);
+  assert(texels.size() == texelCount(level) * transferBytes(format, type));
   const GLsizei width = std::max(width_ >> level, 1), height = std::max(height_ >> level, 1);
   if (target_ == GL_TEXTURE_2D) {
     context().api().TextureSubImage2D(id(), level, 0, 0, width, height, format, type, texels.data());
@@ -145,6 +189,7 @@ void Texture::upload(GLenum format, GLenum type, std::span<const std::byte> texe
 void Texture::uploadLayer(GLint layer, GLenum format, GLenum type, std::span<const std::byte> texels,
                           GLint level) {
   assert(target_ == GL_TEXTURE_2D_ARRAY && layer < depth_ && level < levels_);
+  assert(texels.size() * static_cast<std::size_t>(depth_) == texelCount(level) * transferBytes(format, type));
   context().api().TextureSubImage3D(id(), level, 0, 0, layer, std::max(width_ >> level, 1),
                                     std::max(height_ >> level, 1), 1, format, type, texels.data());
 }

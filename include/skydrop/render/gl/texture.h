@@ -53,6 +53,8 @@ class Texture : public Object {
   Texture(Context& context, GLenum target, GLenum internalFormat, GLsizei width, GLsizei height,
           GLsizei depth, GLsizei levels, std::string_view label);
 
+  std::uint64_t texelCount(GLint level) const;  // of all layers
+
   GLenum target_ = 0, format_ = 0;
   GLsizei width_ = 0, height_ = 0, depth_ = 0, levels_ = 0;
 };
