@@ -13,9 +13,8 @@ int FixedStep::advance(double realSeconds) {
     return 0;
   }
   if (realSeconds <= 0) return 0;
-  const double seconds = std::min(realSeconds, kMaxCatchUpSeconds);
   // The started step from the frame before counts towards the bound: 30 steps are the most a frame does.
-  const double due = std::min(pending_ + seconds * kStepsPerSecond, kMaxCatchUpSeconds * kStepsPerSecond);
+  const double due = std::min(pending_ + realSeconds * kStepsPerSecond, kMaxCatchUpSeconds * kStepsPerSecond);
   const double whole = std::floor(due);
   pending_ = due - whole;
   steps_ += static_cast<std::uint64_t>(whole);

@@ -145,8 +145,8 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   const auto authority = [&](double fullSpeed) {
     return std::min(f.speed * f.speed / (fullSpeed * fullSpeed), 1.0) / kThesisInertia;
   };
-  const double pitchUp = s.pitchSpeed * (input.pitch * (1 - std::abs(sinePitch))        // (3.8)
-                                         - s.inducedPitchFactor * std::abs(sineBank));  // (3.14)
+  const double pitchUp = s.pitchSpeed * input.pitch * (1 - std::abs(sinePitch))  // (3.8)
+                         - s.inducedPitchFactor * std::abs(sineBank);            // (3.14)
   const double righting = sineBank + std::copysign(kRightingSine * std::max(-up.y, 0.0), sineBank);
   const double rollRight = s.rollSpeed * (s.rollFactor * input.roll         // (3.9)
                                           - s.stabilizingRoll * righting);  // (3.11)

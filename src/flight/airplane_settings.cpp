@@ -43,7 +43,10 @@ void describe(core::SettingsVisitor& v, AirplaneSettings& s) {
             .help = "Weight of the stabiliser in the pitch torque: more levels the nose sooner and climbs "
                     "less steeply."});
   v.number("inducedPitchFactor", s.inducedPitchFactor,
-           {.unit = "1", .min = 0, .max = 1, .help = "How much the nose drops in a bank."});
+           {.unit = "1",
+            .min = 0,
+            .max = 10,
+            .help = "Pitch torque that lowers the nose in a bank, in the thesis's units."});
   v.number("mass", s.mass,
            {.unit = "kg", .min = 200, .max = 10000, .help = "More needs more lift and accelerates less."});
   v.number("cruiseSpeed", s.cruiseSpeed,

@@ -111,13 +111,13 @@ Controls Autopilot::decide(const Snapshot& now) {
       0.67 * dmath::sin(wantedBank) + 2.5 * (wantedBank - craft.bankRad) + 0.3 * craft.angularVelocityBody.z,
       -1.0, 1.0);
 
-  // Climb or sink along it. The path is held by feedback on the path; in a bank it takes more pull.
+  // Climb or sink along it. The path is held by feedback on the path, and by what the stabiliser takes away.
   double climb = std::clamp(wantedSlope_, -kSteepestDescent, kSteepestClimb);
   if (speed < kClimbSpeed) climb = std::min(climb, 0.0);
   const double path =
       dmath::atan2(craft.velocity.y, glm::length(glm::dvec2(craft.velocity.x, craft.velocity.z)));
   const double sine = dmath::sin(climb);
-  const double hold = 0.65 * sine / (1 - std::abs(sine)) + 0.1 * std::abs(dmath::sin(craft.bankRad));
+  const double hold = 0.65 * sine / (1 - std::abs(sine));
   out.pitch = std::clamp(hold + 2 * (climb - path) - 0.8 * craft.angularVelocityBody.x, -1.0, 1.0);
 
   // Speed: full thrust to climb, brake when a descent runs away.

@@ -121,6 +121,7 @@ TEST(Airplane, aBankedTurnTurnsTheFlightPathAtTheRateOfPhysics) {
   const double expected = kGravity * std::tan(bank) / flight.speed() * kDegrees;
   flight.fly(5, {.roll = 0.47});
   EXPECT_NEAR((flight.track() - before) / 5 / expected, 1, 0.15);
+  EXPECT_NEAR(flight.height(), 1000, 15);  // m in ten seconds: the trim carries it round
   EXPECT_NEAR(flight.attitude().headingRad * kDegrees, flight.track(), 3);
 }
 
@@ -261,27 +262,38 @@ TEST(Airplane, eachOfTheSevenNumbersDoesWhatItSays) {
 }
 
 TEST(Airplane, torquesFollowTheThesisTermByTerm) {
-  // Equations 3.8 to 3.14 on an inertia of 3: the change of angular acceleration with each input and angle,
-  // where nothing else of the model depends on it.
-  const AirplaneSettings s;
-  const Airplane airplane(s, Flight::start(70));
-  const MassProperties& body = airplane.body().properties();
-  const auto acceleration = [&](const AirplaneInput& input, const Attitude& attitude) {
+  // Equations 3.8 to 3.14 on an inertia of 3: the change of angular acceleration with each input and each
+  // factor, to rounding (1e-12 rad/s^2).
+  const auto acceleration = [](const AirplaneSettings& s, const AirplaneInput& input,
+                               const Attitude& attitude) {
     BodyState state = Flight::start(70);
     state.orientation = orientationOf(attitude);
     state.velocity = state.orientation * glm::dvec3(0, 0, -70);
+    const Airplane airplane(s, state);
+    const MassProperties& body = airplane.body().properties();
     return body.inverseInertia * airplaneWrench(s, body, input, 0.3, glm::dvec3(0), state).torque;
   };
   const Attitude level{}, climbing{0, 0.5, 0}, banked{0, 0, 0.4};
-  const auto change = [&](const AirplaneInput& input, const Attitude& at) {
-    return acceleration(input, at) - acceleration({}, at);
+  const auto ofInput = [&](const AirplaneInput& input, const Attitude& at) {
+    return acceleration({}, input, at) - acceleration({}, {}, at);
   };
-  EXPECT_NEAR(change({.pitch = 1}, level).x, 20 / 3.0, 1e-12);
-  EXPECT_NEAR(change({.pitch = 1}, climbing).x, 20 / 3.0 * (1 - std::sin(0.5)), 1e-12);
-  EXPECT_NEAR(change({.roll = 1}, level).z, -0.75 * 32.175 / 3, 1e-12);
-  EXPECT_NEAR(change({.yaw = 1}, level).y, -32.175 / 3, 1e-12);
-  EXPECT_NEAR((acceleration({}, banked) - acceleration({}, level)).z, 0.5 * 32.175 / 3 * std::sin(0.4),
-              1e-12);
+  EXPECT_NEAR(ofInput({.pitch = 1}, level).x, 20 / 3.0, 1e-12);                           // (3.8)
+  EXPECT_NEAR(ofInput({.pitch = 1}, climbing).x, 20 / 3.0 * (1 - std::sin(0.5)), 1e-12);  // (3.8)
+  EXPECT_NEAR(ofInput({.roll = 1}, level).z, -0.75 * 32.175 / 3, 1e-12);                  // (3.9)
+  EXPECT_NEAR(ofInput({.yaw = 1}, level).y, -32.175 / 3, 1e-12);                          // (3.10)
+  const auto ofFactor = [&](double AirplaneSettings::*factor, const Attitude& at) {
+    AirplaneSettings without;
+    without.*factor = 0;
+    return acceleration({}, {}, at) - acceleration(without, {}, at);
+  };
+  const double sine = std::sin(0.4);
+  EXPECT_NEAR(ofFactor(&AirplaneSettings::stabilizingRoll, banked).z, 0.5 * 32.175 / 3 * sine,
+              1e-12);  // (3.11)
+  EXPECT_NEAR(ofFactor(&AirplaneSettings::stabilizingPitch, climbing).x,
+              -0.65 * 20 / 3 * std::sin(0.5) * std::cos(0.5), 1e-12);  // (3.12)
+  EXPECT_NEAR(ofFactor(&AirplaneSettings::inducedYawFactor, banked).y, -0.055 * 32.175 / 3 * sine,
+              1e-12);                                                                              // (3.13)
+  EXPECT_NEAR(ofFactor(&AirplaneSettings::inducedPitchFactor, banked).x, -0.1 / 3 * sine, 1e-12);  // (3.14)
 }
 
 TEST(Airplane, thePitchFactorNeverReversesTheElevator) {

@@ -66,7 +66,7 @@ struct Snapshot {
   AircraftSnapshot aircraft;
   std::vector<PackageSnapshot> packages;  // oldest first
   TargetSnapshot target;
-  std::optional<glm::dvec3> predictedLanding;  // of a package dropped now (refreshed 20 times a second)
+  std::optional<glm::dvec3> predictedLanding;  // of a package dropped now (refreshed 10 times a second)
   bool dropZone = false;       // the predicted landing point lies inside the target: show the text
   double cooldownSeconds = 0;  // until the next drop is possible
   std::int64_t score = 0;
