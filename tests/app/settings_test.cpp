@@ -1,0 +1,144 @@
+#include "app/settings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/prepare.h"
+#include "app/user_settings.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::app {
+namespace {
+
+// A value inside the field's range that is not its default.
+double otherValue(const core::Field& field) {
+  const double least = std::max(field.min, -1e6), most = std::min(field.max, 1e6);
+  double value = field.kind == core::FieldKind::number ? least + 0.37 * (most - least) : least;
+  if (value == field.defaultValue) value = field.kind == core::FieldKind::number ? most : least + 1;
+  return value;
+}
+
+TEST(Settings, everyFieldIsDescribedWhole) {
+  // Each field has a help sentence, a unit (numbers), a range that holds its default, and a path of its own.
+  Settings settings;
+  const core::SettingsTable table(settings);
+  std::set<std::string> paths;
+  EXPECT_GT(table.fields().size(), 60u);
+  for (const core::Field& field : table.fields()) {
+    EXPECT_TRUE(paths.insert(field.path).second) << field.path;
+    EXPECT_GT(field.help.size(), 10u) << field.path;
+    if (field.kind == core::FieldKind::number) {
+      EXPECT_FALSE(field.unit.empty()) << field.path;
+    }
+    EXPECT_LT(field.min, field.max) << field.path;
+    EXPECT_GE(field.defaultValue, field.min) << field.path;
+    EXPECT_LE(field.defaultValue, field.max) << field.path;
+    if (field.logarithmic) {
+      EXPECT_GT(field.min, 0) << field.path;
+    }
+  }
+}
+
+TEST(Settings, allStructsSurviveJsonAndText) {
+  // Every field set to something else reads back the same from JSON and from --set.
+  Settings settings;
+  const core::SettingsTable table(settings);
+  for (const core::Field& field : table.fields()) core::setField(field, otherValue(field));
+  Settings fromJson, fromText;
+  const core::SettingsTable jsonTable(fromJson), textTable(fromText);
+  core::applyJson(jsonTable, nlohmann::json::parse(core::toJson(table).dump()), "round.json");
+  for (const core::Field& field : table.fields()) {
+    core::setField(textTable, field.path + "=" + core::fieldText(field));
+    EXPECT_NE(field.get(), field.defaultValue) << field.path;
+    EXPECT_EQ(jsonTable.at(field.path).get(), field.get()) << field.path;
+    EXPECT_EQ(textTable.at(field.path).get(), field.get()) << field.path;
+  }
+}
+
+TEST(Settings, theThesisAircraftParametersHaveItsValues) {
+  Settings settings;
+  const core::SettingsTable table(settings);
+  const std::pair<const char*, double> values[] = {
+      {"rollFactor", .75},    {"stabilizingRoll", .5}, {"pitchSpeed", 20},        {"yawSpeed", 32.175},
+      {"rollSpeed", 32.175}, {"maxThrottle", 198},    {"inducedYawFactor", .055}};
+  std::size_t i = 0;
+  for (const auto& [name, value] : values) {
+    EXPECT_EQ(table.fields()[i].path, std::string("aircraft.") + name) << "they come first, in the thesis's order";
+    EXPECT_EQ(table.fields()[i++].defaultValue, value) << name;
+  }
+}
+
+TEST(Settings, laterSourcesWin) {
+  // Defaults, then the scene, then the player's file, then --set.
+  const test::TemporaryFolder folder;
+  const std::string scene = folder.write(
+      "a.json", R"({"schema": 1, "settings": {"aircraft": {"rollFactor": 0.1, "pitchSpeed": 11, "yawSpeed": 12}}})");
+  folder.write("settings.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
+  CommandLine line;
+  line.verb = Verb::simulate;
+  line.scene = scene;
+  line.set = {"aircraft.yawSpeed=31"};
+  EXPECT_EQ(prepareRun(line)->settings.aircraft.pitchSpeed, 11) << "the player's file is read where it is named only";
+  line.userDir = folder.path();
+  const auto run = prepareRun(line);
+  EXPECT_EQ(run->settings.aircraft.rollFactor, 0.1);
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21);
+  EXPECT_EQ(run->settings.aircraft.yawSpeed, 31);
+  EXPECT_EQ(run->player.aircraft.yawSpeed, 22) << "--set is not saved";
+}
+
+TEST(Settings, aReloadKeepsWhatThePlayerChose) {
+  const test::TemporaryFolder folder;
+  CommandLine line;
+  line.verb = Verb::simulate;
+  line.scene = folder.write("a.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 11}}})");
+  const auto run = prepareRun(line);
+  run->playerTable.at("aircraft.yawSpeed").set(40);
+  folder.write("a.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 15}}})");
+  reloadScene(*run, line);
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 15);
+  EXPECT_EQ(run->settings.aircraft.yawSpeed, 40);
+  folder.write("a.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": -15}}})");
+  EXPECT_THROW(reloadScene(*run, line), core::DataError);
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 15) << "the last good state stays";
+}
+
+TEST(UserSettings, whatWasChangedComesBackAndNothingElseIsWritten) {
+  const test::TemporaryFolder folder;
+  Settings base, player;
+  const core::SettingsTable baseTable(base), table(player);
+  core::setField(table, "aircraft.rollSpeed=40");
+  saveUserSettings(table, baseTable, folder.path() / "new");
+  Settings back;
+  const core::SettingsTable backTable(back);
+  EXPECT_EQ(loadUserSettings(backTable, folder.path() / "new"), std::nullopt);
+  EXPECT_EQ(back.aircraft.rollSpeed, 40);
+  const auto json = nlohmann::json::parse(core::readTextFile(folder.path() / "new/settings.json"));
+  EXPECT_EQ(json["settings"].size(), 1u);
+  EXPECT_EQ(json["settings"]["aircraft"].size(), 1u);
+}
+
+TEST(UserSettings, aBrokenFileIsReportedKeptAsideAndReplacedByDefaults) {
+  const test::TemporaryFolder folder;
+  for (const char* broken : {"{", "[]", R"({"schema": 2})", R"({"schema": 1, "settings": {"aircraft": {"mass": "x"}}})",
+                             R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40, "mass": -1}}})"}) {
+    folder.write("settings.json", broken);
+    Settings settings;
+    const core::SettingsTable table(settings);
+    const std::optional<std::string> warning = loadUserSettings(table, folder.path());
+    ASSERT_TRUE(warning) << broken;
+    EXPECT_NE(warning->find("settings.json"), std::string::npos);
+    EXPECT_EQ(warning->find('\n'), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "settings.json"));
+    EXPECT_EQ(core::readTextFile(folder.path() / "settings.json.bad"), broken);
+    EXPECT_EQ(core::toJson(table, true), nlohmann::json::object()) << broken;
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::app
