@@ -14,6 +14,12 @@ using Kind = WindowEvent::Kind;
 
 constexpr int kMouseButtons = 5;  // as many as Dear ImGui knows
 
+#if IMGUI_VERSION_NUM >= 18900
+constexpr ImGuiKey kImGuiKeypadEnter = ImGuiKey_KeypadEnter;
+#else
+constexpr ImGuiKey kImGuiKeypadEnter = ImGuiKey_KeyPadEnter;
+#endif
+
 struct KeyPair {
   int code;
   ImGuiKey imgui;
@@ -35,7 +41,7 @@ constexpr KeyPair kKeys[] = {{key::kTab, ImGuiKey_Tab},
                              {key::kSpace, ImGuiKey_Space},
                              {key::kEnter, ImGuiKey_Enter},
                              {key::kEscape, ImGuiKey_Escape},
-                             {key::kKeypadEnter, ImGuiKey_KeyPadEnter},
+                             {key::kKeypadEnter, kImGuiKeypadEnter},
                              {'A', ImGuiKey_A},
                              {'C', ImGuiKey_C},
                              {'V', ImGuiKey_V},

@@ -1,5 +1,7 @@
 #include "app/overlay.h"
 
+#include <optional>
+
 #include "app/parts.h"
 
 namespace skydrop::app {
@@ -13,11 +15,6 @@ Overlay::Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::Hel
 OverlayResult Overlay::build(const OverlayFrame& frame) {
   OverlayResult result;
   result.fontsChanged = interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds);
-  if (drawsHud_) {
-    const ui::HudData data = ui::makeHudData(frame.snapshot);
-    const std::vector<ui::HelpRow> none;
-    ui::drawHud(interface_, data, ui::layoutHud(interface_, data, helpOpen ? help_ : none));
-  }
   if (menuOpen) {
     result.menu = menu_.draw(interface_, {frame.table, sections_, frame.statistics, frame.error});
     if (result.menu.closed) menuOpen = false;
@@ -26,6 +23,13 @@ OverlayResult Overlay::build(const OverlayFrame& frame) {
     result.escape = escapeMenu_.draw(interface_);
   } else {
     escapeMenu_.reset();
+  }
+  if (drawsHud_) {
+    ui::HudData data = ui::makeHudData(frame.snapshot);
+    if (escapeOpen) data.paused = false;  // the small menu stands in that place and says so itself
+    const std::vector<ui::HelpRow> none;
+    const auto menu = menuOpen ? std::optional(menu_.place()) : std::nullopt;
+    ui::drawHud(interface_, data, ui::layoutHud(interface_, data, helpOpen ? help_ : none, menu));
   }
   interface_.endFrame();
   return result;

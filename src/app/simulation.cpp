@@ -1,5 +1,6 @@
 #include "app/simulation.h"
 
+#include <glm/trigonometric.hpp>
 #include <algorithm>
 
 #include "app/version.h"
@@ -101,6 +102,11 @@ void Simulation::writeTo(core::FrameStatistics& statistics) const {
   statistics.game.misses = now.misses;
   statistics.game.targets = now.target.id;
   for (int i = 0; i < 3; ++i) statistics.game.position[i] = now.aircraft.position[i];
+  statistics.game.airspeedMps = now.aircraft.airspeedMps;
+  statistics.game.throttle = now.aircraft.throttle;
+  statistics.game.headingDeg = glm::degrees(now.aircraft.headingRad);
+  statistics.game.pitchDeg = glm::degrees(now.aircraft.pitchRad);
+  statistics.game.bankDeg = glm::degrees(now.aircraft.bankRad);
   for (std::size_t i = 0; i < scene::kEffectNames.size(); ++i) {
     if (effects_.contains(static_cast<Effect>(i))) statistics.effects.emplace_back(scene::kEffectNames[i]);
   }

@@ -48,7 +48,12 @@ std::string statisticsJson(const core::FrameStatistics& s) {
                   {"drops", s.game.drops},
                   {"misses", s.game.misses},
                   {"targets", s.game.targets},
-                  {"position", s.game.position}};
+                  {"position", s.game.position},
+                  {"airspeed", s.game.airspeedMps},
+                  {"throttle", s.game.throttle},
+                  {"heading", s.game.headingDeg},
+                  {"pitch", s.game.pitchDeg},
+                  {"bank", s.game.bankDeg}};
   if (!s.window.camera.empty()) {
     json["window"] = {{"width", s.window.width},           {"height", s.window.height},
                          {"camera", s.window.camera},         {"menuOpen", s.window.menuOpen},

@@ -153,6 +153,9 @@ MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& 
 
   bool open = true;
   if (ImGui::Begin("Configuration", &open, ImGuiWindowFlags_NoCollapse)) {
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    place_ = {low.x, low.y, low.x + size.x, low.y + size.y};
+    titleHeight_ = ImGui::GetFrameHeight();
     if (!content.error.empty()) {
       ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.45f, 0.35f, 1));
       ImGui::PushTextWrapPos(0);
@@ -170,8 +173,9 @@ MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& 
         }
       }
       ImGui::SetNextItemOpen(section.open, ImGuiCond_Once);
-      if (!ImGui::CollapsingHeader((section.title + "###" + section.group).c_str())) continue;
-      if (!ImGui::BeginTable(section.group.c_str(), 3, ImGuiTableFlags_SizingStretchProp)) continue;
+      if (!ImGui::CollapsingHeader((section.title + "###section " + section.group).c_str())) continue;
+      const std::string id = "fields " + section.group;
+      if (!ImGui::BeginTable(id.c_str(), 3, ImGuiTableFlags_SizingStretchProp)) continue;
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.42f);
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.58f);
       ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed,
@@ -183,7 +187,8 @@ MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& 
           group = field.group;
           ImGui::TableNextRow();
           ImGui::TableNextColumn();
-          ImGui::TextDisabled("%s", humanName(group.substr(section.group.size() + 1)).c_str());
+          ImGui::TextDisabled(
+              "%s", humanName(group.substr(section.group.empty() ? 0 : section.group.size() + 1)).c_str());
         }
         drawRow(field, result);
       }
@@ -195,6 +200,10 @@ MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& 
   ImGui::End();
   result.closed = !open;
   return result;
+}
+
+ScreenRect ConfigurationMenu::crossPlace() const {
+  return {place_.right - titleHeight_, place_.top, place_.right, place_.top + titleHeight_};
 }
 
 }  // namespace skydrop::ui

@@ -15,13 +15,13 @@ constexpr Entry kEntries[] = {
 constexpr int kEntryCount = static_cast<int>(std::size(kEntries));
 constexpr float kButtonWidth = 12;  // lines of text
 
-bool keyPressed(ImGuiKey key) {
 #if IMGUI_VERSION_NUM >= 18900
-  return ImGui::IsKeyPressed(key);
+constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
+bool keyPressed(ImGuiKey key) { return ImGui::IsKeyPressed(key); }
 #else
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeyPadEnter;
+bool keyPressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 #endif
-}
 
 }  // namespace
 
@@ -29,7 +29,7 @@ EscapeAction EscapeMenu::draw(const Interface& context) {
   EscapeAction action = EscapeAction::none;
   if (keyPressed(ImGuiKey_DownArrow)) selected_ = (selected_ + 1) % kEntryCount;
   if (keyPressed(ImGuiKey_UpArrow)) selected_ = (selected_ + kEntryCount - 1) % kEntryCount;
-  if (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter)) action = kEntries[selected_].action;
+  if (keyPressed(ImGuiKey_Enter) || keyPressed(kKeypadEnter)) action = kEntries[selected_].action;
 
   const ImVec2 middle(static_cast<float>(context.width()) / 2, static_cast<float>(context.height()) / 2);
   ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});

@@ -102,7 +102,7 @@ void drawHud(const Interface& context, const HudData& data, const HudLayout& lay
   for (const HudItem& item : layout.items) {
     // A plate fades with the text on it.
     double opacity = item.texts.empty() ? 0 : 1;
-    if (item.name == "messages") {
+    if (item.name == "messages" || item.name == "warning") {
       opacity = 0;
       for (const HudText& text : item.texts) opacity = std::max(opacity, text.opacity);
     }

@@ -63,11 +63,13 @@ HudData makeHudData(const game::Snapshot& snapshot) {
   data.throttle = std::clamp(finiteOr0(aircraft.throttle), 0.0, 1.0);
   data.navigation = makeNavigationBar(snapshot);
   if (snapshot.target.present) data.targetDistanceM = finiteOr0(snapshot.target.distance);
-  if (snapshot.dropZone) {
+  if (snapshot.dropZone && !aircraft.crashed) {
     const double angle = 2 * std::numbers::pi * phase(snapshot.simulatedSeconds, kPulsePeriodSeconds);
     data.dropPulse = 0.5 + 0.5 * std::cos(angle);
   }
   data.cooldownSeconds = std::max(finiteOr0(snapshot.cooldownSeconds), 0.0);
+  const double hintLeft = kHintSeconds - finiteOr0(snapshot.simulatedSeconds);
+  if (!snapshot.autopilot) data.hintOpacity = std::clamp(hintLeft / kFadeSeconds, 0.0, 1.0);
   data.stalled = aircraft.stalled && !aircraft.crashed;
   if (aircraft.crashed) data.respawnSeconds = std::max(finiteOr0(aircraft.secondsToRespawn), 0.0);
   return data;

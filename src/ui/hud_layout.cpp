@@ -19,6 +19,7 @@ constexpr float kMargin = 0.5f, kGap = 0.3f, kPadding = 0.35f, kRowPitch = 1.15f
                 kTightPadding = 0.15f;  // above and below lines in the middle, where height is scarce
 constexpr float kCircleOfHeight = 0.2f, kCircleOfWidth = 0.25f;
 constexpr double kPlate = 0.45;
+constexpr float kNarrowestMiddle = 14;  // lines of text: a middle below that is left out
 constexpr double kFaintestPulse = 0.3;  // the drop text never vanishes
 constexpr float kDropOfHeight = 0.26f;  // where the drop text stands when there is room
 
@@ -45,13 +46,22 @@ class Layouter {
         tight_(std::floor(kTightPadding * line_)),
         pitch_(std::floor(kRowPitch * line_)),
         width_(static_cast<float>(context.width())),
-        height_(static_cast<float>(context.height())) {}
+        height_(static_cast<float>(context.height())),
+        middleRight_(width_) {}
 
-  HudLayout run(const HudData& data, std::span<const HelpRow> help) {
+  HudLayout run(const HudData& data, std::span<const HelpRow> help, const std::optional<ScreenRect>& menu) {
+    if (menu) {
+      if (menu->left > width_ - menu->right) {
+        middleRight_ = menu->left;
+      } else {
+        middleLeft_ = menu->right;
+      }
+    }
     placeScore(data);
     if (data.autopilot) placeAutopilot();
     float bottom = height_ - margin_;
     if (data.aircraft) bottom = placeInstruments(data) - gap_;
+    if (middleRight_ - middleLeft_ < std::min(kNarrowestMiddle * line_, width_)) return std::move(layout_);
     if (!help.empty()) {
       placeHelp(data, help, bottom);
     } else {
@@ -144,8 +154,8 @@ class Layouter {
   }
 
   HudText centred(std::string words, float y, Tone tone, bool large, double opacity = 1) const {
-    if (!large) words = fit(std::move(words), width_ - 2 * margin_ - 2 * padding_);
-    const float x = std::floor((width_ - measure(words, large)) / 2);
+    if (!large) words = fit(std::move(words), middleRight_ - middleLeft_ - 2 * margin_ - 2 * padding_);
+    const float x = std::floor((middleLeft_ + middleRight_ - measure(words, large)) / 2);
     return {std::move(words), {x, y}, tone, large, opacity};
   }
 
@@ -196,15 +206,21 @@ class Layouter {
                                     kPlate));
     }
     std::string warning;
+    Tone tone = Tone::warning;
+    double opacity = 1;
     if (data.respawnSeconds) {
       warning = text("Crashed: back in %.1f s", *data.respawnSeconds);
     } else if (data.stalled) {
       warning = "STALL";
+    } else if (data.hintOpacity > 0) {
+      warning = "H: controls";
+      tone = Tone::normal;
+      opacity = data.hintOpacity;
     }
     // In a pause there is nothing to warn of, and its text needs the room in low windows.
     if (!warning.empty() && !data.paused) {
       HudItem item =
-          block("warning", warningTop, {centred(warning, warningTop + tight_, Tone::warning, false)}, kPlate);
+          block("warning", warningTop, {centred(warning, warningTop + tight_, tone, false, opacity)}, kPlate);
       item.rect.bottom = warningTop + warningHeight;
       layout_.items.push_back(std::move(item));
     }
@@ -218,7 +234,7 @@ class Layouter {
       keys = std::max(keys, measure(row.keys));
       meanings = std::max(meanings, measure(row.meaning));
     }
-    const float room = (width_ - 2 * margin_ - 2 * padding_ - line_) / 2;
+    const float room = (middleRight_ - middleLeft_ - 2 * margin_ - 2 * padding_ - line_) / 2;
     const float column = std::min(keys + line_ + meanings, room);
     const float panel = 2 * column + line_ + 2 * padding_;
     const float top = below(topRow());
@@ -227,7 +243,7 @@ class Layouter {
     const float rowPitch = std::floor(std::clamp(free, line_, 1.4f * line_));
     const float panelHeight = rowPitch * static_cast<float>(perColumn + 1) + 2 * padding_;
     const float panelTop = std::floor(std::max(top, top + (bottom - top - panelHeight) / 2));
-    const float left = std::floor((width_ - panel) / 2);
+    const float left = std::floor((middleLeft_ + middleRight_ - panel) / 2);
     HudItem item{"help", {left, panelTop, left + panel, panelTop + panelHeight}, 0.72, {}};
     item.texts.push_back({data.paused ? "Controls (paused)" : "Controls",
                           {left + padding_, panelTop + padding_},
@@ -243,13 +259,15 @@ class Layouter {
 
   const Interface& context_;
   float line_, margin_, gap_, padding_, tight_, pitch_, width_, height_;
+  float middleLeft_ = 0, middleRight_;  // what the menu leaves
   HudLayout layout_;
 };
 
 }  // namespace
 
-HudLayout layoutHud(const Interface& context, const HudData& data, std::span<const HelpRow> help) {
-  return Layouter(context).run(data, help);
+HudLayout layoutHud(const Interface& context, const HudData& data, std::span<const HelpRow> help,
+                    const std::optional<ScreenRect>& menu) {
+  return Layouter(context).run(data, help, menu);
 }
 
 }  // namespace skydrop::ui

@@ -85,6 +85,28 @@ TEST(Hud, noItemCoversAnotherOrLeavesTheWindowAtAnySize) {
   }
 }
 
+TEST(Hud, theMiddleMovesBesideTheMenu) {
+  // Neither messages, drop text, pause nor help stand under the configuration menu, on whichever side it is.
+  for (const auto& [width, height] : kSizes) {
+    const Interface context(width, height);
+    const auto right = static_cast<float>(width), bottom = 0.7f * static_cast<float>(height);
+    for (const ScreenRect& menu :
+         {ScreenRect{5, 50, right * 0.42f, bottom}, ScreenRect{right * 0.6f, 50, right, bottom},
+          ScreenRect{5, 30, right - 5, bottom}}) {
+      for (const bool help : {false, true}) {
+        const auto rows = help ? longHelp() : std::vector<HelpRow>();
+        for (const HudItem& item : layoutHud(context, fullest(), rows, menu).items) {
+          if (item.name == "score" || item.name == "autopilot") continue;  // above it
+          const ScreenRect& rect = item.rect;
+          if (item.name == "flight" || item.name == "navigation" || item.name == "position")
+            continue;  // below it
+          EXPECT_FALSE(overlap(rect, menu)) << width << "x" << height << " " << item.name;
+        }
+      }
+    }
+  }
+}
+
 TEST(Hud, textsStayInsideTheirItem) {
   // Cut with an ellipsis where they would not; measured as Dear ImGui draws them.
   for (const auto& [width, height] : kSizes) {
@@ -225,6 +247,26 @@ TEST(Hud, theDropTextPulsesWhileInTheZone) {
   EXPECT_NEAR(makeHudData(snapshot).dropPulse.value(), 1, 1e-12);
   snapshot.simulatedSeconds = kPulsePeriodSeconds / 2;
   EXPECT_NEAR(makeHudData(snapshot).dropPulse.value(), 0, 1e-12);
+}
+
+TEST(Hud, aCrashedAircraftIsNotAskedToDrop) {
+  game::Snapshot snapshot = flying();
+  snapshot.dropZone = snapshot.aircraft.crashed = snapshot.aircraft.stalled = true;
+  snapshot.aircraft.secondsToRespawn = 1.5;
+  const HudData data = makeHudData(snapshot);
+  EXPECT_FALSE(data.dropPulse);
+  EXPECT_FALSE(data.stalled);
+  EXPECT_EQ(data.respawnSeconds, 1.5);
+}
+
+TEST(Hud, theFirstSecondsNameTheKeyForHelp) {
+  game::Snapshot snapshot = flying();
+  EXPECT_EQ(makeHudData(snapshot).hintOpacity, 1);
+  snapshot.autopilot = true;
+  EXPECT_EQ(makeHudData(snapshot).hintOpacity, 0) << "nobody is at the stick";
+  snapshot.autopilot = false;
+  snapshot.simulatedSeconds = kHintSeconds;
+  EXPECT_EQ(makeHudData(snapshot).hintOpacity, 0);
 }
 
 TEST(Hud, valuesThatAreNotFiniteAreShownAsZero) {

@@ -190,13 +190,17 @@ TEST_F(MenuTest, integersFlagsAndChoicesAreEdited) {
 }
 
 TEST_F(MenuTest, theCrossClosesIt) {
-  // The cross stands at the right end of the title bar.
-  const ScreenRect all = menu.resetAllPlace();
-  const float line = driver.context().text().pixels, padding = ImGui::GetStyle().WindowPadding.x;
-  const float right = all.left - padding + 30 * line;  // kWidth of configuration_menu.cpp
-  const float top = 2.8f * line;
-  driver.click({right - line, top, right - 0.5f * line, top + 1.2f * line});
+  // A click on the right end of the title bar.
+  driver.click(menu.crossPlace());
   EXPECT_FALSE(shown);
+}
+
+TEST_F(MenuTest, theTopOfTheTableCanBeASectionToo) {
+  // A section without a group's name shows the fields that belong to no group.
+  sections = {{"", "Everything else", true}};
+  driver.frames(2);
+  EXPECT_TRUE(menu.places().empty());
+  EXPECT_GT(menu.place().right, menu.place().left);
 }
 
 TEST_F(MenuTest, errorAndStatisticsAreDrawnOnRequest) {

@@ -30,6 +30,8 @@ struct TerrainStatistics {
 struct GameStatistics {
   std::int64_t score = 0, drops = 0, misses = 0, targets = 0;
   double position[3] = {0, 0, 0};
+  double airspeedMps = 0, throttle = 0;                 // of the aircraft; 0..1
+  double headingDeg = 0, pitchDeg = 0, bankDeg = 0;     // degrees; compass, nose up, right wing down
 };
 
 // The state of a window and of what is open in it; empty in headless runs.

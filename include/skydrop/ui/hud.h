@@ -23,6 +23,8 @@ namespace skydrop::ui {
 inline constexpr double kNavigationRangeM = 2000;
 // Speed that an arrow from the centre to the rim stands for: the aircraft's top speed.
 inline constexpr double kNavigationSpeedMps = 120;
+// How long a flight shows which key helps.
+inline constexpr double kHintSeconds = 10;
 // The dot is lit for the first part of each period of simulated time.
 inline constexpr double kBlinkPeriodSeconds = 1.0, kBlinkLitSeconds = 0.6;
 // The drop text swells and fades once a period of simulated time.
@@ -55,6 +57,7 @@ struct HudData {
   std::vector<HudMessage> messages;  // newest last, at most three
   bool stalled = false;
   std::optional<double> respawnSeconds;  // after a crash
+  double hintOpacity = 0;  // of the line that names the help: in the first seconds, without autopilot
   bool paused = false;
   bool autopilot = false;
 };
@@ -91,9 +94,12 @@ struct HudLayout {
   float circleRadius = 0;     // 0 without an aircraft
 };
 
-// `help` empty: the overlay is closed. Items keep inside the window and apart from each other from 320 x 180
-// pixels on; texts too long for their place are cut with an ellipsis. Needs the Interface's fonts, no frame.
-HudLayout layoutHud(const Interface& context, const HudData& data, std::span<const HelpRow> help = {});
+// `help` empty: the overlay is closed. `menu`: where the configuration menu stands; what belongs in the
+// middle moves to the wider side of it, and is left out where that is too narrow. Items keep inside the
+// window and apart from each other from 320 x 180 pixels on; texts too long for their place are cut with an
+// ellipsis. Needs the Interface's fonts, no frame.
+HudLayout layoutHud(const Interface& context, const HudData& data, std::span<const HelpRow> help = {},
+                    const std::optional<ScreenRect>& menu = std::nullopt);
 
 // Between beginFrame and endFrame; under all menus.
 void drawHud(const Interface& context, const HudData& data, const HudLayout& layout);

@@ -51,6 +51,9 @@ class ConfigurationMenu {
   // Rows drawn in the last frame, by path; rows scrolled out of sight included.
   const std::map<std::string, MenuRowPlace>& places() const { return places_; }
   const ScreenRect& resetAllPlace() const { return resetAllPlace_; }
+  // The whole window in the last frame that drew it, and the cross in its title bar.
+  const ScreenRect& place() const { return place_; }
+  ScreenRect crossPlace() const;
 
  private:
   void drawRow(const core::Field& field, MenuResult& result);
@@ -63,7 +66,8 @@ class ConfigurationMenu {
   };
   std::optional<PendingEdit> pending_;  // of a slider that is held
   std::map<std::string, MenuRowPlace> places_;
-  ScreenRect resetAllPlace_;
+  ScreenRect place_, resetAllPlace_;
+  float titleHeight_ = 0;
   int placedWidth_ = 0, placedHeight_ = 0;  // the window size that the menu was last placed in
 };
 
