@@ -1,7 +1,8 @@
 #include "skydrop/render/gl/shader_source.h"
 
 #include <algorithm>
-#include <regex>
+#include <charconv>
+#include <optional>
 
 #include "skydrop/core/assets.h"
 #include "skydrop/core/error.h"
@@ -10,22 +11,60 @@
 namespace skydrop::render::gl {
 namespace {
 
+// Takes an unsigned number from the front of a line.
+std::optional<int> takeNumber(std::string_view& line) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
+  if (error != std::errc() || number < 0) return std::nullopt;
+  line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+  return number;
+}
+
+bool take(std::string_view& line, std::string_view word) {
+  if (!line.starts_with(word)) return false;
+  line.remove_prefix(word.size());
+  return true;
+}
+
+void skipBlanks(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+}
+
 // The name between the quotes of an #include line, or empty.
 std::string_view includedName(std::string_view line) {
-  const auto skipBlanks = [&line] {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-  };
-  skipBlanks();
-  if (!line.starts_with('#')) return {};
-  line.remove_prefix(1);
-  skipBlanks();
-  if (!line.starts_with("include")) return {};
-  line.remove_prefix(7);
-  skipBlanks();
-  if (!line.starts_with('"')) return {};
-  line.remove_prefix(1);
+  skipBlanks(line);
+  if (!take(line, "#")) return {};
+  skipBlanks(line);
+  if (!take(line, "include")) return {};
+  skipBlanks(line);
+  if (!take(line, "\"")) return {};
   const std::size_t end = line.find('"');
   return end == std::string_view::npos ? std::string_view{} : line.substr(0, end);
+}
+
+struct LogLine {
+  int line = 0;
+  std::string_view text;
+};
+
+// One line of a compiler's log: Mesa "0:12(5): error: ...", NVIDIA "0(12) : error C1008: ...", AMD and Intel
+// "ERROR: 0:12: ...".
+std::optional<LogLine> parseLogLine(std::string_view line) {
+  take(line, "ERROR:");
+  skipBlanks(line);
+  if (!takeNumber(line)) return std::nullopt;  // the string's number, always 0
+  std::optional<int> number;
+  if (take(line, ":")) {
+    number = takeNumber(line);
+    if (number && take(line, "(") && !(takeNumber(line) && take(line, ")"))) return std::nullopt;
+  } else if (take(line, "(")) {
+    number = takeNumber(line);
+    if (!take(line, ")")) return std::nullopt;
+  }
+  skipBlanks(line);
+  if (!number || !take(line, ":")) return std::nullopt;
+  skipBlanks(line);
+  return LogLine{*number, line};
 }
 
 }  // namespace
@@ -82,22 +121,14 @@ ShaderSource::Place ShaderSource::place(int line) const {
 }
 
 ShaderSource::Message ShaderSource::firstError(std::string_view log) const {
-  // Mesa "0:12(5): error: ...", NVIDIA "0(12) : error C1008: ...", AMD and Intel "ERROR: 0:12: ...".
-  static const std::regex pattern(R"((?:ERROR:\s*)?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.*))");
-  Message first;
-  for (std::size_t at = 0; at < log.size();) {
-    const std::size_t end = std::min(log.find('\n', at), log.size());
-    const std::string line(log.substr(at, end - at));
-    at = end + 1;
-    std::smatch match;
-    if (!std::regex_search(line, match, pattern)) continue;
-    const Message message{place(std::stoi(match[1].matched ? match[1] : match[2])), match[3]};
-    if (message.text.find("warning") != std::string::npos) continue;
-    return message;
+  for (std::string_view rest = log; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::optional<LogLine> parsed = parseLogLine(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (!parsed || parsed->text.starts_with("warning")) continue;
+    return {place(parsed->line), std::string(parsed->text)};
   }
-  first.place = place(0);
-  first.text = std::string(log);
-  return first;
+  return {place(0), std::string(log)};
 }
 
 }  // namespace skydrop::render::gl
