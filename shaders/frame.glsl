@@ -62,7 +62,7 @@ vec3 litByFrame(vec3 albedo, vec3 normal, float sunShare) {
 // Radiance of the sky at the horizon below a direction: what haze sends towards the eye.
 vec3 horizonRadiance(vec3 direction) {
   float c = dot(direction, frame.toSun.xyz);
-  return frame.horizonRayleigh.xyz * rayleighPhase(c) + frame.horizonHaze.xyz * hazePhase(c, frame.airHaze.w) +
+  return frame.horizonRayleigh.xyz * rayleighPhase(c) + frame.horizonHaze.xyz * henyeyGreenstein(c, frame.airHaze.w) +
          frame.horizonIsotropic.xyz;
 }
 

@@ -25,7 +25,7 @@ struct SkyColumn {
 };
 
 // What one sky direction scatters towards the eye. Radiance = sun's irradiance *
-// (rayleigh * rayleighPhase + haze * hazePhase + isotropic).
+// (rayleigh * rayleighPhase + haze * henyeyGreenstein + isotropic).
 struct SkySource {
   Vec3 rayleigh;
   Vec3 haze;
@@ -89,7 +89,7 @@ FN Real rayleighPhase(Real cosAngle) { return Real(3.0) / (Real(16.0) * kPi) * (
 
 // Henyey and Greenstein (1941): 1/sr, integral 1 over the sphere. g is clamped to +-0.95; the denominator is
 // arranged so that nothing cancels where g and the cosine come near 1.
-FN Real hazePhase(Real cosAngle, Real g) {
+FN Real henyeyGreenstein(Real cosAngle, Real g) {
   Real a = clamp(g, Real(-0.95), Real(0.95));
   Real base = (Real(1.0) - a) * (Real(1.0) - a) + Real(2.0) * a * (Real(1.0) - clamp(cosAngle, Real(-1.0), Real(1.0)));
   return (Real(1.0) - a * a) / (Real(4.0) * kPi * base * sqrt(base));
@@ -131,7 +131,7 @@ FN SkySource skySource(SkyColumn column, Atmosphere air, Real cosView) {
 }
 
 FN Vec3 skyRadiance(SkySource source, Real cosSunAngle, Real hazeAnisotropy) {
-  return source.rayleigh * rayleighPhase(cosSunAngle) + source.haze * hazePhase(cosSunAngle, hazeAnisotropy) +
+  return source.rayleigh * rayleighPhase(cosSunAngle) + source.haze * henyeyGreenstein(cosSunAngle, hazeAnisotropy) +
          source.isotropic;
 }
 

@@ -123,10 +123,22 @@ TEST_F(SharedGLTest, C01_phaseFunctionAgreesUpToItsLimit) {
     rows[i].x = i % 8 == 0 ? 1.0f : i % 8 == 1 ? -1.0f : rows[i].x * 2 - 1;
     rows[i].y = i % 16 < 2 ? 0.9999f : rows[i].y * 1.9f - 0.95f;
   }
-  run(rows, "r = vec4(hazePhase(a.x, a.y), rayleighPhase(a.x), 0.0, 0.0);");
+  run(rows, "r = vec4(henyeyGreenstein(a.x, a.y), rayleighPhase(a.x), 0.0, 0.0);");
   for (std::size_t i = 0; i < kCount; ++i) {
-    ASSERT_NEAR(result_[i].x / shared::hazePhase(rows[i].x, rows[i].y), 1, 1e-5f);
+    ASSERT_NEAR(result_[i].x / shared::henyeyGreenstein(rows[i].x, rows[i].y), 1, 1e-5f);
     ASSERT_NEAR(result_[i].y / shared::rayleighPhase(rows[i].x), 1, 1e-6f);
+  }
+}
+
+TEST_F(SharedGLTest, C14_distanceComesBackFromDepth) {
+  // On the GPU from 1 m to 1e7 m, corners included, within 1e-4 relative; depth 0 is the far marker.
+  std::vector<glm::vec4> rows = randomRows(6);
+  for (glm::vec4& row : rows) row = {std::pow(10.0f, row.x * 7), 1 + 0.6f * row.y, 0, 0};
+  run(rows,
+      "r.x = distanceOfDepth(depthOfViewZ(a.x / a.y, 0.1), 0.1, a.y); r.y = distanceOfDepth(0.0, 0.1, a.y);");
+  for (std::size_t i = 0; i < kCount; ++i) {
+    ASSERT_NEAR(result_[i].x / rows[i].x, 1, 1e-4f);
+    ASSERT_EQ(result_[i].y, 1e30f);
   }
 }
 
