@@ -5,6 +5,14 @@
 #include <glm/geometric.hpp>
 
 namespace skydrop::game {
+namespace {
+
+// A way is looked at in at most so many pieces, however long it is.
+constexpr double kMostSamples = 10000;
+// A contact is halved down to this length of way, m.
+constexpr double kContactPrecision = 1e-3;
+
+}  // namespace
 
 Surface surfaceAt(const terrain::HeightSource& ground, const glm::dvec2& xz) {
   const double land = ground.height(xz);
@@ -26,22 +34,23 @@ std::optional<Contact> sweepContact(const terrain::HeightSource& ground, const g
   if (clearanceAtFrom <= margin) return contactAt(0);
   const glm::dvec3 way = to - from;
   const double length = glm::length(way);
-  const double sideways = std::sqrt(way.x * way.x + way.z * way.z);
-  // Between the ends the clearance cannot fall further than the land can rise and the path can sink.
-  if (std::min(clearanceAtFrom, clearanceAtTo) - margin > kSteepestSlope * sideways + std::abs(way.y))
-    return {};
-  const auto clear = [&](double fraction) { return clearanceAt(ground, from + way * fraction) - margin; };
-  const int pieces = std::max(1, static_cast<int>(std::ceil(std::min(length / kContactSample, 1e5))));
-  double low = 0;
-  for (int i = 1; i <= pieces; ++i) {
-    double high = static_cast<double>(i) / pieces;
-    if ((i == pieces ? clearanceAtTo - margin : clear(high)) > 0) {
+  // No land is steeper than the limit, so what is left above it lasts at least this share of the way.
+  const double loss = kSteepestSlope * std::sqrt(way.x * way.x + way.z * way.z) + std::abs(way.y);
+  const double grain = std::max(kContactGrain / length, 1.0 / kMostSamples);
+  const auto left = [&](double fraction) { return clearanceAt(ground, from + way * fraction) - margin; };
+  double low = 0, leftAtLow = clearanceAtFrom - margin;
+  while (low < 1) {
+    double high = low + std::max(leftAtLow / loss, grain);
+    if (!(high < 1)) high = 1;  // also where there is no way and no loss
+    const double leftAtHigh = high < 1 ? left(high) : clearanceAtTo - margin;
+    if (leftAtHigh > 0) {
       low = high;
+      leftAtLow = leftAtHigh;
       continue;
     }
-    while ((high - low) * length > 1e-3) {  // halving the piece, to a millimetre
+    while ((high - low) * length > kContactPrecision) {
       const double middle = 0.5 * (low + high);
-      (clear(middle) > 0 ? low : high) = middle;
+      (left(middle) > 0 ? low : high) = middle;
     }
     return contactAt(high);
   }

@@ -1,5 +1,6 @@
 #include "game/targets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
