@@ -72,6 +72,9 @@ struct RowKernels {
   void (*octave)(const LandShape<float>& shape, float ridgeShare, float detailShare, RowState& state);
   void (*finish)(const LandShape<float>& shape, const RowState& state, std::uint16_t* heights,
                  std::uint16_t* normals);
+  // Of kChunkSamples^2 height codes: for each LOD the largest distance to its mesh (ChunkData::lodError) in
+  // height steps, times its skip.
+  void (*lodErrors)(const std::uint16_t* heights, int* worst);
 };
 
 enum class InstructionSet { baseline, sse41, avx2, avx512 };

@@ -203,9 +203,57 @@ void finish(const LandShape<float>& shapeOfCaller, const RowState& state, std::u
   }
 }
 
+// The worst error of the samples dz rows below the corners of a row of quads, in height steps times kSkip:
+// whole numbers, so the result is exact. A quad's two triangles are planes in x; its east edge belongs to the
+// next quad, except at the end of the row.
+template <int kSkip>
+SKYDROP_INLINE int lodErrorOfRow(const std::uint16_t* north, const std::uint16_t* south, int dz,
+                                 const std::uint16_t* row) {
+  int worst = 0;
+  for (int c = 0; c < kChunkCells / kSkip; ++c) {
+    const int first = c * kSkip;
+    const int h00 = north[first], h10 = north[first + kSkip], h01 = south[first], h11 = south[first + kSkip];
+    const int west = h00 * kSkip + (h01 - h00) * dz, northSlope = h10 - h00;
+    const int diagonal = h01 * kSkip + (h10 - h11) * (kSkip - dz), southSlope = h11 - h01;
+#pragma GCC unroll 4
+    for (int x = 0; x < kSkip; ++x) {
+      const int plane = x + dz <= kSkip ? west + northSlope * x : diagonal + southSlope * x;
+      const int off = row[first + x] * kSkip - plane;
+      const int error = off < 0 ? -off : off;
+      worst = error > worst ? error : worst;
+    }
+  }
+  const int off = row[kChunkCells] * kSkip - (north[kChunkCells] * (kSkip - dz) + south[kChunkCells] * dz);
+  const int error = off < 0 ? -off : off;
+  return error > worst ? error : worst;
+}
+
+template <int kSkip>
+SKYDROP_INLINE int lodErrorOf(const std::uint16_t* heights) {
+  int worst = 0;
+  for (int z = 0; z < kChunkSamples; ++z) {
+    const int top = z < kChunkCells ? z / kSkip * kSkip : kChunkCells - kSkip;
+    const std::uint16_t* const north = heights + top * kChunkSamples;
+    const int error =
+        lodErrorOfRow<kSkip>(north, north + kSkip * kChunkSamples, z - top, heights + z * kChunkSamples);
+    worst = error > worst ? error : worst;
+  }
+  return worst;
+}
+
+void lodErrors(const std::uint16_t* heights, int* worst) {
+  static_assert(kLodCount == 5 && kLodSkips[1] == 2 && kLodSkips[2] == 4 && kLodSkips[3] == 8 &&
+                kLodSkips[4] == 16);
+  worst[0] = 0;
+  worst[1] = lodErrorOf<2>(heights);
+  worst[2] = lodErrorOf<4>(heights);
+  worst[3] = lodErrorOf<8>(heights);
+  worst[4] = lodErrorOf<16>(heights);
+}
+
 }  // namespace
 
 extern const RowKernels SKYDROP_ROW_KERNELS;
-const RowKernels SKYDROP_ROW_KERNELS{nodes, storeNoise, addNoise, begin, octave, finish};
+const RowKernels SKYDROP_ROW_KERNELS{nodes, storeNoise, addNoise, begin, octave, finish, lodErrors};
 
 }  // namespace skydrop::terrain

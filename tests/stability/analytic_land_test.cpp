@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "skydrop/terrain/analytic_height_sources.h"
+#include "skydrop/terrain/chunk_data.h"
+
+namespace skydrop::terrain {
+namespace {
+
+std::size_t at(int column, int row) { return static_cast<std::size_t>(sampleIndex(column, row)); }
+
+double degreesBetween(const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 off = a - b;
+  return 2 * std::asin(0.5 * std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z)) * 57.29578;
+}
+
+TEST(Stability, T17_aTiltedPlaneHasItsNormal) {
+  // Rising to the east and falling to the south, the normal leans west and south, exactly (1e-6); stored, it
+  // is off by the format's 0.6 degrees at most. Signs and scales that noise would hide show here.
+  const auto plane = makeTiltedPlaneSource(500, {0.3, -0.2});
+  const double length = std::sqrt(0.3 * 0.3 + 0.2 * 0.2 + 1);
+  const glm::dvec3 truth(-0.3 / length, 1 / length, 0.2 / length);
+  const glm::dvec3 normal = normalOf(plane->sample({12, 34}));
+  EXPECT_NEAR(normal.x, truth.x, 1e-6);
+  EXPECT_NEAR(normal.y, truth.y, 1e-6);
+  EXPECT_NEAR(normal.z, truth.z, 1e-6);
+  const ChunkData chunk = makeChunk(*plane, {0, 0, 0});
+  for (const std::uint16_t code : chunk.normals) ASSERT_LT(degreesBetween(decodeNormal(code), truth), 0.6);
+  // The stored heights rise along the columns and fall along the rows.
+  EXPECT_NEAR(decodeHeight(chunk.heights[at(100, 0)]) - decodeHeight(chunk.heights[at(0, 0)]), 120.0,
+              kHeightStep);
+  EXPECT_NEAR(decodeHeight(chunk.heights[at(0, 100)]) - decodeHeight(chunk.heights[at(0, 0)]), -80.0,
+              kHeightStep);
+}
+
+TEST(Stability, T17_storedNormalsAreNeverFarOff) {
+  // Over all directions up to slopes of 5 (79 degrees), the format's error stays under 0.6 degrees.
+  double worst = 0;
+  for (int i = 0; i < 400; ++i) {
+    for (int j = 0; j < 400; ++j) {
+      const HeightSample sample{0, {(i - 200) * 0.025, (j - 200) * 0.025}};
+      worst = std::max(worst, degreesBetween(decodeNormal(encodeNormal(sample.gradient)), normalOf(sample)));
+    }
+  }
+  EXPECT_LT(worst, 0.6);
+}
+
+TEST(Stability, T17_aRidgeIsSymmetric) {
+  // A ridge on the chunk's middle column: heights equal, normals mirrored, sample by sample; upright on the
+  // crest.
+  const auto ridge = makeRidgeSource(480, 300, 0.5, 0);
+  const ChunkData chunk = makeChunk(*ridge, {0, 0, 0});
+  for (int row = 0; row < kChunkSamples; row += 16) {
+    for (int column = 0; column < kChunkSamples; ++column) {
+      const int mirror = kChunkCells - column;
+      ASSERT_EQ(chunk.heights[at(column, row)], chunk.heights[at(mirror, row)]);
+      const glm::dvec3 west = decodeNormal(chunk.normals[at(column, row)]);
+      const glm::dvec3 east = decodeNormal(chunk.normals[at(mirror, row)]);
+      ASSERT_EQ(west, glm::dvec3(-east.x, east.y, east.z));
+      if (column < kChunkCells / 2) {
+        ASSERT_LT(west.x, -0.4);
+      }
+    }
+    EXPECT_EQ(decodeNormal(chunk.normals[at(kChunkCells / 2, row)]), glm::dvec3(0, 1, 0));
+    EXPECT_EQ(decodeHeight(chunk.heights[at(kChunkCells / 2, row)]), 300.0);
+  }
+}
+
+TEST(Stability, T17_aStepStandsWhereItStands) {
+  // The sample on the edge belongs to the east; no sample has a height between the two.
+  const auto step = makeStepSource(400, 10, 90);
+  const ChunkData chunk = makeChunk(*step, {0, -1, 0});
+  for (int row = 0; row < kChunkSamples; ++row) {
+    for (int column = 0; column < kChunkSamples; ++column)
+      ASSERT_EQ(decodeHeight(chunk.heights[at(column, row)]), column < 100 ? 10.0 : 90.0);
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::terrain
