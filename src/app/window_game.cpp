@@ -99,11 +99,14 @@ void WindowGame::run() {
 }
 
 void WindowGame::handleEvents() {
+  bool lostFocus = false;
   for (const render::gl::WindowEvent& event : window_.pollEvents()) {
     imguiInput_->handle(event);
     input_.handle(event, ImGuiInput::wantsText());
-    if (event.kind == render::gl::WindowEvent::Kind::focus && !event.pressed) paused_ = true;
+    if (event.kind == render::gl::WindowEvent::Kind::focus) lostFocus = !event.pressed;
   }
+  // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and come.
+  if (lostFocus) paused_ = true;
   for (const Action action : input_.takeActions()) handleAction(action);
 }
 

@@ -10,7 +10,6 @@
 #include <cstdlib>
 
 namespace skydrop::test {
-namespace {
 
 void applyEnvironment(const std::vector<std::string>& environment) {
   for (const std::string& entry : environment) {
@@ -19,6 +18,8 @@ void applyEnvironment(const std::vector<std::string>& environment) {
     else setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
   }
 }
+
+namespace {
 
 [[noreturn]] void runChild(const std::vector<std::string>& words, const std::vector<std::string>& environment, int out,
                            int err) {

@@ -15,6 +15,9 @@ struct ProcessResult {
 ProcessResult runProcess(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},
                          double timeoutSeconds = 60);
 
+// In a child before exec: "NAME=value" sets a variable, "NAME" alone takes it away.
+void applyEnvironment(const std::vector<std::string>& environment);
+
 // Runs the built skydrop, without a display.
 ProcessResult runSkydrop(std::vector<std::string> words, double timeoutSeconds = 60);
 

@@ -1,0 +1,31 @@
+// An X server of the test's own, without a screen, and a hand on its keyboard and mouse.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/background_process.h"
+
+namespace skydrop::test {
+
+class VirtualDisplay {
+ public:
+  // Why there can be none on this machine (Xvfb or xdotool is missing); empty: there can.
+  static std::string missing();
+
+  // On a display number that is free. Throws std::runtime_error if the server does not start.
+  VirtualDisplay(int width, int height, const std::string& logFile);
+
+  const std::string& name() const { return name_; }  // ":99"
+
+  // Runs xdotool with these words; what it printed, without the end of the line. Throws std::runtime_error if
+  // it fails.
+  std::string xdotool(std::vector<std::string> words) const;
+
+ private:
+  std::unique_ptr<BackgroundProcess> server_;
+  std::string name_;
+};
+
+}  // namespace skydrop::test

@@ -1,0 +1,114 @@
+#include "window/flown_game.h"
+
+#include <chrono>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace skydrop::test {
+namespace {
+
+constexpr auto kPatience = std::chrono::seconds(20);  // a software renderer on a busy machine
+constexpr auto kPollPeriod = std::chrono::milliseconds(20);
+
+bool waitUntil(const std::function<bool()>& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(kPollPeriod);
+  }
+  return true;
+}
+
+std::set<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
+  std::set<std::filesystem::path> files;
+  if (!std::filesystem::exists(folder)) return files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".png") files.insert(entry.path());
+  }
+  return files;
+}
+
+}  // namespace
+
+FlownGame::FlownGame(std::vector<std::string> words) {
+  const std::string log = (folder_.path() / "log").string();
+  display_ = std::make_unique<VirtualDisplay>(kDisplayWidth, kDisplayHeight, log);
+  const std::vector<std::string> usual = {SKYDROP_PROGRAM,
+                                          "--size",
+                                          std::to_string(kWidth) + "x" + std::to_string(kHeight),
+                                          "--stats",
+                                          (folder_.path() / "stats.json").string(),
+                                          "--user-dir",
+                                          userFolder().string()};
+  words.insert(words.begin(), usual.begin(), usual.end());
+  process_ = std::make_unique<BackgroundProcess>(
+      words,
+      std::vector<std::string>{"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1"},
+      log);
+  if (!waitFor([](const nlohmann::json&) { return true; }))
+    throw std::runtime_error("it does not draw: " + this->log());
+  window_ = display_->xdotool({"search", "--name", "^Skydrop$"});
+  focus();
+}
+
+nlohmann::json FlownGame::statistics() const {
+  std::ifstream file(folder_.path() / "stats.json");
+  return file ? nlohmann::json::parse(file, nullptr, false) : nlohmann::json();
+}
+
+bool FlownGame::waitFor(const Condition& condition) {
+  return waitUntil([&] {
+           const nlohmann::json now = statistics();
+           return (now.is_object() && now.contains("window") && condition(now)) || !process_->isRunning();
+         }) &&
+         process_->isRunning();
+}
+
+void FlownGame::focus() const { display_->xdotool({"windowfocus", "--sync", window_}); }
+void FlownGame::press(const std::string& key) const { display_->xdotool({"key", "--delay", "0", key}); }
+void FlownGame::hold(const std::string& key) const { display_->xdotool({"keydown", key}); }
+void FlownGame::release(const std::string& key) const { display_->xdotool({"keyup", key}); }
+
+void FlownGame::moveMouse(float x, float y) const {
+  display_->xdotool({"mousemove", "--window", window_, std::to_string(static_cast<int>(x)),
+                     std::to_string(static_cast<int>(y))});
+}
+
+void FlownGame::clickMouse(const std::string& action) const { display_->xdotool({action, "1"}); }
+
+void FlownGame::resize(int width, int height) const {
+  display_->xdotool({"windowsize", window_, std::to_string(width), std::to_string(height)});
+}
+
+void FlownGame::loseFocus() const {
+  // Without a window manager no other window takes the focus: the root window does.
+  const std::string root = display_->xdotool({"search", "--maxdepth", "0", "--name", ".*"});
+  display_->xdotool({"windowfocus", root.substr(0, root.find('\n'))});
+}
+
+core::Image FlownGame::screenshot() {
+  const std::filesystem::path folder = userFolder() / "screenshots";
+  const auto before = filesIn(folder);
+  press("F12");
+  std::filesystem::path found;
+  const bool saved = waitUntil([&] {
+    for (const auto& file : filesIn(folder)) {
+      if (!before.contains(file)) found = file;
+    }
+    return !found.empty();
+  });
+  if (!saved) throw std::runtime_error("no screenshot: " + log());
+  return core::readPng(found);
+}
+
+std::string FlownGame::log() const {
+  std::ifstream file(folder_.path() / "log");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace skydrop::test

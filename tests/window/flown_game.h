@@ -1,0 +1,57 @@
+// The real program in a real window on a display of the test's own: keys go in, statistics and screenshots
+// come out. It watches the statistics file, which the program rewrites twice a second, and waits for what
+// must happen; nothing is timed by sleeping.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "skydrop/core/image.h"
+#include "support/temporary_folder.h"
+#include "support/virtual_display.h"
+
+namespace skydrop::test {
+
+class FlownGame {
+ public:
+  static constexpr int kDisplayWidth = 800, kDisplayHeight = 600;
+  static constexpr int kWidth = 640, kHeight = 360;
+
+  // Starts it and waits until it has drawn and has the keyboard. Throws std::runtime_error.
+  explicit FlownGame(std::vector<std::string> words = {});
+
+  using Condition = std::function<bool(const nlohmann::json&)>;
+  // Waits until the statistics fulfil it; false after 20 seconds.
+  bool waitFor(const Condition& condition);
+  // The statistics as they stand.
+  nlohmann::json statistics() const;
+  nlohmann::json window() const { return statistics().at("window"); }
+
+  void press(const std::string& key) const;  // down and up at once; names as xdotool's: "w", "F1", "space"
+  void hold(const std::string& key) const;
+  void release(const std::string& key) const;
+  // In window coordinates.
+  void moveMouse(float x, float y) const;
+  void clickMouse(const std::string& action) const;  // "click", "mousedown", "mouseup"
+  void resize(int width, int height) const;
+  void focus() const;
+  void loseFocus() const;
+
+  // Presses F12 and reads the picture.
+  core::Image screenshot();
+
+  BackgroundProcess& process() { return *process_; }
+  std::filesystem::path userFolder() const { return folder_.path() / "user"; }
+  std::string log() const;
+
+ private:
+  TemporaryFolder folder_;
+  std::unique_ptr<VirtualDisplay> display_;
+  std::unique_ptr<BackgroundProcess> process_;  // ends before its display
+  std::string window_;                          // X's number for it
+};
+
+}  // namespace skydrop::test

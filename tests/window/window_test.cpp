@@ -1,0 +1,283 @@
+// Every key, pressed in the real window.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "app/parts.h"
+#include "app/settings.h"
+#include "skydrop/scene/scene.h"
+#include "skydrop/ui/menu.h"
+#include "window/flown_game.h"
+
+namespace skydrop::test {
+namespace {
+
+using nlohmann::json;
+
+#define SKIP_WITHOUT_DISPLAY() \
+  if (!VirtualDisplay::missing().empty()) GTEST_SKIP() << VirtualDisplay::missing()
+
+double game(const json& statistics, const char* name) { return statistics.at("game").at(name).get<double>(); }
+bool isOn(const json& statistics, const char* name) { return statistics.at("window").at(name).get<bool>(); }
+
+// Degrees from a to b, in (-180, 180].
+double turn(double a, double b) { return std::remainder(b - a, 360.0); }
+
+// Holds the key until the condition is met.
+testing::AssertionResult whileHeld(FlownGame& flown, const std::string& key,
+                                   const FlownGame::Condition& condition) {
+  flown.hold(key);
+  const bool met = flown.waitFor(condition);
+  flown.release(key);
+  if (met) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << key << ": " << flown.statistics()["game"].dump() << flown.log();
+}
+
+// Back to the start, level, however it flies now.
+void startAnew(FlownGame& flown) {
+  flown.press("r");
+  ASSERT_TRUE(flown.waitFor([](const json& s) {
+    return std::abs(game(s, "bank")) < 3 && std::abs(game(s, "pitch")) < 6;
+  })) << flown.statistics()["game"].dump();
+}
+
+TEST(Window, theThrottleKeysPullTheThrottle) {
+  // W to full, S to idle, and back to cruise when both are free.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  const double cruise = game(flown.statistics(), "throttle");
+  EXPECT_TRUE(whileHeld(flown, "w", [](const json& s) { return game(s, "throttle") > 0.9; }));
+  EXPECT_TRUE(whileHeld(flown, "s", [&](const json& s) { return game(s, "throttle") < 0.5 * cruise; }));
+  EXPECT_TRUE(flown.waitFor([&](const json& s) { return std::abs(game(s, "throttle") - cruise) < 0.1; }));
+}
+
+TEST(Window, theStickKeysRollPitchAndYaw) {
+  // D and right bank right, A and left bank left, down lifts the nose, up lowers it, E turns right, Q left.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  for (const char* key : {"d", "Right"}) {
+    startAnew(flown);
+    EXPECT_TRUE(whileHeld(flown, key, [](const json& s) { return game(s, "bank") > 8; }));
+  }
+  for (const char* key : {"a", "Left"}) {
+    startAnew(flown);
+    EXPECT_TRUE(whileHeld(flown, key, [](const json& s) { return game(s, "bank") < -8; }));
+  }
+  startAnew(flown);
+  EXPECT_TRUE(whileHeld(flown, "Down", [](const json& s) { return game(s, "pitch") > 8; }));
+  startAnew(flown);
+  EXPECT_TRUE(whileHeld(flown, "Up", [](const json& s) { return game(s, "pitch") < -8; }));
+  startAnew(flown);
+  double heading = game(flown.statistics(), "heading");
+  EXPECT_TRUE(whileHeld(flown, "e", [&](const json& s) { return turn(heading, game(s, "heading")) > 5; }));
+  startAnew(flown);
+  heading = game(flown.statistics(), "heading");
+  EXPECT_TRUE(whileHeld(flown, "q", [&](const json& s) { return turn(heading, game(s, "heading")) < -5; }));
+}
+
+TEST(Window, spaceDropsAPackageAndRGoesBackToTheStart) {
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  const auto x = [](const json& s) { return s.at("game").at("position").at(0).get<double>(); };
+  const auto z = [](const json& s) { return s.at("game").at("position").at(2).get<double>(); };
+  flown.press("space");
+  EXPECT_TRUE(flown.waitFor([](const json& s) { return game(s, "drops") == 1; }));
+  // 400 m away, then near the start again: the statistics are at most a second of flight old.
+  EXPECT_TRUE(flown.waitFor([&](const json& s) { return std::hypot(x(s), z(s)) > 400; }));
+  flown.press("r");
+  EXPECT_TRUE(flown.waitFor([&](const json& s) { return std::hypot(x(s), z(s)) < 200; }));
+  EXPECT_EQ(game(flown.statistics(), "drops"), 1) << "one press, one package";
+}
+
+TEST(Window, eachKeyOfTheProgramTogglesItsOwnThing) {
+  // C goes around the cameras; P, H, F1 and Escape open and close.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  for (const std::string camera : {"cockpit", "free", "chase"}) {
+    flown.press("c");
+    EXPECT_TRUE(flown.waitFor([&](const json& s) { return s.at("window").at("camera") == camera; }))
+        << camera;
+  }
+  const std::vector<std::pair<std::string, const char*>> toggles = {
+      {"p", "paused"}, {"h", "helpOpen"}, {"F1", "menuOpen"}, {"Escape", "escapeOpen"}};
+  for (const auto& [key, name] : toggles) {
+    flown.press(key);
+    EXPECT_TRUE(flown.waitFor([&](const json& s) { return isOn(s, name); })) << key;
+    for (const auto& [otherKey, other] : toggles) {
+      const bool expected = key == otherKey || (key == "Escape" && otherKey == "p");  // it pauses
+      EXPECT_EQ(isOn(flown.statistics(), other), expected) << key << ": " << other;
+    }
+    flown.press(key);
+    EXPECT_TRUE(flown.waitFor([&](const json& s) { return !isOn(s, name); })) << key;
+  }
+}
+
+TEST(Window, aPauseStopsTheClock) {
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  flown.press("p");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "paused"); }));
+  const json paused = flown.statistics();
+  const auto framesAfter = paused.at("frame").at("count").get<int>() + 10;
+  ASSERT_TRUE(
+      flown.waitFor([&](const json& s) { return s.at("frame").at("count").get<int>() > framesAfter; }));
+  EXPECT_EQ(flown.statistics().at("steps"), paused.at("steps"));
+  EXPECT_EQ(flown.statistics().at("stateHash"), paused.at("stateHash"));
+  flown.press("p");
+  EXPECT_TRUE(flown.waitFor([&](const json& s) { return s.at("steps") > paused.at("steps"); }));
+}
+
+TEST(Window, losingTheFocusPausesAndReleasesTheKeys) {
+  // W is let go while another window has the keyboard: it must not stick.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  flown.hold("w");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return game(s, "throttle") > 0.9; }));
+  flown.loseFocus();
+  EXPECT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "paused"); }));
+  flown.release("w");
+  flown.focus();
+  flown.press("p");
+  EXPECT_TRUE(flown.waitFor([](const json& s) { return !isOn(s, "paused") && game(s, "throttle") < 0.6; }));
+}
+
+TEST(Window, itFollowsItsSizeAndFillsTheScreen) {
+  // Resized from outside, F11 to the whole display and back; screenshots have the size of the window.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  const auto hasSize = [](int width, int height) {
+    return [=](const json& s) {
+      return s.at("window").at("width") == width && s.at("window").at("height") == height;
+    };
+  };
+  EXPECT_TRUE(flown.waitFor(hasSize(FlownGame::kWidth, FlownGame::kHeight)));
+  flown.resize(500, 301);
+  EXPECT_TRUE(flown.waitFor(hasSize(500, 301))) << flown.window().dump();
+  const core::Image small = flown.screenshot();
+  EXPECT_EQ(small.width, 500);
+  EXPECT_EQ(small.height, 301);
+  flown.press("F11");
+  EXPECT_TRUE(flown.waitFor(hasSize(FlownGame::kDisplayWidth, FlownGame::kDisplayHeight)))
+      << flown.window().dump();
+  EXPECT_TRUE(isOn(flown.statistics(), "fullScreen"));
+  flown.press("F11");
+  EXPECT_TRUE(flown.waitFor(hasSize(500, 301))) << flown.window().dump();
+  EXPECT_FALSE(isOn(flown.statistics(), "fullScreen"));
+}
+
+// Share of the pixels of a rectangle that differ by more than 8 of 255 in some channel.
+double changed(const core::Image& a, const core::Image& b, const ui::ScreenRect& rect) {
+  int count = 0, all = 0;
+  for (int y = static_cast<int>(rect.top); y < static_cast<int>(rect.bottom); ++y) {
+    for (int x = static_cast<int>(rect.left); x < static_cast<int>(rect.right); ++x) {
+      ++all;
+      for (int c = 0; c < 3; ++c) {
+        if (std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]) > 8) {
+          ++count;
+          break;
+        }
+      }
+    }
+  }
+  return static_cast<double>(count) / all;
+}
+
+// Where the menu's widgets stand in a window of this size: the same code, run without a window.
+struct MenuPlaces {
+  MenuPlaces() {
+    ui::Interface interface(FlownGame::kWidth, FlownGame::kHeight);
+    app::Settings settings;
+    const core::SettingsTable table(settings);
+    const auto sections = app::menuSections(scene::requiredEffects(scene::loadScene("terrain")));
+    for (int i = 0; i < 2; ++i) {
+      static_cast<void>(interface.beginFrame(FlownGame::kWidth, FlownGame::kHeight, 0));
+      menu.draw(interface, {table, sections, nullptr, ""});
+      escape.draw(interface);
+      interface.endFrame();
+    }
+  }
+  ui::ConfigurationMenu menu;
+  ui::EscapeMenu escape;
+};
+
+TEST(Window, picturesShowWhatIsOpen) {
+  // A paused frame changes where the menu, the help and the Escape menu stand, and is the same again without.
+  SKIP_WITHOUT_DISPLAY();
+  const MenuPlaces places;
+  FlownGame flown;
+  flown.press("p");
+  ASSERT_TRUE(
+      flown.waitFor([](const json& s) { return isOn(s, "paused") && s.at("terrain").at("queue") == 0; }));
+  const core::Image plain = flown.screenshot();
+  ASSERT_EQ(plain.width, FlownGame::kWidth);
+  ASSERT_EQ(plain.height, FlownGame::kHeight);
+  // Without the top line, where the note of the screenshot stands.
+  const ui::ScreenRect whole{0, 60, FlownGame::kWidth, FlownGame::kHeight};
+  const ui::ScreenRect middle{200, 100, 440, 260};
+
+  flown.press("F1");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "menuOpen"); }));
+  EXPECT_GT(changed(plain, flown.screenshot(), places.menu.place()), 0.8);
+  flown.press("F1");
+  flown.press("h");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "helpOpen") && !isOn(s, "menuOpen"); }));
+  EXPECT_GT(changed(plain, flown.screenshot(), middle), 0.3);
+  flown.press("h");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return !isOn(s, "helpOpen"); }));
+  EXPECT_LT(changed(plain, flown.screenshot(), whole), 0.001) << "all is closed again";
+}
+
+TEST(Window, theMouseMovesASliderResetsItAndClosesTheMenuByItsCross) {
+  // And what the slider changed is kept among the player's settings.
+  SKIP_WITHOUT_DISPLAY();
+  const MenuPlaces places;
+  FlownGame flown;
+  flown.press("F1");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "menuOpen"); }));
+  const auto drag = [&](const std::string& path) {
+    const ui::ScreenRect slider = places.menu.places().at(path).value;
+    const float y = (slider.top + slider.bottom) / 2;
+    flown.moveMouse(slider.left + 0.5f * (slider.right - slider.left), y);
+    flown.clickMouse("mousedown");
+    flown.moveMouse(slider.right - 2, y);
+    flown.clickMouse("mouseup");
+  };
+  drag("aircraft.rollFactor");
+  drag("aircraft.pitchSpeed");
+  // The reset button stands right of the slider.
+  const ui::ScreenRect row = places.menu.places().at("aircraft.pitchSpeed").value;
+  flown.moveMouse(row.right + (row.bottom - row.top) * 2, (row.top + row.bottom) / 2);
+  flown.clickMouse("click");
+  const ui::ScreenRect cross = places.menu.crossPlace();
+  flown.moveMouse((cross.left + cross.right) / 2, (cross.top + cross.bottom) / 2);
+  flown.clickMouse("click");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return !isOn(s, "menuOpen"); }));
+  flown.process().askToEnd();
+  EXPECT_EQ(flown.process().wait(20), 0) << flown.log();
+  std::ifstream file(flown.userFolder() / "settings.json");
+  const std::string kept((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_NE(kept.find("rollFactor"), std::string::npos) << kept;
+  EXPECT_EQ(kept.find("pitchSpeed"), std::string::npos) << kept;
+}
+
+TEST(Window, theEscapeMenuResumesAndQuits) {
+  // Enter on the first entry flies on; two further down it ends with exit code 0 and the last statistics.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  flown.press("Escape");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "escapeOpen") && isOn(s, "paused"); }));
+  flown.press("Return");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return !isOn(s, "escapeOpen") && !isOn(s, "paused"); }));
+  flown.press("Escape");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "escapeOpen"); }));
+  flown.press("Down");
+  flown.press("Down");
+  flown.press("Return");
+  EXPECT_EQ(flown.process().wait(20), 0) << flown.log();
+  EXPECT_TRUE(isOn(flown.statistics(), "escapeOpen"));
+}
+
+}  // namespace
+}  // namespace skydrop::test
