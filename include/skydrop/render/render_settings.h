@@ -21,9 +21,9 @@ struct SunSettings {
 };
 
 struct AtmosphereSettings {
-  double visibilityM = 80000;    // distance at which contrast falls to 2 %, at sea level
+  double visibilityM = 100000;   // distance at which contrast falls to 2 %, at sea level
   double hazeHeightM = 1200;     // scale height of the aerosol
-  double hazeAnisotropy = 0.76;  // g of its phase function
+  double hazeAnisotropy = 0.7;   // g of its phase function
 };
 
 struct RenderSettings {
