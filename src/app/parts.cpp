@@ -1,6 +1,10 @@
 #include "app/parts.h"
 
 #include "app/stage.h"
+#include "skydrop/core/assets.h"
+#include "skydrop/render/aircraft_pass.h"
+#include "skydrop/render/marker_pass.h"
+#include "skydrop/render/package_pass.h"
 #include "skydrop/render/sky_pass.h"
 
 namespace skydrop::app {
@@ -12,14 +16,28 @@ void addSky(Stage& stage) {
   stage.renderer().add(std::make_unique<render::SkyPass>(stage.renderer().context()));
 }
 
+void addAircraft(Stage& stage) {
+  render::Renderer& renderer = stage.renderer();
+  const auto model = std::make_shared<const render::Model>(
+      renderer.context(), render::importModel(core::assetPath("models/airplane.glb")), "airplane");
+  renderer.add(std::make_unique<render::AircraftPass>(model));
+  renderer.add(std::make_unique<render::PropellerPass>(model));
+}
+
+void addTargets(Stage& stage) {
+  render::Renderer& renderer = stage.renderer();
+  renderer.add(std::make_unique<render::PackagePass>(renderer.context()));
+  renderer.add(std::make_unique<render::MarkerPass>(renderer.context()));
+}
+
 void addHaze(render::FrameFeatures& features) { features.haze = true; }
 
 }  // namespace
 
 const std::vector<Part>& parts() {
   static const std::vector<Part> all = {
-      {Effect::aircraft, nullptr, nullptr, {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
-      {Effect::targets, nullptr, nullptr, {{"game", "Game"}, {"package", "Package"}}},
+      {Effect::aircraft, addAircraft, nullptr, {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
+      {Effect::targets, addTargets, nullptr, {{"game", "Game"}, {"package", "Package"}}},
       {Effect::terrain, nullptr, nullptr, {{"streaming", "Detail of the land"}, {"terrain", "Shape of the land"}}},
       {Effect::sky, addSky, nullptr, {{"render.sun", "Sun"}}},
       {Effect::haze, nullptr, addHaze, {{"render.atmosphere", "Air"}}},

@@ -20,9 +20,10 @@ namespace skydrop::render {
 
 // The order of a frame. What is bound when draw() is called:
 //   terrain, models, sky     the scene: linear light (RGBA16F) and reversed depth (D32F), both written
-//   clouds, weatherEffects   the scene's colour alone: depth can be read as a texture
-//   (FrameContext::sceneDepth) toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
-enum class Slot { terrain, models, sky, clouds, weatherEffects, toneMap, hud, menu };
+//   translucents, clouds,    the scene's colour alone: depth can be read as a texture
+//   weatherEffects           (FrameContext::sceneDepth)
+//   toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
+enum class Slot { terrain, models, sky, translucents, clouds, weatherEffects, toneMap, hud, menu };
 
 // What a frame is a pure function of. Values: nothing in here changes while it is drawn.
 struct FrameInput {
@@ -41,7 +42,7 @@ struct FrameContext {
   const RenderSettings& settings;
   std::span<const std::string> defines;  // of the frame's features, for the cache
   const gl::Texture& sceneColor;         // RGBA16F; to be read from slot toneMap on
-  const gl::Texture& sceneDepth;         // D32F; to be read from slot clouds on, without filtering
+  const gl::Texture& sceneDepth;         // D32F; to be read from slot translucents on, without filtering
 };
 
 class Pass {

@@ -8,11 +8,11 @@ namespace skydrop::render {
 struct CameraSettings {
   double fovDegrees = 60;     // vertical
   double nearM = 0.1;         // m
-  double chaseDistance = 14;  // m behind the aircraft
-  double chaseHeight = 4;     // m above it, in its own axes
+  double chaseDistance = 15;  // m behind the aircraft
+  double chaseHeight = 2.8;   // m above it, in its own axes
   double chaseLag = 0.12;     // s: by how much of its turning the chase camera hangs back
-  double cockpitForward = 1;  // m ahead of the aircraft's centre
-  double cockpitHeight = 1;   // m above it
+  double cockpitForward = 0.35; // m ahead of the aircraft's centre
+  double cockpitHeight = 0.72;  // m above it
 };
 
 struct SunSettings {

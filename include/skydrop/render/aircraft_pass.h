@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "skydrop/render/model.h"
+#include "skydrop/render/pass.h"
+
+namespace skydrop::render {
+
+// The aircraft's model as the snapshot has it: control surfaces follow the controls, and from a place inside the
+// cabin its panel is drawn and the outside is seen from within (back faces are not drawn).
+class AircraftPass final : public Pass {
+ public:
+  // `model`: assets/models/airplane.glb on this context, shared with the propeller's pass.
+  explicit AircraftPass(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
+
+  std::string_view name() const override { return "aircraft"; }
+  Slot slot() const override { return Slot::models; }
+  std::optional<std::string> idleReason(const FrameInput& frame) const override;
+  void draw(FrameContext& context) override;
+
+ private:
+  std::shared_ptr<const Model> model_;
+};
+
+// The veil of the turning blades. It is translucent, so it comes after the sky.
+class PropellerPass final : public Pass {
+ public:
+  explicit PropellerPass(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
+
+  std::string_view name() const override { return "propeller"; }
+  Slot slot() const override { return Slot::translucents; }
+  std::optional<std::string> idleReason(const FrameInput& frame) const override;
+  void draw(FrameContext& context) override;
+
+ private:
+  std::shared_ptr<const Model> model_;
+};
+
+}  // namespace skydrop::render

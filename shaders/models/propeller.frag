@@ -1,0 +1,15 @@
+#include "frame.glsl"
+#include "sky/sky.glsl"
+#include "models/scene_depth.glsl"
+#include "models/propeller.glsl"
+
+in vec3 relative;
+in vec3 surfaceNormal;
+in vec2 surfaceUv;
+out vec4 color;
+
+void main() {
+  discardIfHidden();
+  vec4 veil = propellerVeil(surfaceUv.y, surfaceUv.x);
+  color = vec4(throughHaze(litByFrame(veil.rgb, normalize(surfaceNormal), 1.0), relative) * veil.a, veil.a);
+}

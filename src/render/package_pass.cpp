@@ -1,0 +1,85 @@
+#include "skydrop/render/package_pass.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "render/model/visibility.h"
+#include "skydrop/core/assets.h"
+
+namespace skydrop::render {
+namespace {
+
+// Of assets/scripts/make_package.py.
+constexpr double kHarnessM = 0.58;      // where the lines meet, above the crate's centre
+constexpr double kCanopyHangsAtM = 4.3; // its rim
+constexpr double kSeenRadiusM = 8;      // crate and open parachute, around the crate
+
+Model load(gl::Context& context, const char* name) {
+  return Model(context, importModel(core::assetPath(std::string("models/") + name)), name);
+}
+
+// The canopy trails behind the package's way through the air; hanging still it stands upright.
+glm::dquat canopyAttitude(const game::PackageSnapshot& package, const glm::dvec3& wind) {
+  const glm::dvec3 against = wind - package.velocity;
+  const double speed = glm::length(against);
+  const glm::dvec3 up = package.landed || speed < 0.5 ? glm::dvec3(0, 1, 0) : against / speed;
+  const glm::dvec3 half = up + glm::dvec3(0, 1, 0);
+  const double length = glm::length(half);
+  if (length < 1e-6) return {0, 1, 0, 0};  // straight down: half a turn about x
+  const glm::dvec3 between = half / length;
+  return {between.y, glm::cross(glm::dvec3(0, 1, 0), between)};
+}
+
+// Of the parachute's model to its own place, by how far it is open: first a streamer, then it fills.
+glm::mat4 shapeOf(const game::PackageSnapshot& package) {
+  if (package.landed) {  // emptied, beside the crate
+    const glm::mat4 beside = glm::translate(glm::mat4(1), glm::vec3(2.9f, static_cast<float>(-kHarnessM) - 0.35f, 0.6f));
+    const glm::mat4 flat = glm::scale(beside, glm::vec3(0.95f, 0.16f, 0.95f));
+    return glm::translate(flat, glm::vec3(0, static_cast<float>(-kCanopyHangsAtM), 0));
+  }
+  const auto open = static_cast<float>(std::clamp(package.parachuteOpen, 0.0, 1.0));
+  const float width = 0.10f + 0.90f * open * open;
+  return glm::scale(glm::mat4(1), glm::vec3(width, 0.75f + 0.25f * open, width));
+}
+
+bool isSeen(const FrameInput& frame, const game::PackageSnapshot& package) {
+  return maySee(frame.view, package.position, kSeenRadiusM);
+}
+
+}  // namespace
+
+PackagePass::PackagePass(gl::Context& context)
+    : crate_(load(context, "package.glb")), parachute_(load(context, "parachute.glb")) {}
+
+std::optional<std::string> PackagePass::idleReason(const FrameInput& frame) const {
+  const auto& packages = frame.snapshot.packages;
+  if (packages.empty()) return "no package has been dropped";
+  if (std::none_of(packages.begin(), packages.end(), [&](const auto& p) { return isSeen(frame, p); })) {
+    return "no package in view";
+  }
+  return std::nullopt;
+}
+
+void PackagePass::draw(FrameContext& context) {
+  context.gl.api().Enable(GL_CULL_FACE);
+  for (const game::PackageSnapshot& package : context.frame.snapshot.packages) {
+    if (isSeen(context.frame, package)) drawPackage(context, package);
+  }
+}
+
+void PackagePass::drawPackage(FrameContext& context, const game::PackageSnapshot& package) const {
+  const View& view = context.frame.view;
+  crate_.draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
+              bodyMatrix(view, package.position, package.orientation), ModelPose(crate_));
+  if (package.parachuteOpen <= 0) return;
+  const glm::dvec3 harness = package.landed ? glm::dvec3(0, kHarnessM, 0) : package.orientation * glm::dvec3(0, kHarnessM, 0);
+  const glm::mat4 toEye = bodyMatrix(view, package.position + harness, canopyAttitude(package, context.frame.snapshot.wind));
+  ModelPose pose(parachute_);
+  if (package.landed) pose.hide("lines");
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  defines.emplace_back("CLOTH");
+  parachute_.draw(context.shaders, "models/model.vert", "models/model.frag", defines, toEye * shapeOf(package), pose);
+}
+
+}  // namespace skydrop::render
