@@ -102,6 +102,11 @@ TEST(Stability, P18_theStateHashSeesEveryDifference) {
   EXPECT_EQ(run(0.5, 0.07), run(0.5, 0.07));
   EXPECT_NE(run(0.5, 0.07), run(0.5 + 1 / 127.0, 0.07));
   EXPECT_NE(run(0.5, 0.07), run(0.5, std::nextafter(0.07, 1)));
+  // A setting counts before it has had any effect: it decides the future.
+  WorldSetup same = setupOn(terrain::makeFlatSource(0)), other = same;
+  other.airplane.sideForceSlope = std::nextafter(other.airplane.sideForceSlope, 2);
+  EXPECT_EQ(World(same).stateHash(), World(same).stateHash());
+  EXPECT_NE(World(same).stateHash(), World(other).stateHash());
 }
 
 TEST(Stability, P12_aHitchInTheFrameTimeLosesTimeAndNothingElse) {

@@ -291,6 +291,17 @@ TEST(World, resetPutsTheAircraftBackAndKeepsTheScore) {
   EXPECT_EQ(world.now().aircraft.spawnCount, 4u);  // start, placed twice, reset
 }
 
+TEST(World, eventsThatNobodyTakesDoNotPileUp) {
+  // 3000 resets without taking an event: the newest 1024 are kept, in order.
+  World world(flatSetup());
+  for (int i = 0; i < 6000; ++i) world.step({.reset = i % 2 == 0});
+  const auto events = world.takeEvents();
+  ASSERT_EQ(events.size(), 1024u);
+  EXPECT_EQ(events.back().step, 5999u);
+  EXPECT_EQ(events.front().step + 2 * 1023, 5999u);
+  EXPECT_TRUE(world.takeEvents().empty());
+}
+
 TEST(World, placedInsideTheGroundItStartsAboveIt) {
   // A pose from the command line below the surface is lifted, and counted.
   core::resetGuardCounts();
