@@ -45,6 +45,7 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
   visitor.number("exposureStops", s.exposureStops,
                  {"EV", -6, 6, "Brightness on top of the automatic exposure; each step doubles it."});
   visitor.flag("wireframe", s.wireframe, {"Draws the land as lines."});
+  visitor.flag("terrainNormals", s.terrainNormals, {"Draws a stroke along the normal of each vertex of the land."});
 }
 
 }  // namespace skydrop::render

@@ -115,6 +115,8 @@ struct EndlessTerrain::State {
     const ChunkBounds bounds = [this](const ChunkKey& key) { return boundsOf(key); };
     frame.lod = makeLodDistances(relief, view.pixelsPerRadian, settings);
     frame.farDistanceM = settings.farDistanceM;
+    frame.seaFloorDepthM = settings.seaFloorDepthM;
+    frame.slotCount = slotCount;
     frame.base = chunkOrigin(chunkAt({view.position.x, view.position.z}));
     frame.chunks.clear();
 
@@ -275,7 +277,6 @@ const TerrainFrame& EndlessTerrain::settle(const ViewVolume& view, std::chrono::
 }
 
 bool EndlessTerrain::isSettled() const { return state_->settled; }
-int EndlessTerrain::slotCount() const { return state_->slotCount; }
 const StreamingStatistics& EndlessTerrain::statistics() const { return state_->statistics; }
 std::vector<std::string> EndlessTerrain::takeMessages() { return std::exchange(state_->messages, {}); }
 

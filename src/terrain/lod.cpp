@@ -85,7 +85,10 @@ LodDistances makeLodDistances(const ReliefErrors& relief, double pixelsPerRadian
     // Far enough apart that no level is passed in one step.
     if (level > 1) lod.morph[l] = std::max(lod.morph[l], lod.morph[l - 1] * std::sqrt(2.0));
     if (level <= kTopLevel) {
-      lod.split[l] = std::max(withFarGrowth(finest, settings.viewDistanceM), lod.morph[l]);
+      // Patches beside much finer ones are split too (patch_selection.cpp): their finer samples must be
+      // there.
+      const double beside = lod.morph[l - 1] + 2 * chunkMetres(level) / kPatchesPerChunk;
+      lod.split[l] = std::max({withFarGrowth(finest, settings.viewDistanceM), lod.morph[l], beside});
     }
   }
   lod.morph[0] = 0.5 * lod.morph[1];

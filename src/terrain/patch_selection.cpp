@@ -1,6 +1,8 @@
 #include "terrain/patch_selection.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <unordered_set>
 
 namespace skydrop::terrain {
@@ -29,7 +31,10 @@ class Selector {
     for (const auto& [key, chunk] : chunks_) {
       if (key.level == kTopLevel) visit({key.x, key.z, kTopPatchLevel});
     }
-    for (PatchDraw& draw : selection_.patches) findCoarserNeighbours(draw);
+    balance();
+    for (const Leaves& leaves : leaves_) {
+      for (const PatchKey& patch : leaves) draw(patch);
+    }
     std::sort(selection_.patches.begin(), selection_.patches.end(),
               [](const PatchDraw& a, const PatchDraw& b) {
                 if (a.distanceM != b.distanceM) return a.distanceM < b.distanceM;
@@ -39,6 +44,8 @@ class Selector {
   }
 
  private:
+  using Leaves = std::unordered_set<PatchKey, ChunkKeyHash>;
+
   // The chunk from which a patch takes its heights.
   static ChunkKey chunkOf(const PatchKey& patch) {
     const std::int32_t level = std::min(patch.level, kTopLevel);
@@ -46,57 +53,105 @@ class Selector {
     return {patch.x >> shift, patch.z >> shift, level};
   }
 
+  Leaves& leavesOf(const PatchKey& patch) { return leaves_[static_cast<std::size_t>(patch.level)]; }
+
+  // A patch can be split if its children have a chunk: all four share one.
+  bool canSplit(const PatchKey& patch) const {
+    return patch.level > 0 && chunks_.contains(chunkOf(childOf(patch, 0)));
+  }
+
+  static glm::dvec2 originOf(const PatchKey& patch) {
+    return glm::dvec2(patch.x, patch.z) * patchMetres(patch.level);
+  }
+
+  Box boxOfPatch(const PatchKey& patch) const {
+    const ChunkKey chunk = chunkOf(patch);
+    const int step = patch.level - chunk.level;
+    const std::int64_t mask = (kPatchesPerChunk >> step) - 1;
+    const glm::dvec2 origin = originOf(patch);
+    return boxOf(origin, origin + patchMetres(patch.level),
+                 chunks_.at(chunk).bounds->at(step, static_cast<int>(patch.x & mask),
+                                              static_cast<int>(patch.z & mask)));
+  }
+
   void visit(const PatchKey& patch) {
-    const ChunkKey chunkKey = chunkOf(patch);
-    const UsableChunk& chunk = chunks_.at(chunkKey);
-    const glm::dvec2 origin = glm::dvec2(patch.x, patch.z) * patchMetres(patch.level);
-    const glm::dvec2 end = origin + patchMetres(patch.level);
     // Finer levels may reach higher than the samples of this one: only bounds that hold for all of them may
-    // cull here. They are known for whole chunks; smaller patches are few and are culled one by one below.
+    // cull here. They are known for whole chunks; smaller patches are few and are culled one by one when
+    // drawn.
     if (patch.level >= kLodCount - 1) {
-      const Box box = boxOf(origin, end, bounds_({patch.x, patch.z, patch.level - kLodCount + 1}));
+      const glm::dvec2 origin = originOf(patch);
+      const Box box = boxOf(origin, origin + patchMetres(patch.level),
+                            bounds_({patch.x, patch.z, patch.level - kLodCount + 1}));
       if (nearestGroundDistance(view_, box) > farDistance_ || !mayBeVisible(view_, box)) return;
     }
-    const int step = patch.level - chunkKey.level;
-    const std::int64_t mask = (kPatchesPerChunk >> step) - 1;
-    const Box box =
-        boxOf(origin, end,
-              chunk.bounds->at(step, static_cast<int>(patch.x & mask), static_cast<int>(patch.z & mask)));
-    const double distance = nearestDistance(view_, box);
-    if (patch.level > 0 && lod_.lambda(distance) < patch.level) {
-      const PatchKey child = childOf(patch, 0);  // the other three lie in the same chunk
-      if (chunks_.contains(chunkOf(child))) {
+    if (patch.level > 0 && lod_.lambda(nearestDistance(view_, boxOfPatch(patch))) < patch.level) {
+      if (canSplit(patch)) {
         for (int quadrant = 0; quadrant < 4; ++quadrant) visit(childOf(patch, quadrant));
         return;
       }
       ++selection_.coarsened;
     }
-    leaves_.insert(patch);
-    if (box.hi.y < floor_ || !mayBeVisible(view_, box)) return;
-    PatchDraw draw;
-    draw.level = patch.level;
-    draw.x = static_cast<std::int32_t>(origin.x - base_.x);
-    draw.z = static_cast<std::int32_t>(origin.y - base_.y);
-    draw.slot = chunk.slot;
-    draw.chunkLevel = chunkKey.level;
-    draw.sampleX = static_cast<std::int32_t>(patch.x & mask) * (kPatchCells << step);
-    draw.sampleZ = static_cast<std::int32_t>(patch.z & mask) * (kPatchCells << step);
-    draw.distanceM = distance;
-    selection_.patches.push_back(draw);
-    keys_.push_back(patch);
+    leavesOf(patch).insert(patch);
   }
 
-  void findCoarserNeighbours(PatchDraw& draw) {
-    const PatchKey& key = keys_[static_cast<std::size_t>(&draw - selection_.patches.data())];
-    constexpr std::array<std::array<int, 2>, 4> kSteps{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};  // as PatchEdge
-    for (std::size_t edge = 0; edge < kSteps.size(); ++edge) {
-      PatchKey neighbour{key.x + kSteps[edge][0], key.z + kSteps[edge][1], key.level};
-      for (int up = 0; up < kLodCount; ++up, neighbour = parentOf(neighbour)) {
-        if (!leaves_.contains(neighbour)) continue;
-        draw.coarser[edge] = static_cast<std::uint8_t>(up);
-        break;
+  // Splits patches until no edge has more than one level between its sides. Otherwise a corner in the middle
+  // of a coarse cell's edge would have to move for one neighbour and to stay for the other. From fine to
+  // coarse, a split only makes leaves that are still to be looked at.
+  void balance() {
+    for (Leaves& leaves : leaves_) {
+      for (const PatchKey& patch : leaves) {
+        for (const PatchKey& neighbour : neighboursOf(patch)) {
+          std::optional<PatchKey> coarse = leafOver(neighbour);
+          while (coarse && coarse->level > patch.level + 1 && canSplit(*coarse)) {
+            leavesOf(*coarse).erase(*coarse);
+            for (int quadrant = 0; quadrant < 4; ++quadrant) {
+              const PatchKey child = childOf(*coarse, quadrant);
+              leavesOf(child).insert(child);
+            }
+            coarse = leafOver(neighbour);
+          }
+        }
       }
     }
+  }
+
+  static std::array<PatchKey, 4> neighboursOf(const PatchKey& p) {  // in the order of PatchEdge
+    return {PatchKey{p.x - 1, p.z, p.level}, PatchKey{p.x + 1, p.z, p.level}, PatchKey{p.x, p.z - 1, p.level},
+            PatchKey{p.x, p.z + 1, p.level}};
+  }
+
+  // The leaf that is this patch or covers it.
+  std::optional<PatchKey> leafOver(PatchKey patch) {
+    for (int up = 0; up < kLodCount && patch.level <= kTopPatchLevel; ++up, patch = parentOf(patch)) {
+      if (leavesOf(patch).contains(patch)) return patch;
+    }
+    return std::nullopt;
+  }
+
+  void draw(const PatchKey& patch) {
+    const Box box = boxOfPatch(patch);
+    // Vertices that are moved along a border can leave the patch by a cell.
+    const glm::dvec3 cell(cellMetres(patch.level), 0.0, cellMetres(patch.level));
+    if (box.hi.y < floor_ || !mayBeVisible(view_, {box.lo - cell, box.hi + cell})) return;
+    const ChunkKey chunk = chunkOf(patch);
+    const int step = patch.level - chunk.level;
+    const std::int64_t mask = (kPatchesPerChunk >> step) - 1;
+    PatchDraw draw;
+    draw.level = patch.level;
+    draw.x = static_cast<std::int32_t>(box.lo.x - base_.x);
+    draw.z = static_cast<std::int32_t>(box.lo.z - base_.y);
+    draw.slot = chunks_.at(chunk).slot;
+    draw.chunkLevel = chunk.level;
+    draw.sampleX = static_cast<std::int32_t>(patch.x & mask) * (kPatchCells << step);
+    draw.sampleZ = static_cast<std::int32_t>(patch.z & mask) * (kPatchCells << step);
+    draw.distanceM = nearestDistance(view_, box);
+    const std::array<PatchKey, 4> neighbours = neighboursOf(patch);
+    for (std::size_t edge = 0; edge < neighbours.size(); ++edge) {
+      if (const std::optional<PatchKey> leaf = leafOver(neighbours[edge])) {
+        draw.coarser[edge] = static_cast<std::uint8_t>(leaf->level - patch.level);
+      }
+    }
+    selection_.patches.push_back(draw);
   }
 
   const ViewVolume& view_;
@@ -106,8 +161,7 @@ class Selector {
   const UsableChunks& chunks_;
   const ChunkBounds& bounds_;
   PatchSelection selection_;
-  std::vector<PatchKey> keys_;  // of selection_.patches
-  std::unordered_set<PatchKey, ChunkKeyHash> leaves_;
+  std::array<Leaves, kTopPatchLevel + 1> leaves_;  // by level
 };
 
 }  // namespace

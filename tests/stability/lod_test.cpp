@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "skydrop/core/shared.h"
@@ -124,6 +126,56 @@ TEST(Lod, settingsMoveTheDistancesTheRightWay) {
       }
     }
   }
+}
+
+TEST(Stability, T07_theMeshThatIsInViewHasNoOpenEdge) {
+  // 40 random poses: every edge of a triangle whose middle is in view is the edge of another triangle too,
+  // with the same two ends, bit by bit. Then no picture of it can have a crack, whatever the size of its
+  // pixels. Where the land ends in the distance edges are open by design.
+  const auto source = test::makeHillsSource();
+  core::JobPool pool(2);
+  TerrainStreamingSettings settings;
+  settings.texelPixels = 1;
+  settings.seaFloorDepthM = 2000;  // or the land would have holes in the sea
+  EndlessTerrain terrain(source, pool, settings);
+  test::PatchMesher mesher(*source);
+  core::RandomStream random{7, 0};
+  using Edge = std::array<double, 6>;
+  std::size_t closed = 0, open = 0;
+  for (int pose = 0; pose < 40; ++pose) {
+    const glm::dvec2 at{random.nextUnit() * 3000, random.nextUnit() * 3000};
+    const double altitude = 5 * std::pow(400.0, random.nextUnit());
+    const glm::dvec3 eye{at.x, std::max(source->height(at), 0.0) + altitude, at.y};
+    const ViewVolume view =
+        lookingAlong(eye, 2 * kPi * random.nextUnit(), 0.2 - 0.8 * random.nextUnit(), 160, 90);
+    const TerrainFrame& frame = terrain.settle(view);
+    std::set<Edge> edges;
+    for (const PatchDraw& patch : frame.patches) {
+      const auto vertices = mesher.vertices(frame, patch, eye);
+      for (const auto& triangle : test::patchTriangles()) {
+        const glm::dvec3 &a = vertices[static_cast<std::size_t>(triangle[0])],
+                         &b = vertices[static_cast<std::size_t>(triangle[1])],
+                         &c = vertices[static_cast<std::size_t>(triangle[2])];
+        const double area = (b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z);
+        ASSERT_LE(area, 0) << "a triangle was turned over";
+        if (area == 0) continue;
+        for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}})
+          edges.insert({p.x, p.y, p.z, q.x, q.y, q.z});
+      }
+    }
+    for (const Edge& e : edges) {
+      if (edges.contains({e[3], e[4], e[5], e[0], e[1], e[2]})) {
+        ++closed;
+        continue;
+      }
+      const glm::dvec3 middle = 0.5 * glm::dvec3(e[0] + e[3], e[1] + e[4], e[2] + e[5]) - eye;
+      open += glm::length(glm::dvec2(middle.x, middle.z)) < frame.farDistanceM &&
+              std::all_of(view.inward.begin(), view.inward.end(),
+                          [&](const glm::dvec3& n) { return glm::dot(n, middle) > 0; });
+    }
+  }
+  EXPECT_GT(closed, 400000u);
+  EXPECT_EQ(open, 0u);
 }
 
 TEST(Stability, T20_aMetreOfFlightMovesNoVertexByHalfAPixelBecauseOfDetail) {

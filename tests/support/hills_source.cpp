@@ -10,7 +10,7 @@ namespace {
 struct Wave {
   double height, metres, phase;  // amplitude, wavelength along each axis
 };
-constexpr std::array<Wave, 3> kWaves{{{420, 9300, 0.4}, {90, 1700, 1.1}, {12, 260, 2.0}}};
+constexpr std::array<Wave, 3> kWaves{{{420, 7680, 0.4}, {90, 1536, 1.1}, {12, 256, 2.0}}};
 constexpr double kMeanHeight = 250;
 constexpr double kPi = 3.14159265358979323846;
 

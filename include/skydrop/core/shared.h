@@ -35,6 +35,9 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/atmosphere.glsl"
 #include "shared/tone_map.glsl"
 #include "shared/terrain_lod.glsl"
+#include "shared/lattice_noise.glsl"
+#include "shared/land_material.glsl"
+#include "shared/water.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -58,6 +61,9 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/atmosphere.glsl"
 #include "shared/tone_map.glsl"
 #include "shared/terrain_lod.glsl"
+#include "shared/lattice_noise.glsl"
+#include "shared/land_material.glsl"
+#include "shared/water.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

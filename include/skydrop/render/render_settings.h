@@ -32,6 +32,7 @@ struct RenderSettings {
   AtmosphereSettings atmosphere;
   double exposureStops = 0;  // on top of the automatic exposure
   bool wireframe = false;
+  bool terrainNormals = false;
 };
 
 void describe(core::SettingsVisitor& visitor, CameraSettings& settings);

@@ -58,9 +58,6 @@ class EndlessTerrain {
   // True when the last frame had all that its view wants (what was given up counts as had).
   bool isSettled() const;
 
-  // Places on the GPU; a slot is less than this.
-  int slotCount() const;
-
   const StreamingStatistics& statistics() const;
 
   // One line for each chunk that was given up since the last call.

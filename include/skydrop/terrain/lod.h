@@ -33,7 +33,7 @@ static_assert(kChunkCells % kPatchCells == 0 && kPatchesPerChunk == kLodSkips.ba
 
 // Below this distance, times 2^level, a level is never used: patches must stay small against their distance,
 // so that neighbours differ by few levels.
-inline constexpr double kLeastReachM = 100;
+inline constexpr double kLeastReachM = 40;
 
 // Vertical error of the mesh of each level against the land, metres: the value that 95 % of the land keeps
 // below. Entry 0 is 0. Measured on the source at fixed places; the same source gives the same bits.

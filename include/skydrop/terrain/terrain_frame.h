@@ -51,6 +51,8 @@ struct TerrainFrame {
   glm::dvec2 base{0.0};
   LodDistances lod;
   double farDistanceM = 0;
+  double seaFloorDepthM = 0;
+  int slotCount = 0;  // a slot is less than this; when it changes, what the slots held is void
   std::vector<ChunkUpload> uploads;
   std::vector<ResidentChunk> chunks;  // each with all its ancestors
   std::vector<PatchDraw> patches;     // the nearest first

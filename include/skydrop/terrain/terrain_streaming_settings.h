@@ -10,8 +10,8 @@ namespace skydrop::terrain {
 struct TerrainStreamingSettings {
   double viewDistanceM = 10000;
   double farDistanceM = 60000;
-  double pixelError = 1.5;
-  double cellPixels = 16;
+  double pixelError = 2;
+  double cellPixels = 24;
   double texelPixels = 2;
   double seaFloorDepthM = 40;
   double cacheMiB = 128;

@@ -1,0 +1,16 @@
+#include "frame.glsl"
+#include "shared/lattice_noise.glsl"
+#include "shared/land_material.glsl"
+#include "terrain/surface.glsl"
+#include "terrain/noise.glsl"
+#include "terrain/land.glsl"
+
+in vec2 ndc;
+out vec4 color;
+
+void main() {
+  float viewZ = landViewZ(ivec2(gl_FragCoord.xy));
+  if (viewZ >= kFarMarker) discard;
+  color = vec4(landAsSeen((frame.ndcToRay * vec4(ndc, 1.0, 0.0)).xyz * viewZ), 1.0);
+  gl_FragDepth = depthOfViewZ(viewZ, frame.eye.y);
+}

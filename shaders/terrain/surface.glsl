@@ -1,0 +1,15 @@
+// Where a frame's land and sea are, for the programs that give them light. After frame.glsl.
+
+uniform vec3 eyeFromBase;  // x, z: metres from the base (a chunk corner near the eye); y: height above the sea
+uniform ivec2 baseChunk;   // of the base, level 0, wrapped at 2^20
+uniform float farM;        // where land ends
+
+const float kChunkMetres = 960.0;
+
+// Towards the end of the land everything turns into the haze that stands at the horizon, so that the end is not seen:
+// the share of a surface's own light that is left.
+float leftOfLight(vec3 relative) { return 1.0 - smoothstep(0.6 * farM, 0.97 * farM, length(relative.xz)); }
+
+// The distance along the view axis of the land's depth at a pixel; kFarMarker where there is none.
+layout(binding = 3) uniform sampler2D landDepth;
+float landViewZ(ivec2 pixel) { return viewZOfDepth(texelFetch(landDepth, pixel, 0).r, frame.eye.y); }

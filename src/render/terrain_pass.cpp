@@ -1,0 +1,173 @@
+#include "skydrop/render/terrain_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "skydrop/terrain/chunk_grid.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr GLuint kHeightsUnit = 0, kNormalsUnit = 1, kTableUnit = 2, kDepthUnit = 3;  // as in shaders/terrain
+constexpr GLsizei kSeaVertices = 12;  // four triangles (shaders/terrain/sea.glsl)
+constexpr int kPatchSide = terrain::kPatchCells + 1;
+constexpr GLsizei kPatchIndices = 3 * terrain::kTrianglesPerPatch;
+
+// Rows of cells from north to south, each cut from its north-east to its south-west corner; then each vertex
+// once, for drawing points.
+std::vector<std::uint16_t> patchIndices() {
+  std::vector<std::uint16_t> indices;
+  for (int z = 0; z < terrain::kPatchCells; ++z) {
+    for (int x = 0; x < terrain::kPatchCells; ++x) {
+      const int nw = z * kPatchSide + x, ne = nw + 1, sw = nw + kPatchSide, se = sw + 1;
+      for (const int i : {nw, sw, ne, ne, sw, se}) indices.push_back(static_cast<std::uint16_t>(i));
+    }
+  }
+  for (int i = 0; i < kPatchSide * kPatchSide; ++i) indices.push_back(static_cast<std::uint16_t>(i));
+  return indices;
+}
+
+template <std::size_t N>
+std::array<float, N> inFloat(const std::array<double, N>& values) {
+  std::array<float, N> result{};
+  std::transform(values.begin(), values.end(), result.begin(),
+                 [](double v) { return static_cast<float>(v); });
+  return result;
+}
+
+// Low bits of a chunk index: enough for the table and for the noise's lattice, whatever the sign.
+int lowBits(std::int64_t index) { return static_cast<int>(index & 0xfffff); }
+
+}  // namespace
+
+terrain::ViewVolume viewVolume(const View& view) {
+  return terrain::makeViewVolume(view.position, view.worldToView, view.fovYRad, view.width, view.height);
+}
+
+TerrainPass::TerrainPass(gl::Context& context)
+    : context_(context),
+      indices_(
+          gl::Buffer::of<std::uint16_t>(context, patchIndices(), gl::Buffer::Use::fixed, "patch indices")),
+      patches_(context, "patches"),
+      triangle_(context),
+      seaPlane_(context, "sea") {
+  patches_.setIndexBuffer(indices_);
+}
+
+void TerrainPass::take(const terrain::TerrainFrame& frame) {
+  if (textures_.slots() != frame.slotCount) textures_ = ChunkTextures(context_, frame.slotCount);
+  for (const terrain::ChunkUpload& upload : frame.uploads) textures_.upload(upload);
+  textures_.setResident(frame.chunks);
+
+  std::vector<Instance> instances;
+  instances.reserve(frame.patches.size());
+  for (const terrain::PatchDraw& p : frame.patches) {
+    const int edges = p.coarser[0] | p.coarser[1] << 4 | p.coarser[2] << 8 | p.coarser[3] << 12;
+    instances.push_back({{p.x, p.z, p.slot, p.level}, {p.sampleX, p.sampleZ, p.chunkLevel, edges}});
+  }
+  const std::size_t bytes = instances.size() * sizeof(Instance);
+  if (bytes > instances_.size()) {
+    instances_ = gl::Buffer(context_, std::max<std::size_t>(2 * bytes, 1 << 14), gl::Buffer::Use::write,
+                            "patch instances");
+    patches_.setVertexBuffer(0, instances_, 0, sizeof(Instance), 1);
+    patches_.setIntegerAttribute(0, 0, 4, GL_INT, 0);
+    patches_.setIntegerAttribute(1, 0, 4, GL_INT, sizeof(glm::ivec4));
+  }
+  if (bytes > 0) instances_.write(0, std::as_bytes(std::span(instances)));
+  instanceCount_ = static_cast<GLsizei>(instances.size());
+  base_ = frame.base;
+  lod_ = frame.lod;
+  farDistanceM_ = frame.farDistanceM;
+  seaFloorDepthM_ = frame.seaFloorDepthM;
+}
+
+std::optional<std::string> TerrainPass::idleReason(const FrameInput&) const {
+  if (textures_.slots() == 0) return "no land has been handed over yet";
+  return std::nullopt;
+}
+
+void TerrainPass::draw(FrameContext& context) {
+  const View& view = context.frame.view;
+  if (context.settings.wireframe) {
+    drawLines(context);
+  } else {
+    drawDepth(context);
+    drawLand(context.shaders.shader("fullscreen.vert", "terrain/land.frag", context.defines), view);
+    if (view.position.y > 0) drawSea(context);
+  }
+  if (context.settings.terrainNormals) {
+    gl::Shader& shader =
+        context.shaders.shader("terrain/normals.vert", "terrain/line.frag", {}, "terrain/normals.geom");
+    shader.setVec3("lineAlbedo", {0.8f, 0.3f, 0.1f});
+    drawPatches(shader, view, GL_POINTS);
+  }
+}
+
+void TerrainPass::setEye(gl::Shader& shader, const View& view) const {
+  const glm::dvec2 eye = glm::dvec2(view.position.x, view.position.z) - base_;
+  shader.setVec3("eyeFromBase", glm::vec3(eye.x, view.position.y, eye.y));
+}
+
+void TerrainPass::drawPatches(gl::Shader& shader, const View& view, GLenum mode) {
+  if (instanceCount_ == 0) return;
+  shader.use();
+  setEye(shader, view);
+  shader.setVec2("heightCode", glm::vec2(terrain::kLowestHeight, terrain::kHeightStep));
+  shader.setFloats("lodMorph", inFloat(lod_.morph));
+  textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
+  patches_.bind();
+  const GLsizei indices = mode == GL_POINTS ? kPatchSide * kPatchSide : kPatchIndices;
+  context_.drawElementsInstanced(mode, indices, GL_UNSIGNED_SHORT, mode == GL_POINTS ? kPatchIndices : 0,
+                                 instanceCount_);
+}
+
+void TerrainPass::drawDepth(FrameContext& context) {
+  const View& view = context.frame.view;
+  if (!depth_)
+    depth_ = gl::FrameBuffer(context_, view.width, view.height, {0, GL_DEPTH_COMPONENT32F}, "land depth");
+  depth_.resize(view.width, view.height);
+  depth_.bind();
+  drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), view, GL_TRIANGLES);
+  depth_.unBind();
+}
+
+void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
+  setEye(shader, view);
+  const terrain::ChunkKey base = terrain::chunkAt(base_);
+  shader.setIvec2("baseChunk", {lowBits(base.x), lowBits(base.z)});
+  shader.setFloat("farM", static_cast<float>(farDistanceM_));
+  textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
+  if (depth_) depth_.depthTexture().bind(kDepthUnit);
+}
+
+void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
+  shader.use();
+  setSurface(shader, view);
+  shader.setFloats("chunkSplit", inFloat(lod_.split));
+  triangle_.draw();
+}
+
+// Separate from the land, so that only pixels that show water pay for it: a software renderer runs both sides
+// of a branch, but skips what the depth test rejects.
+void TerrainPass::drawSea(FrameContext& context) {
+  gl::Shader& shader = context.shaders.shader("terrain/sea.vert", "terrain/sea.frag", context.defines);
+  shader.use();
+  setSurface(shader, context.frame.view);
+  shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
+  context_.api().Enable(GL_BLEND);
+  context_.api().BlendFunc(GL_ONE, GL_SRC1_COLOR);
+  seaPlane_.bind();
+  context_.drawArrays(GL_TRIANGLES, 0, kSeaVertices);
+  context_.api().Disable(GL_BLEND);
+}
+
+void TerrainPass::drawLines(FrameContext& context) {
+  context_.api().PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  gl::Shader& shader = context.shaders.shader("terrain/depth.vert", "terrain/line.frag");
+  shader.setVec3("lineAlbedo", {0.25f, 0.4f, 0.2f});
+  drawPatches(shader, context.frame.view, GL_TRIANGLES);
+  context_.api().PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+}  // namespace skydrop::render
