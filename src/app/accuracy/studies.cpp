@@ -1,4 +1,5 @@
 #include "app/accuracy/integrator_study.h"
+#include "app/accuracy/land_study.h"
 #include "app/accuracy/study.h"
 
 namespace skydrop::app {
@@ -6,6 +7,7 @@ namespace skydrop::app {
 const std::vector<Study>& studies() {
   static const std::vector<Study> all = {
       {"integrators", "attitude error of a tumbling body against time, by integrator and step rate", integratorStudy},
+      {"land", "the picture's error against frame time, by the land's pixel error", landStudy},
   };
   return all;
 }

@@ -1,0 +1,90 @@
+#include "app/accuracy/land_study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "app/machine.h"
+#include "app/open_context.h"
+#include "app/prepare.h"
+#include "app/stage.h"
+
+namespace skydrop::app {
+namespace {
+
+constexpr Size kSize{640, 360};
+constexpr double kReferenceError = 0.1;  // px; the finest that the setting allows
+constexpr int kTimedFrames = 7;          // the median counts
+
+struct Frame {
+  core::Image image;
+  double ms = 0;
+};
+
+Frame drawFrame(Stage& stage, const game::Snapshot& snapshot) {
+  stage.draw(snapshot, kSize, Streaming::settled);
+  std::vector<double> times;
+  for (int i = 0; i < kTimedFrames; ++i) {
+    stage.renderer().finish();
+    const auto begin = std::chrono::steady_clock::now();
+    stage.draw(snapshot, kSize, Streaming::asItComes);
+    stage.renderer().finish();
+    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+  }
+  std::nth_element(times.begin(), times.begin() + kTimedFrames / 2, times.end());
+  return {stage.renderer().readBack(), times[kTimedFrames / 2]};
+}
+
+// Root mean square over red, green and blue, in 8-bit steps.
+double rootMeanSquare(const core::Image& a, const core::Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+    if (i % 4 == 3) continue;
+    const double difference = static_cast<double>(a.rgba[i]) - b.rgba[i];
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / (static_cast<double>(a.rgba.size()) * 0.75));
+}
+
+}  // namespace
+
+StudyResult landStudy() {
+  CommandLine line;
+  line.verb = Verb::accuracy;
+  const auto run = prepareRun(line);
+  const double shipped = run->settings.streaming.pixelError;
+  const auto context = openContext(std::nullopt, kSize);
+  Simulation simulation(run->setup, run->settings, run->table);
+  Stage stage(*context, {simulation.effects(), simulation.ground(), std::nullopt, false}, run->settings);
+  const game::Snapshot& snapshot = simulation.world().now();
+
+  const auto frameAt = [&](double pixelError) {
+    run->settings.streaming.pixelError = pixelError;
+    stage.apply(run->settings);
+    return drawFrame(stage, snapshot);
+  };
+  StudyResult result;
+  result.title = "Detail of the land";
+  result.method = "The first view of the scene `terrain` at 640 x 360, by `streaming.pixelError` (the vertical error "
+                  "that the mesh may show, in pixels), against " + std::to_string(kReferenceError).substr(0, 3) + " px.";
+  result.errorName = "error of the picture, root mean square of 8-bit steps";
+  result.costName = "ms a frame";
+  result.clock = "wall clock between glFinish calls, median of " + std::to_string(kTimedFrames);
+  result.machine = machineName() + ", " + context->renderer();
+  const Frame reference = frameAt(kReferenceError);
+  std::vector<double> errors = {0.5, 1, 2, 4, 8, 16, shipped};
+  std::sort(errors.begin(), errors.end());
+  errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
+  for (const double pixelError : errors) {
+    const Frame frame = frameAt(pixelError);
+    char knob[32];
+    std::snprintf(knob, sizeof knob, "%g px", pixelError);
+    result.rows.push_back({knob, rootMeanSquare(frame.image, reference.image), frame.ms,
+                           pixelError == shipped ? "default" : ""});
+  }
+  result.rows.push_back({"reference", 0, reference.ms, ""});
+  return result;
+}
+
+}  // namespace skydrop::app
