@@ -30,6 +30,8 @@ void addTargets(Stage& stage) {
   renderer.add(std::make_unique<render::MarkerPass>(renderer.context()));
 }
 
+void addLand(Stage& stage) { stage.addLand(); }
+
 void addHaze(render::FrameFeatures& features) { features.haze = true; }
 
 }  // namespace
@@ -38,7 +40,7 @@ const std::vector<Part>& parts() {
   static const std::vector<Part> all = {
       {Effect::aircraft, addAircraft, nullptr, {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
       {Effect::targets, addTargets, nullptr, {{"game", "Game"}, {"package", "Package"}}},
-      {Effect::terrain, nullptr, nullptr, {{"streaming", "Detail of the land"}, {"terrain", "Shape of the land"}}},
+      {Effect::terrain, addLand, nullptr, {{"streaming", "Detail of the land"}, {"terrain", "Shape of the land"}}},
       {Effect::sky, addSky, nullptr, {{"render.sun", "Sun"}}},
       {Effect::haze, nullptr, addHaze, {{"render.atmosphere", "Air"}}},
       {Effect::sound, nullptr, nullptr, {{"audio", "Sound"}}},

@@ -10,19 +10,11 @@ namespace {
 
 using scene::Effect;
 
-terrain::ViewVolume viewVolume(const render::View& view) {
-  return terrain::makeViewVolume(view.position, view.worldToView, view.fovYRad, view.width, view.height);
-}
-
 }  // namespace
 
 Stage::Stage(render::gl::Context& context, const Setup& setup, const Settings& settings)
     : setup_(setup), settings_(settings), renderer_(context, settings.render, setup.measuring) {
   camera_.setMode(settings.view.camera);
-  if (setup_.effects.contains(Effect::terrain)) {
-    workers_ = std::make_unique<core::JobPool>(setup_.workers.value_or(core::JobPool::defaultWorkerCount()));
-    land_ = std::make_unique<terrain::EndlessTerrain>(setup_.ground, *workers_, settings_.streaming);
-  }
   for (const Part& part : parts()) {
     if (part.addPasses && setup_.effects.contains(part.effect)) part.addPasses(*this);
   }
@@ -38,6 +30,14 @@ void Stage::apply(const Settings& settings) {
   if (land_) land_->apply(settings_.streaming);
 }
 
+void Stage::addLand() {
+  workers_ = std::make_unique<core::JobPool>(setup_.workers.value_or(core::JobPool::defaultWorkerCount()));
+  land_ = std::make_unique<terrain::EndlessTerrain>(setup_.ground, *workers_, settings_.streaming);
+  auto pass = std::make_unique<render::TerrainPass>(renderer_.context());
+  landPass_ = pass.get();
+  renderer_.add(std::move(pass));
+}
+
 void Stage::addOverlay() {
   auto pass = std::make_unique<render::ImGuiPass>(renderer_.context());
   overlay_ = pass.get();
@@ -50,13 +50,13 @@ void Stage::draw(const game::Snapshot& snapshot, Size size, Streaming streaming)
   const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height);
   settleMs_ = 0;
   if (land_) {
-    const terrain::ViewVolume volume = viewVolume(view);
+    const terrain::ViewVolume volume = render::viewVolume(view);
     if (streaming == Streaming::settled) {
       const auto begin = std::chrono::steady_clock::now();
-      land_->settle(volume);
+      landPass_->take(land_->settle(volume));
       settleMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     } else {
-      land_->update(volume);
+      landPass_->take(land_->update(volume));
     }
   }
   renderer_.draw({snapshot, view, frameFeatures(setup_.effects)});

@@ -15,6 +15,7 @@
 #include "skydrop/render/camera.h"
 #include "skydrop/render/imgui_pass.h"
 #include "skydrop/render/renderer.h"
+#include "skydrop/render/terrain_pass.h"
 #include "skydrop/scene/effect.h"
 #include "skydrop/terrain/endless_terrain.h"
 
@@ -42,6 +43,8 @@ class Stage {
   // Takes the settings over for the next frame.
   void apply(const Settings& settings);
 
+  void addLand();
+
   // From now on draws what Dear ImGui has built; the interface's context must exist.
   void addOverlay();
   void uploadFonts();  // after the interface changed its fonts
@@ -65,6 +68,7 @@ class Stage {
   render::Camera camera_;
   std::unique_ptr<core::JobPool> workers_;         // with terrain only
   std::unique_ptr<terrain::EndlessTerrain> land_;  // with terrain only
+  render::TerrainPass* landPass_ = nullptr;        // the renderer's; with terrain only
   render::ImGuiPass* overlay_ = nullptr;           // the renderer's
   double settleMs_ = 0;
 };
