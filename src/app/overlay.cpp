@@ -24,7 +24,7 @@ OverlayResult Overlay::build(const OverlayFrame& frame) {
   } else {
     escapeMenu_.reset();
   }
-  if (drawsHud_) {
+  if (drawsHud_ && hudShown) {
     ui::HudData data = ui::makeHudData(frame.snapshot);
     if (escapeOpen) data.paused = false;  // the small menu stands in that place and says so itself
     const std::vector<ui::HelpRow> none;

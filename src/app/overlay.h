@@ -39,6 +39,7 @@ class Overlay {
   bool menuOpen = false;
   bool helpOpen = false;
   bool escapeOpen = false;
+  bool hudShown = true;
 
   // Builds the draw data of this frame (ImGui::GetDrawData). The cross of the menu has closed it when this
   // returns.

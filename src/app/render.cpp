@@ -62,6 +62,7 @@ int render(const CommandLine& line) {
   if (simulation.effects().contains(scene::Effect::hud) || line.menu) {
     overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(defaultKeyMap()));
     overlay->menuOpen = line.menu;
+    overlay->hudShown = run->settings.view.hud;
     stage.addOverlay();
   }
 

@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "f
 void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
   visitor.choice("camera", settings.camera, kCameraNames,
                  {"From where the game is seen: behind the aircraft, from its seat, or from anywhere."});
+  visitor.flag("hud", settings.hud, {"Shows instruments, navigation bar and messages over the picture."});
 }
 
 void describe(core::SettingsVisitor& visitor, Settings& settings) {

@@ -25,6 +25,7 @@ namespace skydrop::app {
 // How the player looks at the game.
 struct ViewSettings {
   render::CameraMode camera = render::CameraMode::chase;
+  bool hud = true;
 };
 
 struct Settings {

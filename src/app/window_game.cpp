@@ -186,6 +186,7 @@ void WindowGame::drawFrame(double seconds) {
   if (overlay_->menuOpen && Clock::now() >= nextStatistics_) shownStatistics_ = statistics();
 
   imguiInput_->beginFrame();
+  overlay_->hudShown = run_->settings.view.hud;
   const OverlayResult result =
       overlay_->build({snapshot, size, seconds, run_->table, &shownStatistics_, error_});
   if (result.fontsChanged) stage_->uploadFonts();
