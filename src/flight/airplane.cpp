@@ -219,7 +219,9 @@ void Airplane::place(const BodyState& state) {
 }
 
 void Airplane::apply(const AirplaneSettings& settings) {
-  body_ = makeBody(settings, body_.state());
+  requireUsable(settings);
+  body_.setMass(settings.mass, massPropertiesOf(settings).inertia);
+  body_.setIntegrator(settings.integrator);
   settings_ = settings;
 }
 

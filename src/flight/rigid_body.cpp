@@ -119,4 +119,8 @@ void RigidBody::setState(const BodyState& state) {
   state_.orientation = orientation;
 }
 
+void RigidBody::setMass(double mass, const glm::dmat3& inertia) {
+  properties_ = checkedProperties(mass, inertia);
+}
+
 }  // namespace skydrop::flight

@@ -109,6 +109,23 @@ TEST(Stability, P18_theStateHashSeesEveryDifference) {
   EXPECT_NE(World(same).stateHash(), World(other).stateHash());
 }
 
+TEST(Stability, P18_settingsAppliedAgainChangeNoBit) {
+  // A menu applies all settings when one that does not concern the flight changes, and no log notes that: the
+  // same values applied before every step leave the same bits as never.
+  World applied(setupOn(terrain::makeFlatSource(0))), untouched(setupOn(terrain::makeFlatSource(0)));
+  core::RandomStream random{6, 0};
+  Controls controls;
+  for (std::uint64_t i = 0; i < 1200; ++i) {
+    controls = unsteady(random, i, controls);
+    applied.apply(flight::AirplaneSettings{});
+    applied.apply(flight::PackageSettings{});
+    applied.apply(GameSettings{});
+    applied.step(controls);
+    untouched.step(controls);
+    ASSERT_EQ(applied.stateHash(), untouched.stateHash()) << "step " << i;
+  }
+}
+
 TEST(Stability, P12_aHitchInTheFrameTimeLosesTimeAndNothingElse) {
   // Frames of 10 s, NaN and -1 among good ones: the world steps through exactly the steps that the clock
   // grants, and ends where the same number of steps always ends.

@@ -61,7 +61,8 @@ class Airplane {
 
   // Places it anew, at cruise throttle. Throws core::RangeError, and changes nothing, unless finite.
   void place(const BodyState& state);
-  // The same state under other numbers. Throws core::RangeError, and changes nothing, when they are unusable.
+  // The same state, bit for bit, under other numbers. Throws core::RangeError, and changes nothing, when they
+  // are unusable.
   void apply(const AirplaneSettings& settings);
 
  private:

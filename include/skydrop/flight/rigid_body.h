@@ -50,6 +50,9 @@ class RigidBody {
   // Places the body. Throws core::RangeError unless all values are finite and the orientation has a length.
   void setState(const BodyState& state);
 
+  // Another mass and inertia, under the constructor's conditions; the state keeps every bit.
+  void setMass(double mass, const glm::dmat3& inertia);
+
   Integrator integrator() const { return integrator_; }
   void setIntegrator(Integrator integrator) { integrator_ = integrator; }
 
