@@ -26,10 +26,22 @@ struct Golden {
   const char* flatBecause = nullptr;  // why it exists although a shift or a brighter frame would not show
 };
 
+std::vector<std::string> withoutHud(std::vector<std::string> words) {
+  words.insert(words.end(), {"--set", "view.hud=false"});
+  return words;
+}
+
 const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all = {
       {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
       {"takeoff", {"--time", "1"}},
+      {"mountainsAtNoon", withoutHud({"--pose", "-1000,1150,-1500,180,-6,0", "--set", "render.sun.elevationDegrees=60"})},
+      {"coast", withoutHud({"--pose", "6500,260,-5200,15,-8,0"})},
+      {"steepBankOverValley", withoutHud({"--pose", "-2300,1000,-5200,165,-10,50"})},
+      {"straightDown", withoutHud({"--pose", "9000,1800,-4400,0,-90,0"})},
+      {"menuOpen", {"--time", "1", "--menu"}},
+      {"dropText", {"--autopilot", "--time", "69.9"}},
+      {"parachute", {"--autopilot", "--time", "74"}},
   };
   return all;
 }
