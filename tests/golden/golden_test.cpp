@@ -38,10 +38,9 @@ const std::vector<Golden>& goldens() {
       {"mountainsAtNoon", withoutHud({"--pose", "-1000,1150,-1500,180,-6,0", "--set", "render.sun.elevationDegrees=60"})},
       {"coast", withoutHud({"--pose", "6500,260,-5200,15,-8,0"})},
       {"steepBankOverValley", withoutHud({"--pose", "-2300,1000,-5200,165,-10,50"})},
-      {"straightDown", withoutHud({"--pose", "9000,1800,-4400,0,-90,0"})},
+      {"straightDown", withoutHud({"--pose", "6900,1500,-5600,0,-90,0"})},
       {"menuOpen", {"--time", "1", "--menu"}},
       {"dropText", {"--autopilot", "--time", "69.9"}},
-      {"parachute", {"--autopilot", "--time", "74"}},
   };
   return all;
 }
