@@ -1,7 +1,7 @@
 // The light of a target's marker. After frame.glsl.
 
 // A warm orange, as bright as white paper in the frame's light: it stands out from grass, snow, sea and sky.
-vec3 markerColor() { return vec3(1.0, 0.30, 0.04) * (frame.sunLight.xyz + frame.skyLight.xyz + 0.05) / kPi; }
+vec3 markerColor() { return vec3(1.0, 0.20, 0.015) * (frame.sunLight.xyz + frame.skyLight.xyz + 0.05) / kPi; }
 
 // Premultiplied: a glow of `share` over what is behind, dimmed by the haze in front of it.
 vec4 markerGlow(float share, vec3 relative) {
@@ -29,5 +29,5 @@ float ringShare(float fromMiddleM, float radiusM, float widthM, float pixelM) {
 float beamShare(float across, float up, float distanceM) {
   float profile = exp(-4.0 * across * across) - exp(-4.0);
   float fade = (1.0 - up) * (1.0 - up);
-  return 0.55 * profile * fade * smoothstep(20.0, 250.0, distanceM);
+  return 0.8 * profile * fade * smoothstep(20.0, 250.0, distanceM);
 }

@@ -7,5 +7,5 @@ vec4 propellerVeil(float turn, float radius) {
   float solidity = 0.30 * (1.0 - 0.55 * radius) * smoothstep(1.0, 0.985, radius) * smoothstep(0.2, 0.26, radius);
   float tip = smoothstep(0.875, 0.885, radius) * smoothstep(1.0, 0.985, radius);
   vec3 albedo = mix(vec3(0.02), vec3(0.85, 0.52, 0.02), tip);
-  return vec4(albedo, solidity * smear + 0.10 * tip);
+  return vec4(albedo, solidity * smear + 0.04 * tip);
 }
