@@ -424,7 +424,7 @@ TEST(Stability, T24_oneWorldForAnyInstructionSetAndAnyNumberOfWorkers) {
     const std::uint64_t truth = worldHash(*baseline, 1);
     for (const InstructionSet set : kInstructionSets) {
       const RowKernels* kernels = rowKernels(set);
-      if (kernels == nullptr) continue;
+      if (kernels == nullptr || set == InstructionSet::baseline) continue;
       EXPECT_EQ(worldHash(*makeNoiseHeightSource({}, seed, *kernels), 1), truth) << static_cast<int>(set);
     }
     const auto best = makeNoiseHeightSource({}, seed);
