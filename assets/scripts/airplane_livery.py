@@ -44,7 +44,7 @@ def grime(coat, u, v, amount):
     coat.colour *= (1 - amount * noise)[..., None]
 
 
-def line(value, at, width=.008):
+def line(value, at, width=.016):
     return np.abs(value - at) - width / 2
 
 
@@ -77,7 +77,7 @@ def paint_fuselage():
         handle = paint.polygon_distance(z, y, [(high - .15, .34), (high - .04, .34), (high - .04, .37), (high - .15, .37)])
         coat.cover(np.maximum(handle, side), METAL, *METAL_SURFACE)
     for at in (-2.62, -1.36, 1.62, 2.5, 3.4, 4.1):
-        coat.darken(line(z, at), .35)
+        coat.darken(line(z, at), .22)
     for at in (-2.3, -2.1, -1.9):
         vent = paint.polygon_distance(z, y, [(at, -.28), (at + .10, -.28), (at + .13, -.12), (at + .03, -.12)], .02)
         coat.cover(np.maximum(vent, side), BLACK, *MATT_SURFACE)
@@ -112,9 +112,9 @@ def paint_wing(top):
     along = (x - middle if top else middle - x) + width / 2
     coat.cover(paint.text_distance(along, .42 - z, text, height, stroke), NAVY, *PAINT_SURFACE)
     for at in (0.6, 1.4, 2.2, 2.95, 3.6, 4.95):
-        coat.darken(line(np.abs(x), at, .007), .25)
-    coat.darken(line(z, -.18, .006), .18)
-    coat.darken(np.where(np.abs(x) < 2.95, line(z, .46, .010), 1.0), .40)
+        coat.darken(line(np.abs(x), at), .14)
+    coat.darken(line(z, -.18), .10)
+    coat.darken(np.where(np.abs(x) < 2.95, line(z, .46, .022), 1.0), .28)
     coat.darken(paint.circle_distance(np.abs(x), z, 1.0, -.42, .055), .35)
     rivets = np.hypot((x * 18) % 1 - .5, 6 * ((z * 4.4) % 1 - .5)) - .12
     coat.darken(rivets, .08, .05)
@@ -136,7 +136,7 @@ def paint_tail(top):
     coat.cover(1.20 - slant, WHITE, *PAINT_SURFACE)
     coat.cover(1.23 - slant, RED, *PAINT_SURFACE)
     for at in (.6, 1.05):
-        coat.darken(line(np.abs(x), at, .006), .25)
+        coat.darken(line(np.abs(x), at), .14)
     grime(coat, x, z * 3, .05)
     return coat
 
@@ -160,7 +160,7 @@ def paint_fin(sign):
     badge = np.minimum(badge, paint.polygon_distance(z, y, [(cx - .05, cy - .32), (cx + .05, cy - .32),
                                                             (cx + .05, cy - .22), (cx - .05, cy - .22)]))
     coat.cover(badge, WHITE, *PAINT_SURFACE)
-    coat.darken(line(y, .78, .006), .2)
+    coat.darken(line(y, .78), .12)
     grime(coat, z + sign, y * 3, .05)
     return coat
 

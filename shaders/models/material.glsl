@@ -29,7 +29,7 @@ struct Material {
 };
 
 // Sharper than the coarser of the two directions asks for: the livery is unrolled, with unequal scales.
-const float kSharper = -1.0;
+const float kSharper = -0.5;
 
 Material materialAt(vec2 uv) {
   vec4 diffuse = texture(texture_diffuse1, uv, kSharper);

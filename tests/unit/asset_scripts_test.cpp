@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "skydrop/core/file.h"
+#include "support/process.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop {
+namespace {
+
+// A Python that has numpy; empty if there is none.
+std::string pythonWithNumpy() {
+  for (const char* python : {"python3", "/usr/bin/python3"}) {
+    if (test::runProcess({python, "-c", "import numpy"}).exitCode == 0) return python;
+  }
+  return {};
+}
+
+class AssetScripts : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
+  // A script run into an empty folder writes the files of assets/ byte for byte.
+  const std::string python = pythonWithNumpy();
+  if (python.empty()) GTEST_SKIP() << "no python3 with numpy";
+  const std::filesystem::path assets = std::filesystem::path(SKYDROP_SOURCE_DIR) / "assets";
+  const test::TemporaryFolder folder;
+  const test::ProcessResult result =
+      test::runProcess({python, (assets / "scripts" / GetParam()).string(), folder.path().string()},
+                       {"PYTHONDONTWRITEBYTECODE=1"}, 100);
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    const std::string name = entry.path().filename().string();
+    const std::filesystem::path kept = assets / (name.ends_with(".wav") ? "audio" : "models") / name;
+    ASSERT_TRUE(std::filesystem::exists(kept)) << name;
+    EXPECT_TRUE(core::readFile(kept) == core::readFile(entry.path())) << name << " differs";
+    ++files;
+  }
+  EXPECT_GT(files, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, AssetScripts, ::testing::Values("make_airplane.py", "make_package.py", "make_sounds.py"),
+                         [](const auto& script) {
+                           const std::string name(script.param);
+                           return name.substr(0, name.find('.'));
+                         });
+
+}  // namespace
+}  // namespace skydrop
