@@ -8,7 +8,8 @@
 namespace skydrop::render {
 namespace {
 
-constexpr float kFullDeflectionRad = 0.32f;  // of a control surface at full control: 18 degrees, as small planes have
+constexpr float kFullDeflectionRad =
+    0.32f;  // of a control surface at full control: 18 degrees, as small planes have
 
 // The cabin in body axes, m: within these, the eye is inside the fuselage of airplane.glb.
 constexpr glm::dvec3 kCabinLow{-0.57, -0.6, -1.3}, kCabinHigh{0.57, 1.05, 1.5};
@@ -21,7 +22,8 @@ bool isInsideCabin(const FrameInput& frame) {
 
 std::optional<std::string> whyNot(const FrameInput& frame, const Model& model) {
   if (!frame.snapshot.aircraft.present) return "no aircraft";
-  if (!maySee(frame.view, frame.snapshot.aircraft.position, static_cast<double>(model.radius()))) return "the aircraft is out of view";
+  if (!maySee(frame.view, frame.snapshot.aircraft.position, static_cast<double>(model.radius())))
+    return "the aircraft is out of view";
   return std::nullopt;
 }
 
@@ -42,7 +44,9 @@ ModelPose poseOf(const game::AircraftSnapshot& aircraft, const Model& model) {
 
 }  // namespace
 
-std::optional<std::string> AircraftPass::idleReason(const FrameInput& frame) const { return whyNot(frame, *model_); }
+std::optional<std::string> AircraftPass::idleReason(const FrameInput& frame) const {
+  return whyNot(frame, *model_);
+}
 
 void AircraftPass::draw(FrameContext& context) {
   const game::AircraftSnapshot& aircraft = context.frame.snapshot.aircraft;

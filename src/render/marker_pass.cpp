@@ -8,8 +8,8 @@
 namespace skydrop::render {
 namespace {
 
-constexpr double kBeamHeightM = 900;    // above the hills around a target, below the usual cloud
-constexpr double kRingReachM = 400;     // up and down: how far the ground within the ring may rise or fall
+constexpr double kBeamHeightM = 900;  // above the hills around a target, below the usual cloud
+constexpr double kRingReachM = 400;   // up and down: how far the ground within the ring may rise or fall
 constexpr float kRingWidthM = 7;
 constexpr float kBeamHalfWidthM = 6;
 constexpr float kLeastHalfWidthPixels = 2.5f;
@@ -30,7 +30,8 @@ MeshData cylinderMesh() {
   mesh.vertices.push_back({{0, 1, 0}, {}, {}});
   for (std::uint32_t i = 0; i < kSides; ++i) {
     const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % kSides), bottom = 2 * kSides, top = bottom + 1;
-    for (const std::uint32_t v : {a, a + 1, b, b, a + 1, b + 1, bottom, a, b, top, b + 1, a + 1}) mesh.indices.push_back(v);
+    for (const std::uint32_t v : {a, a + 1, b, b, a + 1, b + 1, bottom, a, b, top, b + 1, a + 1})
+      mesh.indices.push_back(v);
   }
   return mesh;
 }
@@ -58,7 +59,8 @@ MarkerPass::MarkerPass(gl::Context& context)
 std::optional<std::string> MarkerPass::idleReason(const FrameInput& frame) const {
   const game::TargetSnapshot& target = frame.snapshot.target;
   if (!target.present) return "no target";
-  if (!maySee(frame.view, target.position + glm::dvec3(0, kBeamHeightM / 2, 0), kBeamHeightM / 2 + kRingReachM)) {
+  if (!maySee(frame.view, target.position + glm::dvec3(0, kBeamHeightM / 2, 0),
+              kBeamHeightM / 2 + kRingReachM)) {
     return "the target is out of view";
   }
   return std::nullopt;
@@ -93,7 +95,8 @@ void MarkerPass::draw(FrameContext& context) {
   const glm::dvec3 away = target.position - view.position;
   // Turned about the vertical towards the eye; from straight above any direction will do.
   const double level = std::sqrt(away.x * away.x + away.z * away.z);
-  const glm::dvec3 across = level > 1e-3 ? glm::dvec3(-away.z / level, 0, away.x / level) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 across =
+      level > 1e-3 ? glm::dvec3(-away.z / level, 0, away.x / level) : glm::dvec3(1, 0, 0);
   beam.setVec3("middle", middle);
   beam.setVec3("across", glm::vec3(across));
   beam.setFloat("heightM", static_cast<float>(kBeamHeightM));

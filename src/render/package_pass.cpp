@@ -11,9 +11,9 @@ namespace skydrop::render {
 namespace {
 
 // Of assets/scripts/make_package.py.
-constexpr double kHarnessM = 0.58;      // where the lines meet, above the crate's centre
-constexpr double kCanopyHangsAtM = 4.3; // its rim
-constexpr double kSeenRadiusM = 8;      // crate and open parachute, around the crate
+constexpr double kHarnessM = 0.58;       // where the lines meet, above the crate's centre
+constexpr double kCanopyHangsAtM = 4.3;  // its rim
+constexpr double kSeenRadiusM = 8;       // crate and open parachute, around the crate
 
 Model load(gl::Context& context, const char* name) {
   return Model(context, importModel(core::assetPath(std::string("models/") + name)), name);
@@ -34,7 +34,8 @@ glm::dquat canopyAttitude(const game::PackageSnapshot& package, const glm::dvec3
 // Of the parachute's model to its own place, by how far it is open: first a streamer, then it fills.
 glm::mat4 shapeOf(const game::PackageSnapshot& package) {
   if (package.landed) {  // emptied, beside the crate
-    const glm::mat4 beside = glm::translate(glm::mat4(1), glm::vec3(2.9f, static_cast<float>(-kHarnessM) - 0.35f, 0.6f));
+    const glm::mat4 beside =
+        glm::translate(glm::mat4(1), glm::vec3(2.9f, static_cast<float>(-kHarnessM) - 0.35f, 0.6f));
     const glm::mat4 flat = glm::scale(beside, glm::vec3(0.95f, 0.16f, 0.95f));
     return glm::translate(flat, glm::vec3(0, static_cast<float>(-kCanopyHangsAtM), 0));
   }
@@ -73,13 +74,16 @@ void PackagePass::drawPackage(FrameContext& context, const game::PackageSnapshot
   crate_.draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
               bodyMatrix(view, package.position, package.orientation), ModelPose(crate_));
   if (package.parachuteOpen <= 0) return;
-  const glm::dvec3 harness = package.landed ? glm::dvec3(0, kHarnessM, 0) : package.orientation * glm::dvec3(0, kHarnessM, 0);
-  const glm::mat4 toEye = bodyMatrix(view, package.position + harness, canopyAttitude(package, context.frame.snapshot.wind));
+  const glm::dvec3 harness =
+      package.landed ? glm::dvec3(0, kHarnessM, 0) : package.orientation * glm::dvec3(0, kHarnessM, 0);
+  const glm::mat4 toEye =
+      bodyMatrix(view, package.position + harness, canopyAttitude(package, context.frame.snapshot.wind));
   ModelPose pose(parachute_);
   if (package.landed) pose.hide("lines");
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   defines.emplace_back("CLOTH");
-  parachute_.draw(context.shaders, "models/model.vert", "models/model.frag", defines, toEye * shapeOf(package), pose);
+  parachute_.draw(context.shaders, "models/model.vert", "models/model.frag", defines,
+                  toEye * shapeOf(package), pose);
 }
 
 }  // namespace skydrop::render

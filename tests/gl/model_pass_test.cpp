@@ -32,7 +32,8 @@ Box changedBox(const core::Image& a, const core::Image& b, int least = 8) {
   for (int y = 0; y < a.height; ++y) {
     for (int x = 0; x < a.width; ++x) {
       int difference = 0;
-      for (int c = 0; c < 3; ++c) difference = std::max(difference, std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]));
+      for (int c = 0; c < 3; ++c)
+        difference = std::max(difference, std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]));
       if (difference <= least) continue;
       box.left = std::min(box.left, x), box.right = std::max(box.right, x);
       box.top = std::min(box.top, y), box.bottom = std::max(box.bottom, y);
@@ -46,8 +47,8 @@ class ModelPassGLTest : public test::FrameTest {
   void SetUp() override {
     FrameTest::SetUp();
     if (IsSkipped()) return;
-    const auto model =
-        std::make_shared<const Model>(context(), importModel(core::assetPath("models/airplane.glb")), "airplane");
+    const auto model = std::make_shared<const Model>(
+        context(), importModel(core::assetPath("models/airplane.glb")), "airplane");
     renderer().add(std::make_unique<SkyPass>(context()));
     renderer().add(std::make_unique<AircraftPass>(model));
     renderer().add(std::make_unique<PropellerPass>(model));
@@ -90,8 +91,9 @@ class ModelPassGLTest : public test::FrameTest {
 };
 
 TEST_F(ModelPassGLTest, aircraftHasItsSizeAndFacesForward) {
-  // From 30 m above with the picture's top to the north: 8.3 m from left to right, 10.8 m from top to bottom, as the
-  // perspective at the height of wing and fuselage has it (2 pixels for edges), and its nose on the right.
+  // From 30 m above with the picture's top to the north: 8.3 m from left to right, 10.8 m from top to bottom,
+  // as the perspective at the height of wing and fuselage has it (2 pixels for edges), and its nose on the
+  // right.
   const View view = pose({0, 830, 0}, -90, -90, 0, 640, 640);
   const Box box = changedBox(draw(view), emptyFrame(view));
   const double pixelsPerMetre = 640 / (2 * std::tan(view.fovYRad / 2) * (30 - 1.2));
@@ -110,14 +112,15 @@ TEST_F(ModelPassGLTest, T02_aircraftFarOutLooksLikeTheOneAtTheOrigin) {
 }
 
 TEST_F(ModelPassGLTest, controlsMoveTheSurfacesThatTheyShould) {
-  // Seen from behind: a roll to the right lifts the right aileron's edge and lowers the left one's; yaw changes the
-  // fin's middle; pulling changes the tailplane's; nothing else changes.
+  // Seen from behind: a roll to the right lifts the right aileron's edge and lowers the left one's; yaw
+  // changes the fin's middle; pulling changes the tailplane's; nothing else changes.
   const View view = pose({-14, 801, 0}, 0, 0, 0, 640, 360);
   const core::Image still = draw(view);
   const double tailPixels = 360 / (2 * std::tan(view.fovYRad / 2) * 9.5);  // a metre at the tail
   aircraft().controls.roll = 1;
   const Box ailerons = changedBox(draw(view), still);
-  EXPECT_NEAR(ailerons.width(), 2 * 4.95 * 360 / (2 * std::tan(view.fovYRad / 2) * 14.3), 16);  // they taper away from the eye by up to 0.8 m
+  EXPECT_NEAR(ailerons.width(), 2 * 4.95 * 360 / (2 * std::tan(view.fovYRad / 2) * 14.3),
+              16);  // they taper away from the eye by up to 0.8 m
   aircraft().controls = {};
   aircraft().controls.pitch = 1;
   const Box elevator = changedBox(draw(view), still);
@@ -132,7 +135,8 @@ TEST_F(ModelPassGLTest, controlsMoveTheSurfacesThatTheyShould) {
 }
 
 TEST_F(ModelPassGLTest, bladesAreAVeilWhileTurningAndSolidAfterACrash) {
-  // Before the sky the veil changes pixels by some steps only and turns with the angle; stopped blades are dark.
+  // Before the sky the veil changes pixels by some steps only and turns with the angle; stopped blades are
+  // dark.
   const View view = pose({9, 800, 0}, 180, 0, 0);
   const core::Image turning = draw(view);
   EXPECT_EQ(skipped("propeller"), "");
@@ -146,8 +150,8 @@ TEST_F(ModelPassGLTest, bladesAreAVeilWhileTurningAndSolidAfterACrash) {
 }
 
 TEST_F(ModelPassGLTest, panelIsSeenFromInsideTheCabinOnly) {
-  // The eye at the pilot's place sees a dark panel in the lower middle and open sky above; from outside, turning on
-  // the spot where the panel stands shows the same aircraft whatever the panel holds.
+  // The eye at the pilot's place sees a dark panel in the lower middle and open sky above; from outside,
+  // turning on the spot where the panel stands shows the same aircraft whatever the panel holds.
   const glm::dvec3 eye = aircraft().position + facingEast() * glm::dvec3(0, 0.72, -0.35);
   const View view = pose(eye, 0, 0, 0);
   const core::Image inside = draw(view), sky = emptyFrame(view);
@@ -157,7 +161,8 @@ TEST_F(ModelPassGLTest, panelIsSeenFromInsideTheCabinOnly) {
 
 TEST_F(ModelPassGLTest, aircraftOutOfViewIsNotDrawn) {
   // Behind the eye, beside the picture, 500 km away, absent: no draw, and the reason is said.
-  for (const View& view : {pose({30, 800, 0}, 0, 0, 0), pose({0, 800, 30}, 0, 0, 0), pose({-500000, 800, 0}, 0, 0, 0)}) {
+  for (const View& view :
+       {pose({30, 800, 0}, 0, 0, 0), pose({0, 800, 30}, 0, 0, 0), pose({-500000, 800, 0}, 0, 0, 0)}) {
     draw(view);
     EXPECT_EQ(skipped("aircraft"), "the aircraft is out of view");
   }
@@ -169,7 +174,8 @@ TEST_F(ModelPassGLTest, aircraftOutOfViewIsNotDrawn) {
 }
 
 TEST_F(ModelPassGLTest, parachuteOpensAboveThePackage) {
-  // Falling closed: a box of 0.8 m. Open: 5.4 m wide (10 % for the gores' bulge) and above the box. Landed: flat.
+  // Falling closed: a box of 0.8 m. Open: 5.4 m wide (10 % for the gores' bulge) and above the box. Landed:
+  // flat.
   aircraft().present = false;
   const View view = pose({-20, 802, 0}, 0, 0, 0, 480, 480);
   const core::Image sky = emptyFrame(view);
@@ -210,8 +216,8 @@ TEST_F(ModelPassGLTest, parachuteTrailsBehindFlightAndFacesAnyWay) {
 }
 
 TEST_F(ModelPassGLTest, markerIsSeenFromSixKilometresAndHidesBehindLand) {
-  // From 6 km, 300 m up, a column of the picture stands out by more than 15 steps over at least 20 rows, within
-  // 2 pixels of the target's place; with a hill before it, nothing is left.
+  // From 6 km, 300 m up, a column of the picture stands out by more than 15 steps over at least 20 rows,
+  // within 2 pixels of the target's place; with a hill before it, nothing is left.
   setTarget({6000, 0, 0});
   addGround({0, 0, 0});
   const View view = pose({0, 300, 0}, 4, 0, 0, 640, 360);
@@ -231,8 +237,8 @@ TEST_F(ModelPassGLTest, markerIsSeenFromSixKilometresAndHidesBehindLand) {
 }
 
 TEST_F(ModelPassGLTest, markersRingLiesOnTheGroundAtItsRadius) {
-  // From straight above, 600 m up: the ring's outline is 200 m across, and the ground 60 m and 140 m from the middle
-  // is not orange.
+  // From straight above, 600 m up: the ring's outline is 200 m across, and the ground 60 m and 140 m from the
+  // middle is not orange.
   setTarget({0, 50, 0});
   addGround({0, 50, 0});
   const View view = pose({0, 650, 0}, -90, -89.99, 0, 480, 480);

@@ -19,7 +19,8 @@ class GroundPass final : public render::Pass {
   render::Slot slot() const override { return render::Slot::terrain; }
   void draw(render::FrameContext& context) override {
     model_.draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
-                render::bodyMatrix(context.frame.view, middle_, glm::dquat(1, 0, 0, 0)), render::ModelPose(model_));
+                render::bodyMatrix(context.frame.view, middle_, glm::dquat(1, 0, 0, 0)),
+                render::ModelPose(model_));
   }
 
  private:

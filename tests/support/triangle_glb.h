@@ -47,7 +47,9 @@ struct TriangleGlb {
   }
 
   void setFloat(std::size_t offset, float value) { std::memcpy(binary.data() + offset, &value, 4); }
-  void setIndex(std::size_t corner, std::uint32_t value) { std::memcpy(binary.data() + 72 + 4 * corner, &value, 4); }
+  void setIndex(std::size_t corner, std::uint32_t value) {
+    std::memcpy(binary.data() + 72 + 4 * corner, &value, 4);
+  }
 
   nlohmann::json json;
   std::string binary;

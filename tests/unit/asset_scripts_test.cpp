@@ -41,7 +41,8 @@ TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
   EXPECT_GT(files, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(, AssetScripts, ::testing::Values("make_airplane.py", "make_package.py", "make_sounds.py"),
+INSTANTIATE_TEST_SUITE_P(, AssetScripts,
+                         ::testing::Values("make_airplane.py", "make_package.py", "make_sounds.py"),
                          [](const auto& script) {
                            const std::string name(script.param);
                            return name.substr(0, name.find('.'));

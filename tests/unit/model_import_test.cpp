@@ -53,9 +53,11 @@ TEST_F(ModelImport, readsObjWithSeveralMeshesAndCutsPolygonsIntoTriangles) {
 
 TEST_F(ModelImport, readsTexturesOfBothKindsOnce) {
   // Two materials of an OBJ that share a diffuse and differ in their specular texture: three images.
-  for (const char* name : {"a.png", "b.png", "c.png"}) core::writePng(folder_.path() / name, core::Image(2, 2));
-  core::writeFileAtomically(folder_.path() / "square.mtl",
-                            std::string_view("newmtl one\nmap_Kd a.png\nmap_Ks b.png\nnewmtl two\nmap_Kd a.png\nmap_Ks c.png\n"));
+  for (const char* name : {"a.png", "b.png", "c.png"})
+    core::writePng(folder_.path() / name, core::Image(2, 2));
+  core::writeFileAtomically(
+      folder_.path() / "square.mtl",
+      std::string_view("newmtl one\nmap_Kd a.png\nmap_Ks b.png\nnewmtl two\nmap_Kd a.png\nmap_Ks c.png\n"));
   std::string text = "mtllib square.mtl\n" + std::string(kSquareObj);
   text.insert(text.find("o first") + 8, "usemtl one\n");
   text.insert(text.find("o second") + 9, "usemtl two\n");
@@ -93,7 +95,8 @@ void expectClosed(const ModelMesh& mesh) {
     return places.emplace(std::array{p.x, p.y, p.z}, static_cast<int>(places.size())).first->second;
   };
   for (std::size_t i = 0; i < mesh.data.indices.size(); i += 3) {
-    const int corner[3] = {place(mesh.data.indices[i]), place(mesh.data.indices[i + 1]), place(mesh.data.indices[i + 2])};
+    const int corner[3] = {place(mesh.data.indices[i]), place(mesh.data.indices[i + 1]),
+                           place(mesh.data.indices[i + 2])};
     for (int k = 0; k < 3; ++k) {
       const int a = corner[k], b = corner[(k + 1) % 3];
       balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
@@ -105,7 +108,8 @@ void expectClosed(const ModelMesh& mesh) {
 }
 
 TEST_F(ModelImport, gamesOwnModelsAreClosedAndOfTheStatedSize) {
-  // All meshes without a hole; the aircraft 8.3 m long and 10.8 m wide (within 0.1 m), its parts under their names.
+  // All meshes without a hole; the aircraft 8.3 m long and 10.8 m wide (within 0.1 m), its parts under their
+  // names.
   for (const char* name : {"airplane.glb", "package.glb", "parachute.glb"}) {
     const ModelData model = importModel(core::assetPath(std::string("models/") + name));
     glm::vec3 low(1e9f), high(-1e9f);
@@ -122,8 +126,11 @@ TEST_F(ModelImport, gamesOwnModelsAreClosedAndOfTheStatedSize) {
     if (std::string_view(name) != "airplane.glb") continue;
     EXPECT_NEAR(high.z - low.z, 8.3, 0.1);
     EXPECT_NEAR(high.x - low.x, 10.8, 0.1);
-    for (const char* part : {"propeller", "propeller_disc", "aileron_left", "aileron_right", "elevator", "rudder", "cockpit"}) {
-      EXPECT_TRUE(std::any_of(model.nodes.begin(), model.nodes.end(), [&](const auto& n) { return n.name == part; })) << part;
+    for (const char* part :
+         {"propeller", "propeller_disc", "aileron_left", "aileron_right", "elevator", "rudder", "cockpit"}) {
+      EXPECT_TRUE(std::any_of(model.nodes.begin(), model.nodes.end(), [&](const auto& n) {
+        return n.name == part;
+      })) << part;
     }
     ASSERT_EQ(model.images.size(), 2u);  // diffuse and specular
   }
@@ -143,8 +150,9 @@ TEST_F(ModelImport, refusesOtherFormatsByName) {
 TEST_F(ModelImport, refusesObjThatIsWrongAndSaysInWhichLine) {
   // Each fault in line 4 or later of an otherwise good file.
   const std::string good = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (const char* line : {"f 1 2 4", "f 1 2 0", "f 1 2 -4", "f 1 2", "f 1 2 99999999999999999999", "v nan 0 0",
-                           "v 1e999 0 0", "v 1 2", "f 1//1 2//1 3//1", "f 1/1/1/1 2 3", "curv2 1 2 3"}) {
+  for (const char* line :
+       {"f 1 2 4", "f 1 2 0", "f 1 2 -4", "f 1 2", "f 1 2 99999999999999999999", "v nan 0 0", "v 1e999 0 0",
+        "v 1 2", "f 1//1 2//1 3//1", "f 1/1/1/1 2 3", "curv2 1 2 3"}) {
     EXPECT_NE(refusal("bad.obj", good + line + "\n").find("line 4"), std::string::npos) << line;
   }
   EXPECT_NE(refusal("bad.obj", good), "");
@@ -154,15 +162,17 @@ TEST_F(ModelImport, refusesObjThatIsWrongAndSaysInWhichLine) {
 }
 
 TEST_F(ModelImport, refusesGltfWhoseNumbersLie) {
-  // Counts beyond the file, offsets beyond the buffer, references to nothing: refused before a byte is fetched.
+  // Counts beyond the file, offsets beyond the buffer, references to nothing: refused before a byte is
+  // fetched.
   const auto broken = [&](const char* pointer, const nlohmann::json& value) {
     test::TriangleGlb glb;
     glb.json[nlohmann::json::json_pointer(pointer)] = value;
     EXPECT_NE(refusal(glb), "") << pointer << " = " << value;
   };
   for (const std::uint64_t huge : {std::uint64_t{100}, std::uint64_t{4000000000}, std::uint64_t{1} << 62}) {
-    for (const char* count : {"/accessors/0/count", "/accessors/2/count", "/bufferViews/0/byteLength", "/buffers/0/byteLength",
-                              "/bufferViews/1/byteOffset", "/accessors/0/byteOffset"}) {
+    for (const char* count :
+         {"/accessors/0/count", "/accessors/2/count", "/bufferViews/0/byteLength", "/buffers/0/byteLength",
+          "/bufferViews/1/byteOffset", "/accessors/0/byteOffset"}) {
       test::TriangleGlb glb;
       nlohmann::json& value = glb.json[nlohmann::json::json_pointer(count)];
       value = (value.is_number() ? value.get<std::uint64_t>() : 0) + huge;
@@ -199,7 +209,8 @@ TEST_F(ModelImport, refusesGltfWhoseNumbersLie) {
 
 TEST_F(ModelImport, refusesGeometryThatIsNotFiniteOrLeavesItsMesh) {
   // NaN, infinity and 1e30 m as position; NaN and (0, 0, 0) as normal; an index past the last vertex.
-  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
     test::TriangleGlb glb;
     glb.setFloat(16, bad);
     EXPECT_NE(refusal(glb), "") << bad;
@@ -221,10 +232,12 @@ TEST_F(ModelImport, refusesTexturesThatAreMissingOrElsewhere) {
   test::TriangleGlb glb;
   glb.json["images"] = {{{"uri", "none.png"}}};
   glb.json["textures"] = {{{"source", 0}}};
-  glb.json["materials"] = {{{"name", "paint"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  glb.json["materials"] = {
+      {{"name", "paint"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
   glb.json["meshes"][0]["primitives"][0]["material"] = 0;
   EXPECT_NE(refusal(glb).find("none.png"), std::string::npos);
-  for (const char* elsewhere : {"../../secret.png", "/etc/passwd", "http://example.org/a.png", "a/../../b.png", ""}) {
+  for (const char* elsewhere :
+       {"../../secret.png", "/etc/passwd", "http://example.org/a.png", "a/../../b.png", ""}) {
     glb.json["images"][0]["uri"] = elsewhere;
     EXPECT_NE(refusal(glb), "") << elsewhere;
   }
@@ -251,7 +264,8 @@ TEST_F(ModelImport, survivesEveryTruncationAndFlippedBytes) {
   core::RandomStream random{11, 0};
   for (int round = 0; round < 1000; ++round) {
     std::string bytes = round % 3 == 0 ? std::string(kSquareObj) : good;
-    for (std::uint64_t n = 1 + random.next() % 4; n > 0; --n) bytes[random.next() % bytes.size()] = static_cast<char>(random.next());
+    for (std::uint64_t n = 1 + random.next() % 4; n > 0; --n)
+      bytes[random.next() % bytes.size()] = static_cast<char>(random.next());
     refusal(round % 3 == 0 ? "fuzz.obj" : "fuzz.glb", bytes);
   }
 }

@@ -7,8 +7,8 @@
 
 namespace skydrop::render {
 
-// The aircraft's model as the snapshot has it: control surfaces follow the controls, and from a place inside the
-// cabin its panel is drawn and the outside is seen from within (back faces are not drawn).
+// The aircraft's model as the snapshot has it: control surfaces follow the controls, and from a place inside
+// the cabin its panel is drawn and the outside is seen from within (back faces are not drawn).
 class AircraftPass final : public Pass {
  public:
   // `model`: assets/models/airplane.glb on this context, shared with the propeller's pass.

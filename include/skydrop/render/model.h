@@ -39,8 +39,9 @@ class ModelPose {
 // A model on the GPU: meshes, textures, and nodes with names (thesis, section 3.2.5).
 //
 // Shaders see, for each mesh: uniform mat4 toEye (of the mesh to eye-relative world axes), mat3 normalToEye,
-// and samplers texture_diffuse1.. on units 0.. and texture_specular1.. on units kMaxTextures.., as many as the
-// defines DIFFUSE_TEXTURES and SPECULAR_TEXTURES say (at least one each: a material without gets a plain one).
+// and samplers texture_diffuse1.. on units 0.. and texture_specular1.. on units kMaxTextures.., as many as
+// the defines DIFFUSE_TEXTURES and SPECULAR_TEXTURES say (at least one each: a material without gets a plain
+// one).
 class Model {
  public:
   static constexpr int kMaxTextures = 4;  // of a kind; more are refused

@@ -44,9 +44,9 @@ struct ModelMesh {
 // A part with a frame of its own. Parents come before their children.
 struct ModelNode {
   std::string name;
-  int parent = -1;               // index into ModelData::nodes, -1 of the root
-  glm::mat4 toParent{1};         // finite
-  std::vector<int> meshes;       // indices into ModelData::meshes
+  int parent = -1;          // index into ModelData::nodes, -1 of the root
+  glm::mat4 toParent{1};    // finite
+  std::vector<int> meshes;  // indices into ModelData::meshes
 };
 
 struct ModelData {

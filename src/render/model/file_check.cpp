@@ -76,7 +76,8 @@ class ObjChecker {
       count(textures_);
     } else if (words[0] == "f") {
       checkFace(words);
-    } else if (words[0] != "o" && words[0] != "g" && words[0] != "s" && words[0] != "usemtl" && words[0] != "mtllib") {
+    } else if (words[0] != "o" && words[0] != "g" && words[0] != "s" && words[0] != "usemtl" &&
+               words[0] != "mtllib") {
       fail("'" + std::string(words[0].substr(0, 32)) + "' is not read");
     }
   }

@@ -18,8 +18,8 @@ ModelFormat modelFormat(const std::filesystem::path& path);
 void checkObj(std::string_view file, std::string_view text);
 void checkGltf(std::string_view file, std::span<const std::byte> bytes, ModelFormat format);
 
-// A file beside the model, or below its folder, as a relative path without "..". Throws core::DataError for an
-// absolute one, one that leaves the folder, and for URLs.
+// A file beside the model, or below its folder, as a relative path without "..". Throws core::DataError for
+// an absolute one, one that leaves the folder, and for URLs.
 std::filesystem::path besideModel(const std::filesystem::path& model, std::string_view reference);
 
 }  // namespace skydrop::render

@@ -1,8 +1,8 @@
 #include <array>
-#include <optional>
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,18 +55,22 @@ class GltfChecker {
     return value;
   }
 
-  void splitContainer(std::span<const std::byte> bytes, std::string_view& text, std::optional<std::uint64_t>& binary) const {
+  void splitContainer(std::span<const std::byte> bytes, std::string_view& text,
+                      std::optional<std::uint64_t>& binary) const {
     if (bytes.size() < 20 || word(bytes, 0) != 0x46546c67) fail("header", "is not binary glTF");
     if (word(bytes, 4) != 2) fail("header", "is not version 2");
     if (word(bytes, 8) != bytes.size()) {
-      fail("header", "says " + std::to_string(word(bytes, 8)) + " bytes, the file has " + std::to_string(bytes.size()));
+      fail("header",
+           "says " + std::to_string(word(bytes, 8)) + " bytes, the file has " + std::to_string(bytes.size()));
     }
     const std::size_t jsonBytes = word(bytes, 12);
-    if (word(bytes, 16) != 0x4e4f534a || jsonBytes > bytes.size() - 20) fail("JSON chunk", "is missing or too long");
+    if (word(bytes, 16) != 0x4e4f534a || jsonBytes > bytes.size() - 20)
+      fail("JSON chunk", "is missing or too long");
     text = std::string_view(reinterpret_cast<const char*>(bytes.data()) + 20, jsonBytes);
     std::size_t at = 20 + jsonBytes;
     if (at == bytes.size()) return;
-    if (bytes.size() - at < 8 || word(bytes, at + 4) != 0x004e4942 || word(bytes, at) != bytes.size() - at - 8) {
+    if (bytes.size() - at < 8 || word(bytes, at + 4) != 0x004e4942 ||
+        word(bytes, at) != bytes.size() - at - 8) {
       fail("BIN chunk", "does not end where the file ends");
     }
     binary = word(bytes, at);
@@ -118,7 +122,9 @@ class GltfChecker {
     return value;
   }
 
-  static std::string at(const char* name, std::size_t i) { return std::string(name) + "[" + std::to_string(i) + "]"; }
+  static std::string at(const char* name, std::size_t i) {
+    return std::string(name) + "[" + std::to_string(i) + "]";
+  }
 
   void checkBuffers(const json& root, std::optional<std::uint64_t> binary) {
     const json& buffers = list(root, "buffers", "");
@@ -139,7 +145,8 @@ class GltfChecker {
       if (!buffer) fail(place, "has no buffer");
       const std::uint64_t offset = whole(views[i], "byteOffset", place, 0);
       const std::uint64_t bytes = whole(views[i], "byteLength", place);
-      if (offset > bufferBytes_[*buffer] || bytes > bufferBytes_[*buffer] - offset) fail(place, "leaves its buffer");
+      if (offset > bufferBytes_[*buffer] || bytes > bufferBytes_[*buffer] - offset)
+        fail(place, "leaves its buffer");
       const std::uint64_t stride = whole(views[i], "byteStride", place, 0);
       if (stride > 252) fail(place + ".byteStride", "is out of range");
       views_.push_back({bytes, stride});
@@ -157,7 +164,8 @@ class GltfChecker {
       const std::uint64_t offset = whole(accessors[i], "byteOffset", place, 0);
       const std::uint64_t element = elementBytes(accessors[i], place);
       const std::uint64_t stride = views_[*view].stride ? views_[*view].stride : element;
-      if (count == 0 || count > kMaxModelIndices) fail(place + ".count", std::to_string(count) + " is out of range");
+      if (count == 0 || count > kMaxModelIndices)
+        fail(place + ".count", std::to_string(count) + " is out of range");
       if (stride < element || offset > views_[*view].bytes ||
           (count - 1) * stride + element > views_[*view].bytes - offset) {
         fail(place, "leaves its bufferView");
@@ -203,15 +211,19 @@ class GltfChecker {
 
   void checkAttributes(const json& primitive, const std::string& place) {
     const json* attributes = member(primitive, "attributes");
-    if (!attributes || !attributes->is_object() || !attributes->contains("POSITION")) fail(place, "has no POSITION");
+    if (!attributes || !attributes->is_object() || !attributes->contains("POSITION"))
+      fail(place, "has no POSITION");
     const auto positions = index(*attributes, "POSITION", place, accessors_.size());
     for (const auto& [name, value] : attributes->items()) {
       const Accessor& accessor = accessors_[*index(*attributes, name.c_str(), place, accessors_.size())];
-      if (accessor.count != accessors_[*positions].count) fail(place + "." + name, "has another count than POSITION");
+      if (accessor.count != accessors_[*positions].count)
+        fail(place + "." + name, "has another count than POSITION");
       const bool isVector = name == "POSITION" || name == "NORMAL";
-      if (isVector && (accessor.type != "VEC3" || accessor.component != 5126)) fail(place + "." + name, "is not VEC3 of float");
+      if (isVector && (accessor.type != "VEC3" || accessor.component != 5126))
+        fail(place + "." + name, "is not VEC3 of float");
       if (name == "TEXCOORD_0" && accessor.type != "VEC2") fail(place + "." + name, "is not VEC2");
-      if (name.starts_with("JOINTS") || name.starts_with("WEIGHTS")) fail(place + "." + name, "skins are not read");
+      if (name.starts_with("JOINTS") || name.starts_with("WEIGHTS"))
+        fail(place + "." + name, "skins are not read");
     }
     vertices_ += accessors_[*positions].count;
     indices_ += accessors_[*positions].count;
@@ -241,7 +253,8 @@ class GltfChecker {
       index(textures[i], "sampler", at("textures", i), samplers);
     }
     const json& materials = list(root, "materials", "");
-    for (std::size_t i = 0; i < materials.size(); ++i) checkTextureUses(materials[i], at("materials", i), textures.size());
+    for (std::size_t i = 0; i < materials.size(); ++i)
+      checkTextureUses(materials[i], at("materials", i), textures.size());
   }
 
   // Every "...Texture" within a material, its extensions included, must name a texture.
@@ -263,12 +276,14 @@ class GltfChecker {
       for (const char* unread : {"skin", "camera", "weights"}) {
         if (member(nodes[i], unread)) fail(at("nodes", i) + "." + unread, "is not read");
       }
-      for (const auto& [name, length] : {std::pair{"matrix", 16}, {"translation", 3}, {"rotation", 4}, {"scale", 3}}) {
+      for (const auto& [name, length] :
+           {std::pair{"matrix", 16}, {"translation", 3}, {"rotation", 4}, {"scale", 3}}) {
         const json* numbers = member(nodes[i], name);
         if (!numbers) continue;
         bool good = numbers->is_array() && static_cast<int>(numbers->size()) == length;
         for (std::size_t k = 0; good && k < numbers->size(); ++k) good = (*numbers)[k].is_number();
-        if (!good) fail(at("nodes", i) + "." + name, "is not a list of " + std::to_string(length) + " numbers");
+        if (!good)
+          fail(at("nodes", i) + "." + name, "is not a list of " + std::to_string(length) + " numbers");
       }
       for (const json& child : list(nodes[i], "children", at("nodes", i) + ".")) {
         if (!child.is_number_unsigned() || child.get<std::uint64_t>() >= nodes.size()) {

@@ -59,7 +59,8 @@ Model::Model(gl::Context& context, const ModelData& data, std::string_view label
     textures_.push_back(upload(context, image, name + " plain"));
     return static_cast<int>(textures_.size()) - 1;
   };
-  const int plainDiffuse = plain(plainImage(kPlainDiffuse)), plainSpecular = plain(plainImage(kPlainSpecular));
+  const int plainDiffuse = plain(plainImage(kPlainDiffuse)),
+            plainSpecular = plain(plainImage(kPlainSpecular));
   for (const ModelMaterial& from : data.materials) {
     Material material{from.diffuse, from.specular, {}};
     if (material.diffuse.empty()) material.diffuse = {plainDiffuse};
@@ -93,7 +94,8 @@ gl::Texture Model::upload(gl::Context& context, const core::Image& image, const 
   std::vector<std::uint8_t> flipped(image.rgba.size());
   const std::size_t row = static_cast<std::size_t>(image.width) * 4;
   for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-    std::memcpy(flipped.data() + y * row, image.rgba.data() + (static_cast<std::size_t>(image.height) - 1 - y) * row, row);
+    std::memcpy(flipped.data() + y * row,
+                image.rgba.data() + (static_cast<std::size_t>(image.height) - 1 - y) * row, row);
   }
   texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, std::as_bytes(std::span(flipped)));
   texture.generateMipmaps();
@@ -102,7 +104,8 @@ gl::Texture Model::upload(gl::Context& context, const core::Image& image, const 
 }
 
 int Model::node(std::string_view name) const {
-  const auto found = std::find_if(nodes_.begin(), nodes_.end(), [&](const ModelNode& n) { return n.name == name; });
+  const auto found =
+      std::find_if(nodes_.begin(), nodes_.end(), [&](const ModelNode& n) { return n.name == name; });
   return found == nodes_.end() ? -1 : static_cast<int>(found - nodes_.begin());
 }
 
@@ -113,7 +116,8 @@ void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std:
     if (nodes_[i].meshes.empty() || !pose.isShown(index)) continue;
     const glm::mat4 meshToEye = toEye * pose.toModel(index);
     for (const int mesh : nodes_[i].meshes) {
-      const Material& material = materials_[static_cast<std::size_t>(meshMaterials_[static_cast<std::size_t>(mesh)])];
+      const Material& material =
+          materials_[static_cast<std::size_t>(meshMaterials_[static_cast<std::size_t>(mesh)])];
       std::vector<std::string> all(defines.begin(), defines.end());
       all.insert(all.end(), material.defines.begin(), material.defines.end());
       gl::Shader& shader = shaders.shader(vertex, fragment, all);

@@ -1,5 +1,6 @@
 #include "skydrop/render/model_import.h"
 
+#include <assimp/BaseImporter.h>
 #include <assimp/importerdesc.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
@@ -7,7 +8,6 @@
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
-#include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
@@ -72,8 +72,8 @@ class ModelFolder final : public Assimp::IOSystem {
   // assimp asks for a reference joined to the model's folder.
   std::filesystem::path besideOrEmpty(const char* file) const {
     std::error_code error;
-    const std::filesystem::path relative =
-        std::filesystem::path(file).lexically_normal().lexically_relative(model_.parent_path().lexically_normal());
+    const std::filesystem::path relative = std::filesystem::path(file).lexically_normal().lexically_relative(
+        model_.parent_path().lexically_normal());
     const std::filesystem::path path = besideModel(model_, relative.empty() ? file : relative.string());
     return std::filesystem::is_regular_file(path, error) ? path : std::filesystem::path();
   }
@@ -120,7 +120,8 @@ class ModelReader {
     const aiScene* scene = importer.ReadFile(file_, 0);
     if (!scene || !scene->mRootNode) fail("", importer.GetErrorString());
     checkRaw(*scene);
-    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_GenSmoothNormals | aiProcess_SortByPType);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_GenSmoothNormals |
+                                         aiProcess_SortByPType);
     if (!scene) fail("", importer.GetErrorString());
     readMaterials(*scene);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) readMesh(*scene->mMeshes[i], scene->mNumMaterials);
@@ -214,9 +215,11 @@ class ModelReader {
   void readMesh(const aiMesh& from, unsigned materials) {
     ModelMesh mesh;
     mesh.name = from.mName.C_Str();
-    if (from.mPrimitiveTypes & (aiPrimitiveType_POINT | aiPrimitiveType_LINE | aiPrimitiveType_POLYGON)) fail(placeOf(from), "holds points or lines");
+    if (from.mPrimitiveTypes & (aiPrimitiveType_POINT | aiPrimitiveType_LINE | aiPrimitiveType_POLYGON))
+      fail(placeOf(from), "holds points or lines");
     if (!from.HasNormals()) fail(placeOf(from), "has no normals, and none could be made");
-    if (materials > 0 && from.mMaterialIndex >= materials) fail(placeOf(from), "its material is out of range");
+    if (materials > 0 && from.mMaterialIndex >= materials)
+      fail(placeOf(from), "its material is out of range");
     mesh.material = materials > 0 ? static_cast<int>(from.mMaterialIndex) : 0;
     for (unsigned v = 0; v < from.mNumVertices; ++v) mesh.data.vertices.push_back(readVertex(from, v));
     for (unsigned f = 0; f < from.mNumFaces; ++f) {
@@ -249,9 +252,11 @@ class ModelReader {
     node.parent = parent;
     node.toParent = fromAssimp(from.mTransformation);
     const std::string place = "node '" + node.name + "'";
-    if (depth > kMaxModelDepth || model_.nodes.size() == kMaxModelNodes) fail(place, "too many nodes, or too deep");
+    if (depth > kMaxModelDepth || model_.nodes.size() == kMaxModelNodes)
+      fail(place, "too many nodes, or too deep");
     for (int i = 0; i < 16; ++i) {
-      if (!(std::abs(node.toParent[i / 4][i % 4]) <= kMaxModelCoordinate)) fail(place, "its transform is not finite");
+      if (!(std::abs(node.toParent[i / 4][i % 4]) <= kMaxModelCoordinate))
+        fail(place, "its transform is not finite");
     }
     for (unsigned i = 0; i < from.mNumMeshes; ++i) node.meshes.push_back(static_cast<int>(from.mMeshes[i]));
     const int index = static_cast<int>(model_.nodes.size());
