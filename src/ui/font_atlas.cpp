@@ -23,13 +23,24 @@ double haloPixels(int linePixels) { return std::max(kHaloOfLine * linePixels, kM
 
 #if IMGUI_VERSION_NUM >= 19200
 
+// From 1.93 on glyphs have an index, before it was the code point: ours is the code point in either.
+template <class Loader>
+void setIndexFunction(Loader& loader) {
+  if constexpr (requires { loader.FontSrcGetGlyphIndexFromCodepoint; }) {
+    loader.FontSrcGetGlyphIndexFromCodepoint = [](ImFontAtlas*, ImFontConfig*, ImWchar codePoint) {
+      return static_cast<int>(codePoint);
+    };
+  }
+}
+
 // From 1.92 on, Dear ImGui asks a loader for glyphs.
 template <bool kHalo>
 const ImFontLoader& strokeLoader() {
   static const ImFontLoader kLoader = [] {
     ImFontLoader loader;
     loader.Name = "strokes";
-    loader.FontSrcContainsGlyph = [](ImFontAtlas*, ImFontConfig*, ImWchar codePoint) {
+    setIndexFunction(loader);
+    loader.FontSrcContainsGlyph = [](ImFontAtlas*, ImFontConfig*, auto codePoint) {
       return std::ranges::binary_search(strokeFontCodePoints(), static_cast<char32_t>(codePoint));
     };
     loader.FontBakedInit = [](ImFontAtlas*, ImFontConfig*, ImFontBaked* baked, void*) {
@@ -38,7 +49,8 @@ const ImFontLoader& strokeLoader() {
       return true;
     };
     loader.FontBakedLoadGlyph = [](ImFontAtlas* atlas, ImFontConfig* source, ImFontBaked* baked, void*,
-                                   ImWchar codePoint, ImFontGlyph* glyph, float* advance) {
+                                   auto index, ImFontGlyph* glyph, float* advance) {
+      const auto codePoint = static_cast<ImWchar>(index);
       if (!std::ranges::binary_search(strokeFontCodePoints(), static_cast<char32_t>(codePoint))) return false;
       const int pixels = static_cast<int>(baked->Size);
       const GlyphBitmap bitmap = rasterizeGlyph(codePoint, pixels, kHalo ? haloPixels(pixels) : 0);
