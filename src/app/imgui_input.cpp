@@ -111,7 +111,7 @@ void ImGuiInput::handle(const WindowEvent& event, double pixelsPerUnit) {
     inPixels.x *= pixelsPerUnit;
     inPixels.y *= pixelsPerUnit;
   }
-  // A button event knows where it happened.
+  // A button event knows where it happened. The move before it also keeps two of them out of one frame.
   if (event.kind == Kind::mouseButton) {
     queue_.push_back(inPixels);
     queue_.back().kind = Kind::mouseMove;
@@ -132,22 +132,21 @@ bool ImGuiInput::apply(const WindowEvent& event) {
   ImGuiIO& io = ImGui::GetIO();
   switch (event.kind) {
     case Kind::mouseMove:
-      if (!changedButtons_.empty() || !changedKeys_.empty() || scrolled_) return false;
+      if (clicked_ || !changedKeys_.empty() || scrolled_) return false;
       setMousePosition(io, static_cast<float>(event.x), static_cast<float>(event.y));
       return true;
     case Kind::mouseButton:
       if (event.code < 0 || event.code >= kMouseButtons) return true;
-      if (changedButtons_.contains(event.code) || scrolled_) return false;
       setMouseButton(io, event.code, event.pressed);
-      changedButtons_.insert(event.code);
+      clicked_ = true;
       return true;
     case Kind::scroll:
-      if (!changedButtons_.empty()) return false;
+      if (clicked_) return false;
       addScroll(io, static_cast<float>(event.x), static_cast<float>(event.y));
       scrolled_ = true;
       return true;
     case Kind::key:
-      if (changedKeys_.contains(event.code) || !changedButtons_.empty()) return false;
+      if (changedKeys_.contains(event.code) || clicked_) return false;
       if (event.pressed)
         heldKeys_.insert(event.code);
       else
@@ -173,8 +172,7 @@ bool ImGuiInput::apply(const WindowEvent& event) {
 
 void ImGuiInput::beginFrame() {
   changedKeys_.clear();
-  changedButtons_.clear();
-  scrolled_ = false;
+  clicked_ = scrolled_ = false;
   while (!queue_.empty() && apply(queue_.front())) queue_.pop_front();
 }
 

@@ -33,8 +33,8 @@ class ImGuiInput {
   std::deque<render::gl::WindowEvent> queue_;  // mouse positions already in pixels
   std::set<int> heldKeys_;
   // What this frame has already seen.
-  std::set<int> changedKeys_, changedButtons_;
-  bool scrolled_ = false;
+  std::set<int> changedKeys_;
+  bool clicked_ = false, scrolled_ = false;
 };
 
 }  // namespace skydrop::app

@@ -48,10 +48,12 @@ void describe(core::SettingsVisitor& visitor, Aircraft& a) {
 
 struct Weather {
   double scale = 0.595;
+  std::int64_t seed = 7;
 };
 
 void describe(core::SettingsVisitor& visitor, Weather& w) {
   visitor.number("scale", w.scale, {"%", 0.001, 1, "Low: bigger, fluffier."});
+  visitor.integer("seed", w.seed, {"1", 0, 1e15, "Of the sky."});
 }
 
 struct Settings {
@@ -149,7 +151,7 @@ TEST_F(MenuTest, aRowShowsResetOnlyWhileItIsNotTheDefault) {
 
 TEST_F(MenuTest, resetAllSetsEveryShownSectionAndNoOther) {
   settings.aircraft = {1, 2, 3, true, Quality::high, {4}};
-  settings.weather.scale = 0.1;
+  settings.weather = {0.1, 8};
   driver.frames(1);
   driver.click(menu.resetAllPlace());
   for (const core::Field& field : table.fields()) {
@@ -171,6 +173,22 @@ TEST_F(MenuTest, aTypedValueIsClampedToTheRange) {
   driver.tap(app::key::kEnter);
   EXPECT_EQ(settings.aircraft.rollFactor, 2);
   EXPECT_FALSE(app::ImGuiInput::wantsText());
+}
+
+TEST_F(MenuTest, aRangeTooWideForASliderIsTypedAndClamped) {
+  sections = {{"weather", "Weather", true}};
+  driver.frames(2);
+  for (const auto& [typed, expected] :
+       {std::pair("-5", std::int64_t{0}), std::pair("123456789012", 123456789012)}) {
+    driver.click(place("weather.seed").value);
+    driver.key(app::key::kLeftControl, true);
+    driver.tap('A');
+    driver.key(app::key::kLeftControl, false);
+    driver.frames(1);
+    driver.type(typed);
+    driver.tap(app::key::kEnter);
+    EXPECT_EQ(settings.weather.seed, expected);
+  }
 }
 
 TEST_F(MenuTest, integersFlagsAndChoicesAreEdited) {
