@@ -1,108 +1,134 @@
 #include "skydrop/render/marker_pass.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
-#include "render/model/visibility.h"
+#include "skydrop/core/shared.h"
 
 namespace skydrop::render {
 namespace {
 
-constexpr double kBeamHeightM = 900;  // above the hills around a target, below the usual cloud
-constexpr double kRingReachM = 400;   // up and down: how far the ground within the ring may rise or fall
-constexpr float kRingWidthM = 7;
-constexpr float kBeamHalfWidthM = 6;
-constexpr float kLeastHalfWidthPixels = 2.5f;
-constexpr GLuint kDepthUnit = 8;  // models/scene_depth.glsl
+namespace shared = core::shared::f64;
 
-MeshData cylinderMesh() {
-  constexpr int kSides = 48;
-  // Around the circle, so that the drawn sides stand outside it.
-  const double radius = 1 / std::cos(3.14159265358979 / kSides);
-  MeshData mesh;
-  for (int i = 0; i < kSides; ++i) {
-    const double angle = 2 * 3.14159265358979 * i / kSides;
-    for (const double y : {-1.0, 1.0}) {
-      mesh.vertices.push_back({glm::vec3(radius * std::cos(angle), y, radius * std::sin(angle)), {}, {}});
-    }
-  }
-  mesh.vertices.push_back({{0, -1, 0}, {}, {}});
-  mesh.vertices.push_back({{0, 1, 0}, {}, {}});
-  for (std::uint32_t i = 0; i < kSides; ++i) {
-    const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % kSides), bottom = 2 * kSides, top = bottom + 1;
-    for (const std::uint32_t v : {a, a + 1, b, b, a + 1, b + 1, bottom, a, b, top, b + 1, a + 1})
-      mesh.indices.push_back(v);
-  }
-  return mesh;
+// Linear sRGB. Little blue: the sea, the sky, snow and shadow have plenty.
+constexpr glm::dvec3 kSignalOrange(1.0, 0.30, 0.01);
+// Of a white sheet's radiance: brighter, and the tone map would bleach the orange on its way to white.
+constexpr double kDaylightShare = 0.35;
+// kcd/m^2. A lantern: at night the exposure of the darkest sky shows it at half of white.
+constexpr double kLampRadiance = 1.5e-3;
+// A lamp shines through haze that hides paint: the beam is veiled by this share of the way to it.
+constexpr double kBeamHazeShare = 0.5;
+
+// Relative to the eye, metres.
+struct Box {
+  glm::dvec3 low, high;
+};
+
+struct Mark {
+  glm::dvec3 foot{0};     // of the target, relative to the eye
+  double beamRadius = 0;  // m
+  bool tooFar = false;    // lower than a pixel
+  Box ring, beam;
+};
+
+Mark markOf(const View& view, const game::TargetSnapshot& target) {
+  Mark mark;
+  mark.foot = target.position - view.position;
+  // One radius for the whole beam: that of its nearest point.
+  const glm::dvec3 nearest(mark.foot.x, std::clamp(0.0, mark.foot.y, mark.foot.y + shared::kBeamHeight),
+                           mark.foot.z);
+  const double distance = glm::length(nearest), pixelAngle = 2 * std::tan(view.fovYRad / 2) / view.height;
+  mark.beamRadius = shared::beamRadius(distance, pixelAngle);
+  mark.tooFar = shared::kBeamHeight < pixelAngle * distance;
+  const glm::dvec3 aside(mark.beamRadius, 0, mark.beamRadius);
+  mark.beam = {mark.foot - aside, mark.foot + aside + glm::dvec3(0, shared::kBeamHeight, 0)};
+  const double side = target.radius + shared::kRingWidth / 2;
+  const glm::dvec3 half(side, shared::kRingReach * target.radius, side);
+  mark.ring = {mark.foot - half, mark.foot + half};
+  return mark;
 }
 
-MeshData stripMesh() {
-  MeshData mesh;
-  constexpr int kSteps = 16;  // the veil of haze is computed at the vertices' pixels, the fade between them
-  for (int i = 0; i <= kSteps; ++i) {
-    const float y = static_cast<float>(i) / kSteps;
-    mesh.vertices.push_back({{-1, y, 0}, {}, {}});
-    mesh.vertices.push_back({{1, y, 0}, {}, {}});
+// False where the whole box lies beyond one side of the picture. A box beyond a corner may pass.
+bool mayBeSeen(const View& view, const Box& box) {
+  const double tangentY = std::tan(view.fovYRad / 2), tangentX = tangentY * view.aspect();
+  int beyond[5] = {};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p = view.worldToView * glm::dvec3(corner & 1 ? box.high.x : box.low.x,
+                                                       corner & 2 ? box.high.y : box.low.y,
+                                                       corner & 4 ? box.high.z : box.low.z);
+    const double ahead = -p.z;
+    beyond[0] += ahead < view.nearM;
+    beyond[1] += p.x > ahead * tangentX;
+    beyond[2] += -p.x > ahead * tangentX;
+    beyond[3] += p.y > ahead * tangentY;
+    beyond[4] += -p.y > ahead * tangentY;
   }
-  for (std::uint32_t i = 0; i < kSteps; ++i) {
-    const std::uint32_t a = 2 * i;
-    for (const std::uint32_t v : {a, a + 1, a + 2, a + 2, a + 1, a + 3}) mesh.indices.push_back(v);
-  }
-  return mesh;
+  return std::none_of(std::begin(beyond), std::end(beyond), [](int corners) { return corners == 8; });
+}
+
+// throughHaze of shaders/frame.glsl: once for a whole part, because haze hardly changes over 600 m.
+glm::dvec3 throughHaze(const FrameContext& context, const glm::dvec3& radiance, const glm::dvec3& relative) {
+  if (!context.frame.features.haze) return radiance;
+  const SkyLight& sky = context.light;
+  const double eyeHeight = context.frame.view.position.y, distance = glm::length(relative);
+  const glm::dvec3 kept =
+      glm::exp(-shared::opticalDepthBetween(sky.air, eyeHeight, eyeHeight + relative.y, distance));
+  const double cosine = glm::dot(relative, sky.toSun) / std::max(distance, 1e-6);
+  const glm::dvec3 horizon =
+      shared::skyRadiance(sky.horizon, cosine, sky.air.hazeAnisotropy) * sky.sunOutside + sky.night;
+  return radiance * kept + horizon * (1.0 - kept);
 }
 
 }  // namespace
 
-MarkerPass::MarkerPass(gl::Context& context)
-    : cylinder_(context, cylinderMesh(), "target ring"), strip_(context, stripMesh(), "target beam") {}
+glm::dvec3 signalRadiance(const SkyLight& light) {
+  // A low sun leaves the land dark before the horizon, against which a beam is seen.
+  const glm::dvec3 horizon =
+      (light.horizon.rayleigh + light.horizon.haze) / (4 * std::numbers::pi) + light.horizon.isotropic;
+  const glm::dvec3 sheet =
+      (light.sun * std::max(light.toSun.y, 0.0) + light.sky) / std::numbers::pi + horizon * light.sunOutside;
+  const double white = glm::dot(sheet, glm::dvec3(0.2126, 0.7152, 0.0722));
+  return kSignalOrange * (kDaylightShare * white + kLampRadiance);
+}
 
 std::optional<std::string> MarkerPass::idleReason(const FrameInput& frame) const {
-  const game::TargetSnapshot& target = frame.snapshot.target;
-  if (!target.present) return "no target";
-  if (!maySee(frame.view, target.position + glm::dvec3(0, kBeamHeightM / 2, 0),
-              kBeamHeightM / 2 + kRingReachM)) {
-    return "the target is out of view";
-  }
+  if (!frame.snapshot.target.present) return "no target";
+  const Mark mark = markOf(frame.view, frame.snapshot.target);
+  if (mark.tooFar) return "target too far away";
+  if (!mayBeSeen(frame.view, mark.ring) && !mayBeSeen(frame.view, mark.beam)) return "target out of view";
   return std::nullopt;
 }
 
 void MarkerPass::draw(FrameContext& context) {
+  const gl::Functions& gl = context.gl.api();
   const game::TargetSnapshot& target = context.frame.snapshot.target;
-  const View& view = context.frame.view;
-  const gl::Functions& api = context.gl.api();
-  const glm::vec3 middle = relativeToEye(view, target.position);
-  api.Enable(GL_BLEND);
-  api.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  context.sceneDepth.bind(kDepthUnit);
-
-  // The far side of the cylinder: it is there wherever the eye is, inside included.
-  gl::Shader& ring = context.shaders.shader("markers/ring.vert", "markers/ring.frag", context.defines);
-  ring.use();
-  ring.setVec3("middle", middle);
-  ring.setVec3("extent", {static_cast<float>(target.radius) + kRingWidthM, static_cast<float>(kRingReachM),
-                          static_cast<float>(target.radius) + kRingWidthM});
-  ring.setFloat("radiusM", static_cast<float>(target.radius));
-  ring.setFloat("widthM", kRingWidthM);
-  api.Enable(GL_CULL_FACE);
-  api.CullFace(GL_FRONT);
-  cylinder_.draw();
-  api.CullFace(GL_BACK);
-  api.Disable(GL_CULL_FACE);
-
-  gl::Shader& beam = context.shaders.shader("markers/beam.vert", "markers/beam.frag", context.defines);
-  beam.use();
-  const double pixelRad = 2 * std::tan(view.fovYRad / 2) / view.height;
-  const glm::dvec3 away = target.position - view.position;
-  // Turned about the vertical towards the eye; from straight above any direction will do.
-  const double level = std::sqrt(away.x * away.x + away.z * away.z);
-  const glm::dvec3 across =
-      level > 1e-3 ? glm::dvec3(-away.z / level, 0, away.x / level) : glm::dvec3(1, 0, 0);
-  beam.setVec3("middle", middle);
-  beam.setVec3("across", glm::vec3(across));
-  beam.setFloat("heightM", static_cast<float>(kBeamHeightM));
-  beam.setFloat("halfWidthM", kBeamHalfWidthM);
-  beam.setFloat("leastHalfWidthRad", static_cast<float>(kLeastHalfWidthPixels * pixelRad));
-  strip_.draw();
+  const Mark mark = markOf(context.frame.view, target);
+  // The inner faces of a box cover each pixel that sees into it exactly once, also from inside.
+  gl.Enable(GL_CULL_FACE);
+  gl.CullFace(GL_FRONT);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  context.sceneDepth.bind(0);
+  empty_.bind();
+  const glm::dvec3 signal = signalRadiance(context.light);
+  const glm::dvec3 densest = mark.foot + glm::dvec3(0, shared::kBeamHeight / 3, 0);
+  const auto drawPart = [&](const char* fragment, const Box& box, const glm::dvec3& radiance) {
+    if (!mayBeSeen(context.frame.view, box)) return;
+    gl::Shader& shader = context.shaders.shader("marker/box.vert", fragment);
+    shader.setVec3("boxLow", glm::vec3(box.low));
+    shader.setVec3("boxHigh", glm::vec3(box.high));
+    shader.setVec3("foot", glm::vec3(mark.foot));
+    shader.setFloat("ringRadius", static_cast<float>(target.radius));
+    shader.setFloat("beamRadiusNow", static_cast<float>(mark.beamRadius));
+    shader.setVec3("light", glm::vec3(radiance * context.light.exposure));
+    shader.use();
+    context.gl.drawArrays(GL_TRIANGLE_STRIP, 0, 14);
+  };
+  drawPart("marker/ring.frag", mark.ring, throughHaze(context, signal, mark.foot));
+  drawPart("marker/beam.frag", mark.beam, throughHaze(context, signal, densest * kBeamHazeShare));
 }
 
 }  // namespace skydrop::render

@@ -29,6 +29,7 @@ class SharedGLTest : public test::GLTest {
 #include "shared/depth.glsl"
 #include "shared/atmosphere.glsl"
 #include "shared/tone_map.glsl"
+#include "shared/marker.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer In { vec4 rowsIn[]; };
 layout(std430, binding = 1) writeonly buffer Floats { vec4 rowsOut[]; };
@@ -172,6 +173,31 @@ TEST_F(SharedGLTest, toneMapAndEncodingAgree) {
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(result_[i][c], expected[c], 0.02f / 255);
     ASSERT_NEAR(result_[i].w, shared::srgbDecode1(rows[i].w - std::floor(rows[i].w)), 0.02f / 255);
   }
+}
+
+TEST_F(SharedGLTest, markerAgrees) {
+  // Rays that pass a beam 20 to 620 m away, from below its foot to above its top: the ring's share of a pixel
+  // within 1e-6; the beam's opacity within 1e-4 (the rounding of a ray at 600 m against a radius of 4 m).
+  const std::vector<glm::vec4> rows = randomRows(6);
+  run(rows,
+      "vec3 foot = vec3(20.0 + a.x * 600.0, a.y * 700.0 - 600.0, 0.0);\n"
+      "vec3 d = normalize(foot + vec3(0.0, a.z * 500.0, a.w * 12.0 - 6.0));\n"
+      "vec2 t = beamInterval(d, foot, 4.0);\n"
+      "r.x = t.y > t.x ? beamOpacity(beamOpticalDepth(d, foot, 4.0, t.x, t.y)) : 0.0;\n"
+      "r.y = ringCoverage(94.0 + a.x * 12.0, 100.0, a.y * 9.0);");
+  int hits = 0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const glm::vec3 foot(20 + a.x * 600, a.y * 700 - 600, 0);
+    const glm::vec3 d = glm::normalize(foot + glm::vec3(0, a.z * 500, a.w * 12 - 6));
+    const glm::vec2 t = shared::beamInterval(d, foot, 4);
+    const float opacity =
+        t.y > t.x ? shared::beamOpacity(shared::beamOpticalDepth(d, foot, 4, t.x, t.y)) : 0.0f;
+    hits += opacity > 0.1f;
+    ASSERT_NEAR(result_[i].x, opacity, 1e-4f);
+    ASSERT_NEAR(result_[i].y, shared::ringCoverage(94 + a.x * 12, 100, a.y * 9), 1e-6f);
+  }
+  EXPECT_GT(hits, static_cast<int>(kCount / 4));
 }
 
 }  // namespace

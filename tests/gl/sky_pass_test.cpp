@@ -7,25 +7,13 @@
 #include "skydrop/render/tone_map_pass.h"
 #include "support/frame_test.h"
 #include "support/image_compare.h"
+#include "support/light_probe.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::render {
 namespace {
 
-// Reads the scene's light behind the tone map.
-class LightProbe final : public Pass {
- public:
-  explicit LightProbe(std::vector<glm::vec4>& light) : light_(light) {}
-  std::string_view name() const override { return "probe"; }
-  Slot slot() const override { return Slot::toneMap; }
-  void draw(FrameContext& context) override {
-    light_.resize(static_cast<std::size_t>(context.sceneColor.width() * context.sceneColor.height()));
-    context.sceneColor.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(light_)));
-  }
-
- private:
-  std::vector<glm::vec4>& light_;
-};
+using test::LightProbe;
 
 class SkyGLTest : public test::FrameTest {
  protected:

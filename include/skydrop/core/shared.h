@@ -38,6 +38,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/lattice_noise.glsl"
 #include "shared/land_material.glsl"
 #include "shared/water.glsl"
+#include "shared/marker.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -64,6 +65,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/lattice_noise.glsl"
 #include "shared/land_material.glsl"
 #include "shared/water.glsl"
+#include "shared/marker.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

@@ -1,24 +1,30 @@
+// Shows where the drop target is: a ring of its radius on the ground, and a beam of light above its middle
+// that is seen from 6 km. shaders/shared/marker.glsl has the shapes.
 #pragma once
 
-#include "skydrop/render/mesh.h"
+#include "skydrop/render/gl/vertex_array.h"
 #include "skydrop/render/pass.h"
 
 namespace skydrop::render {
 
-// Where the target is: a ring on the ground at its radius, and a beam of light above its middle that stays
-// visible from 6 km and beyond, because it is never narrower than a few pixels.
+// Radiance of the mark before exposure, kcd/m^2: signal orange, by day a share of what a white sheet on the
+// ground and the horizon send out, so that it reads on grass, rock, snow and sea; at night a lamp's own.
+glm::dvec3 signalRadiance(const SkyLight& light);
+
+// Both parts are drawn as boxes whose pixels look at the scene's depth: one of the ring computes how far from
+// the target its piece of ground is, one of the beam how far its ray runs through the light before it meets
+// the ground. Neither is veiled by clouds. The ring also lies on a model that flies where it is.
 class MarkerPass final : public Pass {
  public:
-  explicit MarkerPass(gl::Context& context);
+  explicit MarkerPass(gl::Context& context) : empty_(context, "marker") {}
 
   std::string_view name() const override { return "marker"; }
-  Slot slot() const override { return Slot::translucents; }
+  Slot slot() const override { return Slot::weatherEffects; }
   std::optional<std::string> idleReason(const FrameInput& frame) const override;
   void draw(FrameContext& context) override;
 
  private:
-  Mesh cylinder_;  // radius 1, height -1..1: what the ring can cover
-  Mesh strip_;     // x -1..1 across, y 0..1 up: the beam
+  gl::VertexArray empty_;
 };
 
 }  // namespace skydrop::render

@@ -1,0 +1,7 @@
+#include "frame.glsl"
+#include "shared/marker.glsl"
+#include "marker/marker.glsl"
+
+out vec4 color;
+
+void main() { color = ringAt(pixelRay(), pixelDepth()); }
