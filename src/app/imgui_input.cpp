@@ -133,10 +133,14 @@ bool ImGuiInput::apply(const WindowEvent& event) {
   switch (event.kind) {
     case Kind::mouseMove:
       if (clicked_ || !changedKeys_.empty() || scrolled_) return false;
+      moved_ |= event.x != mouseX_ || event.y != mouseY_;
+      mouseX_ = event.x;
+      mouseY_ = event.y;
       setMousePosition(io, static_cast<float>(event.x), static_cast<float>(event.y));
       return true;
     case Kind::mouseButton:
       if (event.code < 0 || event.code >= kMouseButtons) return true;
+      if (moved_ && !event.pressed) return false;  // a slider takes up the last move before it is let go
       setMouseButton(io, event.code, event.pressed);
       clicked_ = true;
       return true;
@@ -172,7 +176,7 @@ bool ImGuiInput::apply(const WindowEvent& event) {
 
 void ImGuiInput::beginFrame() {
   changedKeys_.clear();
-  clicked_ = scrolled_ = false;
+  clicked_ = scrolled_ = moved_ = false;
   while (!queue_.empty() && apply(queue_.front())) queue_.pop_front();
 }
 

@@ -34,7 +34,8 @@ class ImGuiInput {
   std::set<int> heldKeys_;
   // What this frame has already seen.
   std::set<int> changedKeys_;
-  bool clicked_ = false, scrolled_ = false;
+  bool clicked_ = false, scrolled_ = false, moved_ = false;
+  double mouseX_ = 0, mouseY_ = 0;  // pixels
 };
 
 }  // namespace skydrop::app
