@@ -25,6 +25,7 @@ int windowCount = 0;
 struct WindowContext::Impl {
   GLFWwindow* window = nullptr;
   std::vector<WindowEvent> events;
+  double pointerX = 0, pointerY = 0;  // window coordinates, of the last move
   int restoreX = 0, restoreY = 0, restoreWidth = 0, restoreHeight = 0;
 
   explicit Impl(const WindowSettings& settings) {
@@ -79,10 +80,14 @@ struct WindowContext::Impl {
       event.code = button;
       event.pressed = action == GLFW_PRESS;
       event.modifiers = modifiers;
-      glfwGetCursorPos(w, &event.x, &event.y);
+      // Where the pointer was then: glfwGetCursorPos would tell where it is by now.
+      event.x = of(w).pointerX;
+      event.y = of(w).pointerY;
       of(w).events.push_back(event);
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+      of(w).pointerX = x;
+      of(w).pointerY = y;
       WindowEvent event{Kind::mouseMove};
       event.x = x;
       event.y = y;
