@@ -40,7 +40,7 @@ const std::vector<Golden>& goldens() {
       {"steepBankOverValley", withoutHud({"--pose", "-2300,1000,-5200,165,-10,50"})},
       {"straightDown", withoutHud({"--pose", "6900,1500,-5600,0,-90,0"})},
       {"menuOpen", {"--time", "1", "--menu"}},
-      {"dropText", {"--autopilot", "--time", "69.9"}},
+      {"dropText", {"--autopilot", "--time", "69.6"}},
   };
   return all;
 }
