@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct Golden {
   ImageLimits limits = kSoftwareRounding;
   const char* flatBecause = nullptr;  // why it exists although a shift or a brighter frame would not show
 };
+
+void PrintTo(const Golden& golden, std::ostream* stream) { *stream << golden.name; }
 
 std::vector<std::string> withoutHud(std::vector<std::string> words) {
   words.insert(words.end(), {"--set", "view.hud=false"});
