@@ -5,7 +5,7 @@ cd "$(dirname "$0")"
 
 ./install_dependencies.sh --play
 if [ ! -f build/play/build.ninja ]; then cmake --preset play >build-play.log 2>&1 || { cat build-play.log >&2; exit 1; }; rm -f build-play.log; fi
-cmake --build --preset play --target skydrop -- --quiet
+cmake --build --preset play --target skydrop -- --quiet | sed '/no work to do/d'
 
 program=build/play/skydrop
 if [ $# -gt 0 ] || [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then

@@ -83,7 +83,7 @@ std::uint64_t texelBytes(GLenum internalFormat) {
 namespace {
 
 // Bytes of one texel as the CPU hands it over; 0 for a combination that the game does not use.
-std::size_t transferBytes(GLenum format, GLenum type) {
+[[maybe_unused]] std::size_t transferBytes(GLenum format, GLenum type) {  // asserted on only
   std::size_t components = 0;
   switch (format) {
     case GL_RED:
