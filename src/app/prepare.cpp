@@ -66,4 +66,21 @@ void reloadScene(Run& run, const CommandLine& line) {
   applyOverrides(run.table, line.set);
 }
 
+std::vector<std::string> reloadPlayer(Run& run, const CommandLine& line) {
+  Settings player = run.base;
+  const core::SettingsTable playerTable(player);
+  readUserSettings(playerTable, *run.userFolder);
+  Settings before = run.settings;
+  run.player = player;
+  run.settings = player;
+  applyOverrides(run.table, line.set);
+
+  const core::SettingsTable beforeTable(before);
+  std::vector<std::string> changed;
+  for (std::size_t i = 0; i < run.table.fields().size(); ++i) {
+    if (run.table.fields()[i].get() != beforeTable.fields()[i].get()) changed.push_back(run.table.fields()[i].path);
+  }
+  return changed;
+}
+
 }  // namespace skydrop::app

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/command_line.h"
 #include "app/settings.h"
@@ -34,5 +35,9 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line);
 // Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays. All
 // or nothing: throws core::DataError and changes nothing.
 void reloadScene(Run& run, const CommandLine& line);
+
+// The same for the player's file, which now says all that the player wants: what the menu changed since is
+// forgotten. Returns the paths of the settings that changed.
+std::vector<std::string> reloadPlayer(Run& run, const CommandLine& line);
 
 }  // namespace skydrop::app

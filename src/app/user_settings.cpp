@@ -11,8 +11,6 @@ namespace {
 
 constexpr int kSchema = 1;
 
-std::filesystem::path settingsFile(const std::filesystem::path& folder) { return folder / "settings.json"; }
-
 void applyFile(const core::SettingsTable& table, const std::filesystem::path& file) {
   nlohmann::json json;
   try {
@@ -28,6 +26,12 @@ void applyFile(const core::SettingsTable& table, const std::filesystem::path& fi
 
 }  // namespace
 
+std::filesystem::path userSettingsFile(const std::filesystem::path& folder) { return folder / "settings.json"; }
+
+void readUserSettings(const core::SettingsTable& table, const std::filesystem::path& folder) {
+  applyFile(table, userSettingsFile(folder));
+}
+
 std::filesystem::path defaultUserFolder() {
   if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config == '/') {
     return std::filesystem::path(config) / "skydrop";
@@ -39,7 +43,7 @@ std::filesystem::path defaultUserFolder() {
 }
 
 std::optional<std::string> loadUserSettings(const core::SettingsTable& table, const std::filesystem::path& folder) {
-  const std::filesystem::path file = settingsFile(folder);
+  const std::filesystem::path file = userSettingsFile(folder);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
   try {
@@ -69,7 +73,7 @@ void saveUserSettings(const core::SettingsTable& table, const core::SettingsTabl
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw core::DataError(folder.string(), "cannot make the folder", error.message());
-  core::writeFileAtomically(settingsFile(folder),
+  core::writeFileAtomically(userSettingsFile(folder),
                             nlohmann::json{{"schema", kSchema}, {"settings", changed}}.dump(2) + "\n");
 }
 

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <utility>
 
 #include "app/statistics_json.h"
 #include "app/user_settings.h"
@@ -52,6 +53,7 @@ WindowGame::WindowGame(const CommandLine& line) : line_(line), run_(prepareRun(l
   imguiInput_.emplace();
   buildScene();
   sceneWritten_ = timeOf(run_->setup.scene.file);
+  if (run_->userFolder) playerWritten_ = timeOf(userSettingsFile(*run_->userFolder));
   if (run_->warning) {
     std::fprintf(stderr, "skydrop: %s\n", run_->warning->c_str());
     error_ = *run_->warning;
@@ -228,22 +230,35 @@ void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
   if (sound_) sound_->apply(run_->settings.audio);
 }
 
-// Shaders and the scene file take effect when they are written; what is broken is shown and changes nothing.
+// Shaders, the scene and the player's settings take effect when they are written; what is broken is shown and
+// changes nothing.
 void WindowGame::watchFiles() {
   if (Clock::now() < nextWatch_) return;
   nextWatch_ = Clock::now() + kWatchPeriod;
   for (const std::string& message : stage_->takeMessages()) error_ = message;
-  const auto written = timeOf(run_->setup.scene.file);
-  if (written == sceneWritten_) return;
-  sceneWritten_ = written;
+  const auto wasWritten = [](const std::filesystem::path& file, std::filesystem::file_time_type& seen) {
+    return timeOf(file) != std::exchange(seen, timeOf(file)) && std::filesystem::exists(file);
+  };
   try {
-    reloadScene(*run_, line_);
-    error_.clear();
-    buildScene();
-    notice("The scene was loaded anew");
+    if (wasWritten(run_->setup.scene.file, sceneWritten_)) reloadSceneFile();
+    if (run_->userFolder && wasWritten(userSettingsFile(*run_->userFolder), playerWritten_)) reloadPlayerFile();
   } catch (const std::exception& refusal) {
     error_ = refusal.what();
   }
+}
+
+void WindowGame::reloadSceneFile() {
+  reloadScene(*run_, line_);
+  error_.clear();
+  buildScene();
+  notice("The scene was loaded anew");
+}
+
+void WindowGame::reloadPlayerFile() {
+  const std::vector<std::string> changed = reloadPlayer(*run_, line_);
+  error_.clear();
+  applyAll(changed);
+  notice("The settings were loaded anew");
 }
 
 void WindowGame::saveScreenshot() {

@@ -42,6 +42,8 @@ class WindowGame {
   void applyMenuChanges(const std::vector<std::string>& paths);
   void applyAll(const std::vector<std::string>& changedPaths);
   void watchFiles();
+  void reloadSceneFile();
+  void reloadPlayerFile();
   void saveScreenshot();
   void notice(std::string text);
   game::Snapshot snapshotToDraw();
@@ -72,7 +74,7 @@ class WindowGame {
   FrameTimes times_;
   core::FrameStatistics shownStatistics_;
   std::chrono::steady_clock::time_point nextWatch_, nextStatistics_;
-  std::filesystem::file_time_type sceneWritten_;
+  std::filesystem::file_time_type sceneWritten_, playerWritten_;
 };
 
 }  // namespace skydrop::app

@@ -108,6 +108,23 @@ TEST(Settings, aReloadKeepsWhatThePlayerChose) {
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 15) << "the last good state stays";
 }
 
+TEST(Settings, anEditedPlayerFileTakesEffectWholeOrNotAtAll) {
+  const test::TemporaryFolder folder;
+  CommandLine line;
+  line.verb = Verb::simulate;
+  line.userDir = folder.path();
+  line.set = {"aircraft.yawSpeed=31"};
+  const auto run = prepareRun(line);
+  folder.write("settings.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
+  EXPECT_EQ(reloadPlayer(*run, line), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21);
+  EXPECT_EQ(run->player.aircraft.yawSpeed, 22);
+  folder.write("settings.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 25, "yawSpeed": -1}}})");
+  EXPECT_THROW(reloadPlayer(*run, line), core::DataError);
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21) << "the last good state stays";
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "settings.json")) << "and so does the file";
+}
+
 TEST(UserSettings, whatWasChangedComesBackAndNothingElseIsWritten) {
   const test::TemporaryFolder folder;
   Settings base, player;
