@@ -40,7 +40,10 @@ const std::vector<Part>& parts() {
   static const std::vector<Part> all = {
       {Effect::aircraft, addAircraft, nullptr, {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
       {Effect::targets, addTargets, nullptr, {{"game", "Game"}, {"package", "Package"}}},
-      {Effect::terrain, addLand, nullptr, {{"streaming", "Detail of the land"}, {"terrain", "Shape of the land"}}},
+      {Effect::terrain,
+       addLand,
+       nullptr,
+       {{"render.land", "Views of the land"}, {"streaming", "Detail of the land"}, {"terrain", "Shape of the land"}}},
       {Effect::sky, addSky, nullptr, {{"render.sun", "Sun"}}},
       {Effect::haze, nullptr, addHaze, {{"render.atmosphere", "Air"}}},
       {Effect::sound, nullptr, nullptr, {{"audio", "Sound"}}},
@@ -55,7 +58,7 @@ std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects) {
     if (!effects.contains(part.effect)) continue;
     sections.insert(sections.end(), part.menuSections.begin(), part.menuSections.end());
   }
-  sections.insert(sections.end(), {{"render.camera", "Cameras"}, {"view", "View"}});
+  sections.insert(sections.end(), {{"render.picture", "Picture"}, {"render.camera", "Cameras"}, {"view", "View"}});
   return sections;
 }
 

@@ -42,10 +42,14 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
   visitor.group("camera", s.camera, "Where the frame is seen from.");
   visitor.group("sun", s.sun, "Where the sun stands.");
   visitor.group("atmosphere", s.atmosphere, "Air and haze between the eye and the land.");
+  visitor.enterGroup("picture", "From light to the screen.");
   visitor.number("exposureStops", s.exposureStops,
                  {"EV", -6, 6, "Brightness on top of the automatic exposure; each step doubles it."});
+  visitor.leaveGroup();
+  visitor.enterGroup("land", "Ways to look at the land's mesh.");
   visitor.flag("wireframe", s.wireframe, {"Draws the land as lines."});
   visitor.flag("terrainNormals", s.terrainNormals, {"Draws a stroke along the normal of each vertex of the land."});
+  visitor.leaveGroup();
 }
 
 }  // namespace skydrop::render

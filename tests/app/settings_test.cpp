@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/parts.h"
 #include "app/prepare.h"
 #include "app/user_settings.h"
 #include "skydrop/core/error.h"
@@ -70,6 +71,17 @@ TEST(Settings, theThesisAircraftParametersHaveItsValues) {
   for (const auto& [name, value] : values) {
     EXPECT_EQ(table.fields()[i].path, std::string("aircraft.") + name) << "they come first, in the thesis's order";
     EXPECT_EQ(table.fields()[i++].defaultValue, value) << name;
+  }
+}
+
+TEST(Settings, theMenuOfTheWholeGameHasEveryFieldInOneSection) {
+  // A setting that no section shows could not be tuned; in two it would have two rows.
+  Settings settings;
+  const core::SettingsTable table(settings);
+  const auto sections = menuSections(scene::requiredEffects(scene::loadScene("terrain")));
+  for (const core::Field& field : table.fields()) {
+    const auto shows = [&](const ui::MenuSection& section) { return field.path.starts_with(section.group + "."); };
+    EXPECT_EQ(std::count_if(sections.begin(), sections.end(), shows), 1) << field.path;
   }
 }
 
