@@ -4,24 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "skydrop/core/error.h"
-#include "skydrop/core/file.h"
+#include "skydrop/core/settings_file.h"
 
 namespace skydrop::app {
 namespace {
 
-constexpr int kSchema = 1;
-
 void applyFile(const core::SettingsTable& table, const std::filesystem::path& file) {
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(core::readTextFile(file, std::size_t{1} << 20));
-  } catch (const nlohmann::json::exception& error) {
-    throw core::DataError(file.string(), "JSON", error.what());
-  }
-  if (!json.is_object() || json.value("schema", nlohmann::json()) != kSchema) {
-    throw core::DataError(file.string(), "schema", "is not " + std::to_string(kSchema));
-  }
-  core::applyJson(table, json.value("settings", nlohmann::json::object()), file.string());
+  core::applyJson(table, core::readSettingsFile(file)["settings"], file.string());
 }
 
 }  // namespace
@@ -70,11 +59,7 @@ void saveUserSettings(const core::SettingsTable& table, const core::SettingsTabl
     const nlohmann::json::json_pointer place(pointer);
     changed[place] = all[place];
   }
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw core::DataError(folder.string(), "cannot make the folder", error.message());
-  core::writeFileAtomically(userSettingsFile(folder),
-                            nlohmann::json{{"schema", kSchema}, {"settings", changed}}.dump(2) + "\n");
+  core::writeSettingsFile(userSettingsFile(folder), {{"settings", changed}});
 }
 
 }  // namespace skydrop::app

@@ -1,0 +1,45 @@
+#include "skydrop/core/settings_file.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "skydrop/core/error.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::core {
+namespace {
+
+TEST(SettingsFile, whatWasWrittenIsReadBack) {
+  // Members beside the settings are kept; the folder is made; the schema is ours whatever the caller says.
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "new" / "a.json";
+  writeSettingsFile(file, {{"schema", 99}, {"settings", {{"a", 0.1}}}, {"groups", {"a"}}});
+  const nlohmann::json json = readSettingsFile(file);
+  EXPECT_EQ(json["settings"]["a"], 0.1);
+  EXPECT_EQ(json["groups"][0], "a");
+  EXPECT_EQ(json["schema"], kSettingsSchema);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1)
+      << "no temporary is left";
+}
+
+TEST(SettingsFile, whatIsNoSettingsFileIsRefusedByName) {
+  const test::TemporaryFolder folder;
+  for (const char* broken : {"", "{", "[]", "7", R"({"settings": {}})", R"({"schema": 2, "settings": {}})",
+                             R"({"schema": "1"})", R"({"schema": 1, "settings": []})"}) {
+    const std::filesystem::path file = folder.write("a.json", broken);
+    try {
+      readSettingsFile(file);
+      ADD_FAILURE() << broken;
+    } catch (const DataError& error) {
+      EXPECT_NE(std::string(error.what()).find("a.json"), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_THROW(readSettingsFile(folder.path() / "none.json"), DataError);
+  EXPECT_EQ(readSettingsFile(folder.write("b.json", R"({"schema": 1})"))["settings"],
+            nlohmann::json::object());
+}
+
+}  // namespace
+}  // namespace skydrop::core
