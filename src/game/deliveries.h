@@ -1,0 +1,71 @@
+// Packages, targets and the score, after the rule of skydrop/game/world.h.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "game/journal.h"
+#include "skydrop/core/hash.h"
+#include "skydrop/flight/package.h"
+#include "skydrop/flight/rigid_body.h"
+#include "skydrop/game/snapshot.h"
+#include "skydrop/game/world.h"
+
+namespace skydrop::game {
+
+class Deliveries {
+ public:
+  // Keeps all three, which must outlive it; the settings may change between steps.
+  Deliveries(const WorldSetup& setup, core::RandomStream& random, Journal& journal);
+
+  void drawNextTarget(const glm::dvec3& around);
+
+  // Once a step, before the aircraft moves.
+  void coolDown();
+  // A package leaves the aircraft, unless the last one left too recently.
+  void drop(const flight::BodyState& aircraft);
+  // Once a step, after it: packages fall and land, missing targets are searched again.
+  void step(const std::optional<glm::dvec3>& aircraft);
+
+  // Where a package dropped now would land; none when that is nowhere.
+  std::optional<glm::dvec3> predictLanding(const flight::BodyState& aircraft) const;
+
+  // Target, packages, score and cool-down. `aircraft`: from where the target is measured.
+  void fill(Snapshot& out, const std::optional<glm::dvec3>& aircraft) const;
+  // Whether a package that lands there scores.
+  bool isInTarget(const glm::dvec3& landing) const;
+  void addTo(core::StateHasher& hash) const;
+
+ private:
+  struct Target {
+    std::uint32_t id = 0;
+    glm::dvec3 position{0};
+    double radius = 0;
+  };
+  struct FlyingPackage {
+    std::uint32_t id = 0;
+    flight::Package body;
+    std::optional<Target> target;      // the one that was current at the release
+    double clearance = 0;              // it is at least so far above the surface
+    std::uint64_t stepsToRemoval = 0;  // once landed
+    bool onWater = false;
+  };
+
+  void fall(FlyingPackage& package, const std::optional<glm::dvec3>& aircraft);
+  void judge(const FlyingPackage& package, const std::optional<glm::dvec3>& aircraft);
+  static void addTo(core::StateHasher& hash, const std::optional<Target>& target);
+
+  const WorldSetup* setup_;
+  core::RandomStream* random_;
+  Journal* journal_;
+  std::vector<FlyingPackage> packages_;
+  std::optional<Target> target_;
+  std::uint32_t targetsDrawn_ = 0;
+  std::uint64_t stepsToTargetRetry_ = 0;
+  std::uint64_t stepsToDrop_ = 0;
+  std::int64_t score_ = 0, drops_ = 0, misses_ = 0;
+};
+
+}  // namespace skydrop::game
