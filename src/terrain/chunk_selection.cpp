@@ -1,9 +1,13 @@
 #include "terrain/chunk_selection.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace skydrop::terrain {
 namespace {
+
+// After all that is in view.
+constexpr double kUrgencyOutOfView = std::numeric_limits<double>::max();
 
 class Selector {
  public:
@@ -36,12 +40,16 @@ class Selector {
     const double size = chunkMetres(key.level);
     const Box box = boxOf(origin, origin + size, bounds_(key));
     const double ground = nearestGroundDistance(view_, box);
-    if (ground > farDistance_ || !mayBeVisible(view_, box)) return;
+    if (ground > farDistance_) return;
+    if (!mayBeVisible(view_, box)) {
+      if (key.level == kTopLevel) chosen_.push_back({{key, false, false}, kUrgencyOutOfView});
+      return;
+    }
     const double distance = nearestDistance(view_, box);
     const bool split = key.level > 0 && distance < lod_.split[static_cast<std::size_t>(key.level)];
     const double urgency = ground > 0 ? distance / size : key.level - 1.0 - kTopLevel;
     const std::size_t self = chosen_.size();
-    chosen_.push_back({{key, true}, urgency});
+    chosen_.push_back({{key, true, true}, urgency});
     if (!split) return;
     for (int quadrant = 0; quadrant < 4; ++quadrant) visit(childOf(key, quadrant));
     chosen_[self].chunk.finest = chosen_.size() == self + 1;

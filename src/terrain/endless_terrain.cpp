@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <unordered_set>
 #include <utility>
 
@@ -19,6 +20,9 @@ constexpr std::size_t kSlotBytes = std::size_t{4} * kChunkSamples * kChunkSample
 
 // Chunk rectangles whose conservative bounds are remembered: some hundred views' worth.
 constexpr std::size_t kRememberedBounds = 1 << 15;
+
+// A frame after a leap waits this long for land; then it is drawn with whatever there is.
+constexpr std::chrono::milliseconds kLongestWaitForLand{250};
 
 std::size_t bytesOf(double mebibytes) { return static_cast<std::size_t>(mebibytes * 1048576.0); }
 
@@ -111,7 +115,9 @@ struct EndlessTerrain::State {
     return bounds;
   }
 
-  void run(const ViewVolume& view, std::size_t uploadBudget) {
+  // Waits for chunks without which a part of the view would be empty, if it may.
+  void run(const ViewVolume& view, std::size_t uploadBudget,
+           std::optional<std::chrono::milliseconds> waitForLand) {
     const ChunkBounds bounds = [this](const ChunkKey& key) { return boundsOf(key); };
     frame.lod = makeLodDistances(relief, view.pixelsPerRadian, settings);
     frame.farDistanceM = settings.farDistanceM;
@@ -124,6 +130,7 @@ struct EndlessTerrain::State {
     dropWhatNoBudgetHolds();
     takeInFinished();
     requestMissing();
+    if (waitForLand) waitForCoarsest(*waitForLand);
     sendToGpu(uploadBudget);
 
     const UsableChunks usable = usableChunks();
@@ -142,6 +149,10 @@ struct EndlessTerrain::State {
         std::min(static_cast<std::size_t>(slotCount), bytesOf(settings.cacheMiB) / chunkBytes);
     statistics.overBudget = wanted.size() > room ? wanted.size() - room : 0;
     if (wanted.size() > room) wanted.resize(room);
+    // Chunks that nothing can be drawn in place of come before all others.
+    std::stable_partition(wanted.begin(), wanted.end(), [this](const WantedChunk& chunk) {
+      return isCoarsestInView(chunk) && !resident.contains(chunk.key);
+    });
     keys.clear();
     for (const WantedChunk& chunk : wanted) keys.push_back(chunk.key);
     for (const ChunkKey& key : keys) {
@@ -175,6 +186,22 @@ struct EndlessTerrain::State {
     }
     jobs->want(missing);
     statistics.queue = jobs->pending();
+  }
+
+  static bool isCoarsestInView(const WantedChunk& chunk) {
+    return chunk.key.level == kTopLevel && chunk.inView;
+  }
+
+  void waitForCoarsest(std::chrono::milliseconds limit) {
+    const auto end = std::chrono::steady_clock::now() + limit;
+    const auto isMissing = [this](const WantedChunk& chunk) {
+      return isCoarsestInView(chunk) && !cache.contains(chunk.key) && !jobs->hasGivenUp(chunk.key);
+    };
+    while (std::any_of(wanted.begin(), wanted.end(), isMissing) && std::chrono::steady_clock::now() < end) {
+      jobs->waitForResult(end);
+      takeInFinished();
+      requestMissing();
+    }
   }
 
   void sendToGpu(std::size_t budget) {
@@ -258,7 +285,7 @@ EndlessTerrain::~EndlessTerrain() = default;
 void EndlessTerrain::apply(const TerrainStreamingSettings& settings) { state_->take(settings); }
 
 const TerrainFrame& EndlessTerrain::update(const ViewVolume& view) {
-  state_->run(view, bytesOf(state_->settings.uploadMiBPerFrame));
+  state_->run(view, bytesOf(state_->settings.uploadMiBPerFrame), kLongestWaitForLand);
   return state_->frame;
 }
 
@@ -266,7 +293,7 @@ const TerrainFrame& EndlessTerrain::settle(const ViewVolume& view, std::chrono::
   const auto end = std::chrono::steady_clock::now() + limit;
   std::vector<ChunkUpload> uploads;
   while (true) {
-    state_->run(view, std::numeric_limits<std::size_t>::max());
+    state_->run(view, std::numeric_limits<std::size_t>::max(), std::nullopt);
     for (ChunkUpload& upload : state_->frame.uploads) uploads.push_back(std::move(upload));
     if (state_->settled || std::chrono::steady_clock::now() >= end) break;
     state_->jobs->waitForResult(end);

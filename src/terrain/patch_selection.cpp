@@ -31,7 +31,8 @@ class Selector {
     for (const auto& [key, chunk] : chunks_) {
       if (key.level == kTopLevel) visit({key.x, key.z, kTopPatchLevel});
     }
-    balance();
+    splitBesideFine();
+    mergeBesideCoarse();
     for (const Leaves& leaves : leaves_) {
       for (const PatchKey& patch : leaves) draw(patch);
     }
@@ -94,10 +95,11 @@ class Selector {
     leavesOf(patch).insert(patch);
   }
 
-  // Splits patches until no edge has more than one level between its sides. Otherwise a corner in the middle
-  // of a coarse cell's edge would have to move for one neighbour and to stay for the other. From fine to
-  // coarse, a split only makes leaves that are still to be looked at.
-  void balance() {
+  // Edges with more than one level between their sides must not be seen: a corner in the middle of a coarse
+  // cell's edge would have to move for one neighbour and to stay for the other. So patches beside much finer
+  // ones are split as far as there are chunks. From fine to coarse, a split only makes leaves that are still
+  // to be looked at.
+  void splitBesideFine() {
     for (Leaves& leaves : leaves_) {
       for (const PatchKey& patch : leaves) {
         for (const PatchKey& neighbour : neighboursOf(patch)) {
@@ -110,6 +112,53 @@ class Selector {
             }
             coarse = leafOver(neighbour);
           }
+          if (coarse && coarse->level > patch.level + 1) tooFine_.push_back(patch);
+        }
+      }
+    }
+  }
+
+  // Where a chunk is missing, what is too fine beside the hole is merged instead, until levels rise by steps
+  // of one towards it. Coarse patches whose chunk is missing because nothing of it is in view stay as they
+  // are.
+  void mergeBesideCoarse() {
+    while (!tooFine_.empty()) {
+      const PatchKey patch = tooFine_.back();
+      tooFine_.pop_back();
+      if (!leavesOf(patch).contains(patch)) continue;  // merged meanwhile
+      for (const PatchKey& neighbour : neighboursOf(patch)) {
+        const std::optional<PatchKey> coarse = leafOver(neighbour);
+        if (!coarse || coarse->level <= patch.level + 1 || !misses(*coarse)) continue;
+        merge(parentOf(patch));
+        break;
+      }
+    }
+  }
+
+  // Whether the chunk that this patch could not be split for is one that the view wants.
+  bool misses(const PatchKey& patch) const {
+    const ChunkKey chunk = chunkOf(childOf(patch, 0));
+    const glm::dvec2 origin = chunkOrigin(chunk);
+    const Box box = boxOf(origin, origin + chunkMetres(chunk.level), bounds_(chunk));
+    return nearestGroundDistance(view_, box) <= farDistance_ && mayBeVisible(view_, box);
+  }
+
+  // Makes a leaf of a patch that has leaves under it, and has all looked at that this may concern: itself,
+  // and what is now too fine beside it.
+  void merge(const PatchKey& patch) {
+    for (std::int32_t level = 0; level < patch.level; ++level) {
+      const int up = patch.level - level;
+      std::erase_if(leaves_[static_cast<std::size_t>(level)],
+                    [&](const PatchKey& leaf) { return leaf.x >> up == patch.x && leaf.z >> up == patch.z; });
+    }
+    leavesOf(patch).insert(patch);
+    ++selection_.coarsened;
+    tooFine_.push_back(patch);
+    for (std::int32_t level = 0; level + 1 < patch.level; ++level) {
+      const int up = patch.level - level;
+      for (const PatchKey& leaf : leaves_[static_cast<std::size_t>(level)]) {
+        for (const PatchKey& neighbour : neighboursOf(leaf)) {
+          if (neighbour.x >> up == patch.x && neighbour.z >> up == patch.z) tooFine_.push_back(leaf);
         }
       }
     }
@@ -122,7 +171,7 @@ class Selector {
 
   // The leaf that is this patch or covers it.
   std::optional<PatchKey> leafOver(PatchKey patch) {
-    for (int up = 0; up < kLodCount && patch.level <= kTopPatchLevel; ++up, patch = parentOf(patch)) {
+    for (; patch.level <= kTopPatchLevel; patch = parentOf(patch)) {
       if (leavesOf(patch).contains(patch)) return patch;
     }
     return std::nullopt;
@@ -162,6 +211,7 @@ class Selector {
   const ChunkBounds& bounds_;
   PatchSelection selection_;
   std::array<Leaves, kTopPatchLevel + 1> leaves_;  // by level
+  std::vector<PatchKey> tooFine_;                  // may be beside a patch coarser by more than one level
 };
 
 }  // namespace

@@ -194,14 +194,14 @@ TEST(Stability, T11_standingStillMakesNothingAgainAndABudgetTooSmallFallsToCoars
     needed = terrain.statistics().chunksWanted;
     EXPECT_EQ(terrain.statistics().overBudget, 0u);
   }
-  constexpr double kChunkMiB =
-      (4.0 * kChunkSamples * kChunkSamples + 3000) / 1048576;  // with its bookkeeping
+  constexpr double kSlotMiB = 4.0 * kChunkSamples * kChunkSamples / 1048576;
+  constexpr double kChunkMiB = kSlotMiB + 3000.0 / 1048576;  // with its bookkeeping
   for (const std::size_t room : {needed, needed - 1, needed / 3}) {
     for (const bool onGpu : {false, true}) {
       core::JobPool pool(2);
       auto source = std::make_shared<WatchedSource>();
       TerrainStreamingSettings settings;
-      const double budget = (static_cast<double>(room) + 0.5) * kChunkMiB;
+      const double budget = (static_cast<double>(room) + 0.5) * (onGpu ? kSlotMiB : kChunkMiB);
       (onGpu ? settings.gpuMiB : settings.cacheMiB) = budget;
       EndlessTerrain terrain(source, pool, settings);
       terrain.settle(view);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -16,6 +17,9 @@
 #include "skydrop/terrain/noise_height_source.h"
 #include "support/hills_source.h"
 #include "support/patch_mesh.h"
+#include "terrain/chunk_selection.h"
+#include "terrain/patch_bounds.h"
+#include "terrain/patch_selection.h"
 
 namespace skydrop::terrain {
 namespace {
@@ -128,6 +132,50 @@ TEST(Lod, settingsMoveTheDistancesTheRightWay) {
   }
 }
 
+struct EdgeCount {
+  std::size_t closed = 0;  // edges of triangles that another triangle has too, the other way round
+  std::size_t open = 0;    // the others whose middle is in view; not where the land ends in the distance
+};
+
+EdgeCount countEdges(const std::vector<PatchDraw>& patches, const TerrainFrame& frame, const ViewVolume& view,
+                     test::PatchMesher& mesher) {
+  using Edge = std::array<double, 6>;
+  std::set<Edge> edges;
+  for (const PatchDraw& patch : patches) {
+    const auto vertices = mesher.vertices(frame, patch, view.position);
+    for (const auto& triangle : test::patchTriangles()) {
+      const glm::dvec3 &a = vertices[static_cast<std::size_t>(triangle[0])],
+                       &b = vertices[static_cast<std::size_t>(triangle[1])],
+                       &c = vertices[static_cast<std::size_t>(triangle[2])];
+      const double area = (b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z);
+      EXPECT_LE(area, 0) << "a triangle was turned over";
+      if (area == 0) continue;
+      for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}})
+        edges.insert({p.x, p.y, p.z, q.x, q.y, q.z});
+    }
+  }
+  EdgeCount count;
+  for (const Edge& e : edges) {
+    if (edges.contains({e[3], e[4], e[5], e[0], e[1], e[2]})) {
+      ++count.closed;
+      continue;
+    }
+    const glm::dvec3 middle = 0.5 * glm::dvec3(e[0] + e[3], e[1] + e[4], e[2] + e[5]) - view.position;
+    count.open += glm::length(glm::dvec2(middle.x, middle.z)) < frame.farDistanceM &&
+                  std::all_of(view.inward.begin(), view.inward.end(),
+                              [&](const glm::dvec3& n) { return glm::dot(n, middle) > 0; });
+  }
+  return count;
+}
+
+ViewVolume randomView(const HeightSource& source, core::RandomStream& random) {
+  const glm::dvec2 at{random.nextUnit() * 3000, random.nextUnit() * 3000};
+  const double altitude = 5 * std::pow(400.0, random.nextUnit());
+  const glm::dvec3 eye{at.x, std::max(source.height(at), 0.0) + altitude, at.y};
+  const double yaw = 2 * kPi * random.nextUnit();
+  return lookingAlong(eye, yaw, 0.2 - 0.8 * random.nextUnit(), 160, 90);
+}
+
 TEST(Stability, T07_theMeshThatIsInViewHasNoOpenEdge) {
   // 40 random poses: every edge of a triangle whose middle is in view is the edge of another triangle too,
   // with the same two ends, bit by bit. Then no picture of it can have a crack, whatever the size of its
@@ -140,42 +188,115 @@ TEST(Stability, T07_theMeshThatIsInViewHasNoOpenEdge) {
   EndlessTerrain terrain(source, pool, settings);
   test::PatchMesher mesher(*source);
   core::RandomStream random{7, 0};
-  using Edge = std::array<double, 6>;
-  std::size_t closed = 0, open = 0;
+  EdgeCount sum;
   for (int pose = 0; pose < 40; ++pose) {
-    const glm::dvec2 at{random.nextUnit() * 3000, random.nextUnit() * 3000};
-    const double altitude = 5 * std::pow(400.0, random.nextUnit());
-    const glm::dvec3 eye{at.x, std::max(source->height(at), 0.0) + altitude, at.y};
-    const ViewVolume view =
-        lookingAlong(eye, 2 * kPi * random.nextUnit(), 0.2 - 0.8 * random.nextUnit(), 160, 90);
+    const ViewVolume view = randomView(*source, random);
     const TerrainFrame& frame = terrain.settle(view);
-    std::set<Edge> edges;
-    for (const PatchDraw& patch : frame.patches) {
-      const auto vertices = mesher.vertices(frame, patch, eye);
-      for (const auto& triangle : test::patchTriangles()) {
-        const glm::dvec3 &a = vertices[static_cast<std::size_t>(triangle[0])],
-                         &b = vertices[static_cast<std::size_t>(triangle[1])],
-                         &c = vertices[static_cast<std::size_t>(triangle[2])];
-        const double area = (b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z);
-        ASSERT_LE(area, 0) << "a triangle was turned over";
-        if (area == 0) continue;
-        for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}})
-          edges.insert({p.x, p.y, p.z, q.x, q.y, q.z});
+    const EdgeCount count = countEdges(frame.patches, frame, view, mesher);
+    sum.closed += count.closed;
+    sum.open += count.open;
+  }
+  EXPECT_GT(sum.closed, 400000u);
+  EXPECT_EQ(sum.open, 0u);
+}
+
+TEST(Stability, T07_theMeshHasNoOpenEdgeWhileChunksArriveInAnyOrder) {
+  // 8 random poses; the chunks that the view wants arrive in a random order (each after its ancestors, as
+  // EndlessTerrain draws them). From the moment when the coarsest are there no edge in view is ever open,
+  // whatever is missing; and when all are there nothing is drawn coarser than the view asks for.
+  const auto source = test::makeHillsSource();
+  TerrainStreamingSettings settings;
+  settings.texelPixels = 1;
+  const double floor = -2000;  // or the land would have holes in the sea
+  const ReliefErrors relief = measureRelief(*source);
+  const ChunkBounds bounds = [&](const ChunkKey& key) {
+    const glm::dvec2 origin = chunkOrigin(key);
+    return source->bounds(origin, origin + chunkMetres(key.level));
+  };
+  test::PatchMesher mesher(*source);
+  core::RandomStream random{77, 0};
+  EdgeCount sum;
+  int states = 0, coarsened = 0;
+  for (int pose = 0; pose < 8; ++pose) {
+    const ViewVolume view = randomView(*source, random);
+    TerrainFrame frame;
+    frame.lod = makeLodDistances(relief, view.pixelsPerRadian, settings);
+    frame.farDistanceM = settings.farDistanceM;
+    frame.base = chunkOrigin(chunkAt({view.position.x, view.position.z}));
+
+    std::vector<ChunkKey> missing;
+    UsableChunks usable;
+    std::vector<std::unique_ptr<PatchBounds>> kept;
+    const auto arrive = [&](const ChunkKey& key) {
+      kept.push_back(std::make_unique<PatchBounds>(makeChunk(*source, key)));
+      usable.emplace(key, UsableChunk{0, kept.back().get()});
+    };
+    for (const WantedChunk& chunk : selectChunks(view, frame.lod, settings.farDistanceM, bounds)) {
+      if (chunk.key.level == kTopLevel) {
+        arrive(chunk.key);
+      } else {
+        missing.push_back(chunk.key);
       }
     }
-    for (const Edge& e : edges) {
-      if (edges.contains({e[3], e[4], e[5], e[0], e[1], e[2]})) {
-        ++closed;
-        continue;
+    while (true) {
+      const PatchSelection drawn =
+          selectPatches(view, frame.lod, settings.farDistanceM, floor, frame.base, usable, bounds);
+      const EdgeCount count = countEdges(drawn.patches, frame, view, mesher);
+      sum.closed += count.closed;
+      sum.open += count.open;
+      ++states;
+      coarsened += drawn.coarsened > 0;
+      if (missing.empty()) {
+        EXPECT_EQ(drawn.coarsened, 0u);
+        break;
       }
-      const glm::dvec3 middle = 0.5 * glm::dvec3(e[0] + e[3], e[1] + e[4], e[2] + e[5]) - eye;
-      open += glm::length(glm::dvec2(middle.x, middle.z)) < frame.farDistanceM &&
-              std::all_of(view.inward.begin(), view.inward.end(),
-                          [&](const glm::dvec3& n) { return glm::dot(n, middle) > 0; });
+      // A few more, so that each pose is seen in about eight states.
+      for (std::size_t more = 1 + kept.size() / 6; more > 0 && !missing.empty();) {
+        const auto i = static_cast<std::size_t>(random.nextUnit() * static_cast<double>(missing.size()));
+        if (!usable.contains(parentOf(missing[i]))) continue;
+        arrive(missing[i]);
+        missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(i));
+        --more;
+      }
     }
   }
-  EXPECT_GT(closed, 400000u);
-  EXPECT_EQ(open, 0u);
+  EXPECT_GT(sum.closed, 200000u);
+  EXPECT_GT(coarsened, states / 2);
+  EXPECT_EQ(sum.open, 0u);
+}
+
+TEST(Stability, T07_flyingTurningAndLeapingNeverShowsAHole) {
+  // 300 m/s at 60 frames a second over land that one worker makes as fast as it can, turned round at every
+  // tenth frame and carried off by up to 300 km at every twentieth: in each frame, also the first after a
+  // leap, there is land and no edge of it in view is open.
+  const auto source = test::makeHillsSource();
+  core::JobPool pool(1);
+  TerrainStreamingSettings settings;
+  settings.seaFloorDepthM = 2000;
+  EndlessTerrain terrain(source, pool, settings);
+  test::PatchMesher mesher(*source);
+  core::RandomStream random{78, 0};
+  glm::dvec3 eye{0};
+  double yaw = 0;
+  EdgeCount sum;
+  int unsettled = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    if (frame % 10 == 0) yaw += kPi;
+    if (frame % 20 == 0) {
+      eye = {6e5 * (random.nextUnit() - 0.5), 0, 6e5 * (random.nextUnit() - 0.5)};
+      eye.y = std::max(source->height({eye.x, eye.z}), 0.0) + 200;
+    }
+    const ViewVolume view = lookingAlong(eye, yaw, -0.1, 160, 90);
+    const TerrainFrame& drawn = terrain.update(view);
+    unsettled += !terrain.isSettled();
+    EXPECT_FALSE(drawn.patches.empty()) << "frame " << frame;
+    const EdgeCount count = countEdges(drawn.patches, drawn, view, mesher);
+    EXPECT_EQ(count.open, 0u) << "frame " << frame;
+    sum.closed += count.closed;
+    eye += 5.0 * glm::dvec3(std::cos(yaw), 0, std::sin(yaw));
+  }
+  EXPECT_GT(sum.closed, 100000u);
+  EXPECT_GT(unsettled, 6);
 }
 
 TEST(Stability, T20_aMetreOfFlightMovesNoVertexByHalfAPixelBecauseOfDetail) {

@@ -47,7 +47,9 @@ class EndlessTerrain {
 
   // One frame: takes in what the workers finished, asks for what is missing, cancels what is no longer
   // wanted, and says what to upload (within the budget of a frame) and what to draw. The caller carries out
-  // the uploads of every frame, also of one that it does not draw. Valid until the next call.
+  // the uploads of every frame, also of one that it does not draw. Valid until the next call. Returns at
+  // once, except where the view shows a part of the world of which not even the coarsest chunk is there (the
+  // first frame, a leap of tens of kilometres): then it waits for that, up to a quarter of a second.
   const TerrainFrame& update(const ViewVolume& view);
 
   // update() until everything that the view wants is on the GPU, waiting for workers and without a budget for
