@@ -29,6 +29,7 @@ enum class Action {
   mute,
   fullScreen,
   screenshot,
+  freeze,
   escape,
 };
 

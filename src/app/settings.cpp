@@ -19,6 +19,8 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
   visitor.choice("camera", settings.camera, kCameraNames,
                  {"From where the game is seen: behind the aircraft, from its seat, or from anywhere."});
   visitor.flag("hud", settings.hud, {"Shows instruments, navigation bar and messages over the picture."});
+  visitor.flag("freezeTime", settings.freezeTime,
+               {"Holds simulated time; the camera is free to look around. Off at every start."});
 }
 
 void describe(core::SettingsVisitor& visitor, Settings& settings) {
@@ -27,7 +29,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("game", settings.game, "Targets, drops and score.");
   visitor.group("autopilot", settings.autopilot, "How the autopilot flies.");
   visitor.group("terrain", settings.terrain, "The shape of the land.");
-  visitor.group("streaming", settings.streaming, "How fine and how far the land is drawn, and what it may cost.");
+  visitor.group("streaming", settings.streaming,
+                "How fine and how far the land is drawn, and what it may cost.");
   visitor.group("render", settings.render, "Sun, air, cameras and exposure.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("view", settings.view, "How the game is looked at.");
@@ -47,6 +50,8 @@ void applyOverrides(const core::SettingsTable& table, const std::vector<std::str
   }
 }
 
+bool isKept(std::string_view path) { return path != "view.freezeTime"; }
+
 bool decidesSimulation(std::string_view path) {
   return std::any_of(kSimulationGroups.begin(), kSimulationGroups.end(),
                      [&](std::string_view group) { return path.starts_with(group); });
@@ -64,7 +69,8 @@ void applyLogged(const core::SettingsTable& table, const std::vector<game::Setti
                  std::string_view file) {
   for (const game::SettingOverride& setting : settings) {
     try {
-      if (!decidesSimulation(setting.path)) throw core::RangeError(setting.path + ": is no setting of the simulation");
+      if (!decidesSimulation(setting.path))
+        throw core::RangeError(setting.path + ": is no setting of the simulation");
       core::setField(table.at(setting.path), setting.value);
     } catch (const core::RangeError& error) {
       throw core::DataError(file, "settings", error.what());

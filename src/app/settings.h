@@ -26,6 +26,7 @@ namespace skydrop::app {
 struct ViewSettings {
   render::CameraMode camera = render::CameraMode::chase;
   bool hud = true;
+  bool freezeTime = false;  // of this run alone: not kept
 };
 
 struct Settings {
@@ -54,6 +55,9 @@ void applyOverrides(const core::SettingsTable& table, const std::vector<std::str
 std::vector<game::SettingOverride> simulationSettings(const core::SettingsTable& table);
 void applyLogged(const core::SettingsTable& table, const std::vector<game::SettingOverride>& settings,
                  std::string_view file);
+
+// Whether the player's file keeps the field at this path.
+bool isKept(std::string_view path);
 
 // Whether a change of the field at this path changes the simulation.
 bool decidesSimulation(std::string_view path);

@@ -24,10 +24,18 @@ Stage::Stage(render::gl::Context& context, const Setup& setup, const Settings& s
 Stage::~Stage() = default;
 
 void Stage::apply(const Settings& settings) {
-  if (settings.view.camera != settings_.view.camera) camera_.setMode(settings.view.camera);
+  if (settings.view.camera != settings_.view.camera) {
+    camera_.setMode(settings.view.camera);
+    if (camera_.mode() == render::CameraMode::free) freeCamera();
+  }
   settings_ = settings;
   renderer_.apply(settings_.render);
   if (land_) land_->apply(settings_.streaming);
+}
+
+void Stage::freeCamera() {
+  if (lastView_) camera_.standAt(*lastView_);
+  camera_.setMode(render::CameraMode::free);
 }
 
 void Stage::addLand() {
@@ -48,6 +56,7 @@ void Stage::uploadFonts() { overlay_->uploadFonts(); }
 
 void Stage::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
   const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height);
+  lastView_ = view;
   settleMs_ = 0;
   if (land_) {
     const terrain::ViewVolume volume = render::viewVolume(view);

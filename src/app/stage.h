@@ -1,5 +1,5 @@
-// The graphics of a scene: renderer, the passes that its effects call for, camera, streaming of the land. Main
-// thread, on the context's thread. Draws snapshots; knows nothing of time.
+// The graphics of a scene: renderer, the passes that its effects call for, camera, streaming of the land.
+// Main thread, on the context's thread. Draws snapshots; knows nothing of time.
 #pragma once
 
 #include <memory>
@@ -38,6 +38,8 @@ class Stage {
   ~Stage();
 
   render::Camera& camera() { return camera_; }
+  // Lets the free camera begin where the last frame was seen from.
+  void freeCamera();
   render::Renderer& renderer() { return renderer_; }
 
   // Takes the settings over for the next frame.
@@ -55,8 +57,8 @@ class Stage {
   // Milliseconds that the last draw() spent in waiting for land.
   double settleMs() const { return settleMs_; }
 
-  // Compiles changed shaders anew and gives up nothing: one line for each that is broken, and for each part of
-  // the land that could not be made.
+  // Compiles changed shaders anew and gives up nothing: one line for each that is broken, and for each part
+  // of the land that could not be made.
   std::vector<std::string> takeMessages();
 
   void writeTo(core::FrameStatistics& statistics);
@@ -66,6 +68,7 @@ class Stage {
   Settings settings_;
   render::Renderer renderer_;
   render::Camera camera_;
+  std::optional<render::View> lastView_;
   std::unique_ptr<core::JobPool> workers_;         // with terrain only
   std::unique_ptr<terrain::EndlessTerrain> land_;  // with terrain only
   render::TerrainPass* landPass_ = nullptr;        // the renderer's; with terrain only

@@ -32,34 +32,28 @@ std::string statisticsJson(const core::FrameStatistics& s) {
   json["renderer"] = s.renderer;
   json["passes"] = ordered_json::object();
   for (const auto& [name, pass] : s.passes) json["passes"][name] = passJson(pass);
-  json["gl"] = {{"textures", s.gl.textures},
-                {"buffers", s.gl.buffers},
-                {"programs", s.gl.programs},
-                {"framebuffers", s.gl.framebuffers},
-                {"errors", s.gl.errors},
-                {"bytes", s.gl.bytes}};
-  json["terrain"] = {{"chunksDrawn", s.terrain.chunksDrawn}, {"triangles", s.terrain.triangles},
-                     {"generated", s.terrain.generated},     {"cacheHits", s.terrain.cacheHits},
-                     {"queue", s.terrain.queue},             {"bytes", s.terrain.bytes},
+  json["gl"] = {{"textures", s.gl.textures},         {"buffers", s.gl.buffers}, {"programs", s.gl.programs},
+                {"framebuffers", s.gl.framebuffers}, {"errors", s.gl.errors},   {"bytes", s.gl.bytes}};
+  json["terrain"] = {{"chunksDrawn", s.terrain.chunksDrawn},
+                     {"triangles", s.terrain.triangles},
+                     {"generated", s.terrain.generated},
+                     {"cacheHits", s.terrain.cacheHits},
+                     {"queue", s.terrain.queue},
+                     {"bytes", s.terrain.bytes},
                      {"coarsened", s.terrain.coarsened}};
   json["threads"] = s.threads;
   json["effects"] = s.effects;
-  json["game"] = {{"score", s.game.score},
-                  {"drops", s.game.drops},
-                  {"misses", s.game.misses},
-                  {"targets", s.game.targets},
-                  {"position", s.game.position},
-                  {"airspeed", s.game.airspeedMps},
-                  {"throttle", s.game.throttle},
-                  {"heading", s.game.headingDeg},
-                  {"pitch", s.game.pitchDeg},
-                  {"bank", s.game.bankDeg}};
+  json["game"] = {{"score", s.game.score},       {"drops", s.game.drops},
+                  {"misses", s.game.misses},     {"targets", s.game.targets},
+                  {"position", s.game.position}, {"airspeed", s.game.airspeedMps},
+                  {"throttle", s.game.throttle}, {"heading", s.game.headingDeg},
+                  {"pitch", s.game.pitchDeg},    {"bank", s.game.bankDeg}};
   if (!s.window.camera.empty()) {
-    json["window"] = {{"width", s.window.width},           {"height", s.window.height},
-                         {"camera", s.window.camera},         {"menuOpen", s.window.menuOpen},
-                         {"helpOpen", s.window.helpOpen},     {"escapeOpen", s.window.escapeOpen},
-                         {"paused", s.window.paused},         {"fullScreen", s.window.fullScreen},
-                         {"screenshots", s.window.screenshots}};
+    json["window"] = {{"width", s.window.width},       {"height", s.window.height},
+                      {"camera", s.window.camera},     {"menuOpen", s.window.menuOpen},
+                      {"helpOpen", s.window.helpOpen}, {"escapeOpen", s.window.escapeOpen},
+                      {"paused", s.window.paused},     {"fullScreen", s.window.fullScreen},
+                      {"frozen", s.window.frozen},     {"screenshots", s.window.screenshots}};
   }
   json["guards"] = s.guards;
   json["other"] = s.other;

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/settings.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/settings_file.h"
 
@@ -15,7 +16,9 @@ void applyFile(const core::SettingsTable& table, const std::filesystem::path& fi
 
 }  // namespace
 
-std::filesystem::path userSettingsFile(const std::filesystem::path& folder) { return folder / "settings.json"; }
+std::filesystem::path userSettingsFile(const std::filesystem::path& folder) {
+  return folder / "settings.json";
+}
 
 void readUserSettings(const core::SettingsTable& table, const std::filesystem::path& folder) {
   applyFile(table, userSettingsFile(folder));
@@ -31,7 +34,8 @@ std::filesystem::path defaultUserFolder() {
   return {};
 }
 
-std::optional<std::string> loadUserSettings(const core::SettingsTable& table, const std::filesystem::path& folder) {
+std::optional<std::string> loadUserSettings(const core::SettingsTable& table,
+                                            const std::filesystem::path& folder) {
   const std::filesystem::path file = userSettingsFile(folder);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
@@ -51,7 +55,7 @@ void saveUserSettings(const core::SettingsTable& table, const core::SettingsTabl
   nlohmann::json changed = nlohmann::json::object();
   const nlohmann::json all = core::toJson(table);
   for (std::size_t i = 0; i < table.fields().size(); ++i) {
-    if (table.fields()[i].get() == base.fields()[i].get()) continue;
+    if (table.fields()[i].get() == base.fields()[i].get() || !isKept(table.fields()[i].path)) continue;
     std::string pointer = "/" + table.fields()[i].path;
     for (char& c : pointer) {
       if (c == '.') c = '/';

@@ -18,7 +18,7 @@ using scene::Effect;
 
 constexpr Size kDefaultSize{1280, 720};
 constexpr double kNoticeSeconds = 3;
-constexpr auto kWatchPeriod = std::chrono::milliseconds(500);       // of files that may be edited while flying
+constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
 constexpr double kFreeCameraSpeed = 120;                            // m/s
 constexpr double kFreeCameraTurn = 1.2;                             // rad/s
@@ -46,10 +46,11 @@ std::string timeStamp() {
 
 }  // namespace
 
-WindowGame::WindowGame(const CommandLine& line) : line_(line), run_(prepareRun(line)), window_(windowSettings(line)) {
+WindowGame::WindowGame(const CommandLine& line)
+    : line_(line), run_(prepareRun(line)), window_(windowSettings(line)) {
   window_.setVsync(true);
-  overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene), Size{window_.width(), window_.height()},
-                                       helpRows(input_.keys()));
+  overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene),
+                                       Size{window_.width(), window_.height()}, helpRows(input_.keys()));
   imguiInput_.emplace();
   buildScene();
   sceneWritten_ = timeOf(run_->setup.scene.file);
@@ -71,7 +72,8 @@ void WindowGame::buildScene() {
   simulation_.emplace(run_->setup, run_->settings, run_->table);
   const scene::EffectSet& effects = simulation_->effects();
   stage_ = std::make_unique<Stage>(
-      window_, Stage::Setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value()}, run_->settings);
+      window_, Stage::Setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value()},
+      run_->settings);
   stage_->addOverlay();
   if (effects.contains(Effect::sound)) {
     if (!audio_) {
@@ -107,7 +109,8 @@ void WindowGame::handleEvents() {
     input_.handle(event, ImGuiInput::wantsText());
     if (event.kind == render::gl::WindowEvent::Kind::focus) lostFocus = !event.pressed;
   }
-  // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and come.
+  // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and
+  // come.
   if (lostFocus) paused_ = true;
   for (const Action action : input_.takeActions()) handleAction(action);
 }
@@ -116,21 +119,57 @@ void WindowGame::handleAction(Action action) {
   switch (action) {
     case Action::camera:
       stage_->camera().nextMode();
+      if (stage_->camera().mode() == render::CameraMode::free) stage_->freeCamera();
+      rideAgain_.reset();
       run_->settings.view.camera = stage_->camera().mode();
       notice("Camera: " + std::string(render::cameraModeName(stage_->camera().mode())));
       break;
-    case Action::pause: paused_ = !paused_; break;
-    case Action::help: overlay_->helpOpen = !overlay_->helpOpen; break;
-    case Action::menu: overlay_->menuOpen = !overlay_->menuOpen; break;
-    case Action::escape: overlay_->escapeOpen = !overlay_->escapeOpen; break;
-    case Action::fullScreen: window_.setFullScreen(!window_.isFullScreen()); break;
-    case Action::screenshot: screenshotWanted_ = true; break;
+    case Action::pause:
+      paused_ = !paused_;
+      break;
+    case Action::help:
+      overlay_->helpOpen = !overlay_->helpOpen;
+      break;
+    case Action::menu:
+      overlay_->menuOpen = !overlay_->menuOpen;
+      break;
+    case Action::escape:
+      overlay_->escapeOpen = !overlay_->escapeOpen;
+      break;
+    case Action::fullScreen:
+      window_.setFullScreen(!window_.isFullScreen());
+      break;
+    case Action::screenshot:
+      screenshotWanted_ = true;
+      break;
+    case Action::freeze:
+      toggle("view.freezeTime");
+      notice(isFrozen() ? "Time is frozen: the keys move the camera" : "Time goes on");
+      break;
     case Action::mute:
-      core::setField(run_->table.at("audio.mute"), run_->settings.audio.mute ? 0.0 : 1.0);
-      applyMenuChanges({"audio.mute"});
+      toggle("audio.mute");
       notice(run_->settings.audio.mute ? "Sound off" : "Sound on");
       break;
-    default: break;  // flight actions: PlayerInput::step
+    default:
+      break;  // flight actions: PlayerInput::step
+  }
+}
+
+// A flag by its key, as if in the menu.
+void WindowGame::toggle(const std::string& path) {
+  const core::Field& flag = run_->table.at(path);
+  core::setField(flag, flag.get() != 0 ? 0.0 : 1.0);
+  applyMenuChanges({path});
+}
+
+// While time is held the camera is free where it was; afterwards it rides again, unless another was chosen.
+void WindowGame::freezeOrGoOn() {
+  render::Camera& camera = stage_->camera();
+  if (isFrozen() && camera.mode() != render::CameraMode::free) {
+    rideAgain_ = camera.mode();
+    stage_->freeCamera();
+  } else if (!isFrozen() && rideAgain_) {
+    camera.setMode(*std::exchange(rideAgain_, std::nullopt));
   }
 }
 
@@ -148,6 +187,7 @@ void WindowGame::advance(double seconds) {
       moveFreeCamera(controls);
       controls = {};
     }
+    if (isFrozen()) continue;
     simulation_->step(controls);
     const std::vector<game::GameEvent> events = simulation_->world().takeEvents();
     events_.insert(events_.end(), events.begin(), events.end());
@@ -159,8 +199,8 @@ void WindowGame::advance(double seconds) {
   }
 }
 
-// The keys of the aircraft move the free camera: thrust and brake along the view, roll turns, pitch looks up and
-// down, yaw climbs and sinks. The aircraft flies on by itself.
+// The keys of the aircraft move the free camera: thrust and brake along the view, roll turns, pitch looks up
+// and down, yaw climbs and sinks. The aircraft flies on by itself.
 void WindowGame::moveFreeCamera(const game::Controls& controls) {
   render::Camera& camera = stage_->camera();
   const double metres = kFreeCameraSpeed * core::FixedStep::kStepSeconds;
@@ -170,9 +210,10 @@ void WindowGame::moveFreeCamera(const game::Controls& controls) {
 }
 
 game::Snapshot WindowGame::snapshotToDraw() {
-  game::Snapshot snapshot = simulation_->world().interpolated(isPaused() ? 1 : clock_.alpha());
+  game::Snapshot snapshot = simulation_->world().interpolated(isPaused() || isFrozen() ? 1 : clock_.alpha());
   snapshot.autopilot = simulation_->pilot() == Pilot::autopilot;
   snapshot.paused = isPaused();
+  snapshot.frozen = isFrozen();
   snapshot.messages.insert(snapshot.messages.end(), notices_.begin(), notices_.end());
   return snapshot;
 }
@@ -181,7 +222,7 @@ void WindowGame::drawFrame(double seconds) {
   const game::Snapshot snapshot = snapshotToDraw();
   const Size size{window_.width(), window_.height()};
   if (sound_) {
-    audio_->setPaused(isPaused());
+    audio_->setPaused(isPaused() || isFrozen());
     sound_->update(snapshot, events_);
   }
   events_.clear();
@@ -203,10 +244,17 @@ void WindowGame::drawFrame(double seconds) {
   // What the player did in this frame takes effect after it was drawn.
   if (!result.menu.changedPaths.empty()) applyMenuChanges(result.menu.changedPaths);
   switch (result.escape) {
-    case ui::EscapeAction::none: break;
-    case ui::EscapeAction::resume: overlay_->escapeOpen = false, paused_ = false; break;
-    case ui::EscapeAction::help: overlay_->escapeOpen = false, overlay_->helpOpen = true; break;
-    case ui::EscapeAction::quit: window_.setShouldClose(true); break;
+    case ui::EscapeAction::none:
+      break;
+    case ui::EscapeAction::resume:
+      overlay_->escapeOpen = false, paused_ = false;
+      break;
+    case ui::EscapeAction::help:
+      overlay_->escapeOpen = false, overlay_->helpOpen = true;
+      break;
+    case ui::EscapeAction::quit:
+      window_.setShouldClose(true);
+      break;
   }
 }
 
@@ -226,6 +274,7 @@ void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
   }
   simulation_->applySettings(changedPaths);
   stage_->apply(run_->settings);
+  freezeOrGoOn();
   if (audio_) audio_->apply(run_->settings.audio);
   if (sound_) sound_->apply(run_->settings.audio);
 }
@@ -241,7 +290,8 @@ void WindowGame::watchFiles() {
   };
   try {
     if (wasWritten(run_->setup.scene.file, sceneWritten_)) reloadSceneFile();
-    if (run_->userFolder && wasWritten(userSettingsFile(*run_->userFolder), playerWritten_)) reloadPlayerFile();
+    if (run_->userFolder && wasWritten(userSettingsFile(*run_->userFolder), playerWritten_))
+      reloadPlayerFile();
   } catch (const std::exception& refusal) {
     error_ = refusal.what();
   }
@@ -292,6 +342,7 @@ core::FrameStatistics WindowGame::statistics() {
   window.helpOpen = overlay_->helpOpen;
   window.escapeOpen = overlay_->escapeOpen;
   window.paused = isPaused();
+  window.frozen = isFrozen();
   window.fullScreen = window_.isFullScreen();
   window.screenshots = screenshots_;
   return statistics;

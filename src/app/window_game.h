@@ -1,4 +1,5 @@
-// The game in its window: events in, steps of the simulation, frames out, until the player quits. Main thread.
+// The game in its window: events in, steps of the simulation, frames out, until the player quits. Main
+// thread.
 #pragma once
 
 #include <chrono>
@@ -36,6 +37,8 @@ class WindowGame {
   void buildScene();
   void handleEvents();
   void handleAction(Action action);
+  void toggle(const std::string& path);
+  void freezeOrGoOn();
   void advance(double seconds);
   void moveFreeCamera(const game::Controls& controls);
   void drawFrame(double seconds);
@@ -50,7 +53,9 @@ class WindowGame {
   core::FrameStatistics statistics();
   void finish();
 
+  // A pause holds everything; a freeze holds simulated time, and the keys move the free camera.
   bool isPaused() const { return paused_ || overlay_->escapeOpen; }
+  bool isFrozen() const { return run_->settings.view.freezeTime; }
 
   CommandLine line_;
   std::unique_ptr<Run> run_;
@@ -65,6 +70,7 @@ class WindowGame {
   core::FixedStep clock_;
 
   bool paused_ = false;
+  std::optional<render::CameraMode> rideAgain_;  // after a freeze
   bool screenshotWanted_ = false;
   bool replayEnded_ = false;
   int screenshots_ = 0;

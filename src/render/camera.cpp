@@ -67,6 +67,16 @@ void Camera::setPose(const glm::dvec3& position, double yawRad, double pitchRad,
   rollRad_ = rollRad;
 }
 
+void Camera::standAt(const View& view) {
+  const glm::dvec3 forward = view.forward(), right = view.right();
+  position_ = view.position;
+  pitchRad_ = std::asin(std::clamp(forward.y, -1.0, 1.0));
+  // Straight up or down any yaw will do: then roll says all.
+  yawRad_ = std::hypot(forward.x, forward.z) > 1e-9 ? std::atan2(forward.z, forward.x) : 0;
+  const glm::dvec3 level(-std::sin(yawRad_), 0, std::cos(yawRad_));
+  rollRad_ = std::atan2(-glm::dot(right, glm::cross(level, forward)), glm::dot(right, level));
+}
+
 void Camera::move(const glm::dvec3& rightUpForward) {
   const glm::dvec3 moved =
       position_ + glm::transpose(worldToView()) * (rightUpForward * glm::dvec3(1, 1, -1));

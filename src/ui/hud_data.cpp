@@ -47,6 +47,7 @@ HudData makeHudData(const game::Snapshot& snapshot) {
   data.misses = snapshot.misses;
   data.paused = snapshot.paused;
   data.autopilot = snapshot.autopilot;
+  data.frozen = snapshot.frozen;
   const std::size_t first = snapshot.messages.size() - std::min(snapshot.messages.size(), kMaxMessages);
   for (std::size_t i = first; i < snapshot.messages.size(); ++i) {
     const game::Message& message = snapshot.messages[i];

@@ -58,7 +58,7 @@ class Layouter {
       }
     }
     placeScore(data);
-    if (data.autopilot) placeAutopilot();
+    if (data.autopilot || data.frozen) placeNotes(data);
     float bottom = height_ - margin_;
     if (data.aircraft) bottom = placeInstruments(data) - gap_;
     if (middleRight_ - middleLeft_ < std::min(kNarrowestMiddle * line_, width_)) return std::move(layout_);
@@ -102,10 +102,13 @@ class Layouter {
     layout_.items.push_back(std::move(item));
   }
 
-  void placeAutopilot() {
-    const std::string words = fit("AUTOPILOT", width_ * 0.35f - margin_);
+  // Who flies, and whether time is held.
+  void placeNotes(const HudData& data) {
+    const char* both = "AUTOPILOT  FROZEN";
+    const char* note = data.autopilot && data.frozen ? both : data.frozen ? "TIME FROZEN" : "AUTOPILOT";
+    const std::string words = fit(note, width_ * 0.35f - margin_);
     const float right = width_ - margin_, left = right - measure(words) - 2 * padding_;
-    HudItem item{"autopilot", {left, margin_, right, topRow()}, kPlate, {}};
+    HudItem item{"notes", {left, margin_, right, topRow()}, kPlate, {}};
     item.texts.push_back({words, {left + padding_, margin_ + padding_}, Tone::accent});
     layout_.items.push_back(std::move(item));
   }

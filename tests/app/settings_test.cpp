@@ -65,11 +65,12 @@ TEST(Settings, theThesisAircraftParametersHaveItsValues) {
   Settings settings;
   const core::SettingsTable table(settings);
   const std::pair<const char*, double> values[] = {
-      {"rollFactor", .75},    {"stabilizingRoll", .5}, {"pitchSpeed", 20},        {"yawSpeed", 32.175},
+      {"rollFactor", .75},   {"stabilizingRoll", .5}, {"pitchSpeed", 20},        {"yawSpeed", 32.175},
       {"rollSpeed", 32.175}, {"maxThrottle", 198},    {"inducedYawFactor", .055}};
   std::size_t i = 0;
   for (const auto& [name, value] : values) {
-    EXPECT_EQ(table.fields()[i].path, std::string("aircraft.") + name) << "they come first, in the thesis's order";
+    EXPECT_EQ(table.fields()[i].path, std::string("aircraft.") + name)
+        << "they come first, in the thesis's order";
     EXPECT_EQ(table.fields()[i++].defaultValue, value) << name;
   }
 }
@@ -80,7 +81,9 @@ TEST(Settings, theMenuOfTheWholeGameHasEveryFieldInOneSection) {
   const core::SettingsTable table(settings);
   const auto sections = menuSections(scene::requiredEffects(scene::loadScene("terrain")));
   for (const core::Field& field : table.fields()) {
-    const auto shows = [&](const ui::MenuSection& section) { return field.path.starts_with(section.group + "."); };
+    const auto shows = [&](const ui::MenuSection& section) {
+      return field.path.starts_with(section.group + ".");
+    };
     EXPECT_EQ(std::count_if(sections.begin(), sections.end(), shows), 1) << field.path;
   }
 }
@@ -89,13 +92,16 @@ TEST(Settings, laterSourcesWin) {
   // Defaults, then the scene, then the player's file, then --set.
   const test::TemporaryFolder folder;
   const std::string scene = folder.write(
-      "a.json", R"({"schema": 1, "settings": {"aircraft": {"rollFactor": 0.1, "pitchSpeed": 11, "yawSpeed": 12}}})");
-  folder.write("settings.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
+      "a.json",
+      R"({"schema": 1, "settings": {"aircraft": {"rollFactor": 0.1, "pitchSpeed": 11, "yawSpeed": 12}}})");
+  folder.write("settings.json",
+               R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
   CommandLine line;
   line.verb = Verb::simulate;
   line.scene = scene;
   line.set = {"aircraft.yawSpeed=31"};
-  EXPECT_EQ(prepareRun(line)->settings.aircraft.pitchSpeed, 11) << "the player's file is read where it is named only";
+  EXPECT_EQ(prepareRun(line)->settings.aircraft.pitchSpeed, 11)
+      << "the player's file is read where it is named only";
   line.userDir = folder.path();
   const auto run = prepareRun(line);
   EXPECT_EQ(run->settings.aircraft.rollFactor, 0.1);
@@ -127,11 +133,13 @@ TEST(Settings, anEditedPlayerFileTakesEffectWholeOrNotAtAll) {
   line.userDir = folder.path();
   line.set = {"aircraft.yawSpeed=31"};
   const auto run = prepareRun(line);
-  folder.write("settings.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
+  folder.write("settings.json",
+               R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
   EXPECT_EQ(reloadPlayer(*run, line), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21);
   EXPECT_EQ(run->player.aircraft.yawSpeed, 22);
-  folder.write("settings.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 25, "yawSpeed": -1}}})");
+  folder.write("settings.json",
+               R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 25, "yawSpeed": -1}}})");
   EXPECT_THROW(reloadPlayer(*run, line), core::DataError);
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21) << "the last good state stays";
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "settings.json")) << "and so does the file";
@@ -152,10 +160,22 @@ TEST(UserSettings, whatWasChangedComesBackAndNothingElseIsWritten) {
   EXPECT_EQ(json["settings"]["aircraft"].size(), 1u);
 }
 
+TEST(UserSettings, aFlightNeverStartsFrozenBecauseTheLastOneWas) {
+  const test::TemporaryFolder folder;
+  Settings base, player;
+  const core::SettingsTable baseTable(base), table(player);
+  core::setField(table, "view.freezeTime=true");
+  saveUserSettings(table, baseTable, folder.path());
+  Settings back;
+  EXPECT_EQ(loadUserSettings(core::SettingsTable(back), folder.path()), std::nullopt);
+  EXPECT_FALSE(back.view.freezeTime);
+}
+
 TEST(UserSettings, aBrokenFileIsReportedKeptAsideAndReplacedByDefaults) {
   const test::TemporaryFolder folder;
-  for (const char* broken : {"{", "[]", R"({"schema": 2})", R"({"schema": 1, "settings": {"aircraft": {"mass": "x"}}})",
-                             R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40, "mass": -1}}})"}) {
+  for (const char* broken :
+       {"{", "[]", R"({"schema": 2})", R"({"schema": 1, "settings": {"aircraft": {"mass": "x"}}})",
+        R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40, "mass": -1}}})"}) {
     folder.write("settings.json", broken);
     Settings settings;
     const core::SettingsTable table(settings);

@@ -145,6 +145,30 @@ TEST(Camera, freeViewIsTheTransposedRotationAfterTheTranslation) {
   EXPECT_LT((camera.getView() * glm::dvec4(0, 1, 0, 0)).x, -0.09);
 }
 
+TEST(Camera, theFreeCameraTakesOverAViewOfAnyAttitude) {
+  // Standing where a ride of any attitude was, straight up and down included, it sees the same.
+  for (double pitch = -90; pitch <= 90; pitch += 30) {
+    for (double yaw = -180; yaw <= 150; yaw += 30) {
+      for (double roll = -180; roll <= 150; roll += 30) {
+        Camera ride;
+        ride.setMode(CameraMode::free);
+        ride.setPose({1e6, 20, -3e6}, glm::radians(yaw), glm::radians(pitch), glm::radians(roll));
+        const View seen = ride.view({}, {}, 64, 36);
+        Camera camera;
+        camera.setMode(CameraMode::free);
+        camera.standAt(seen);
+        const View again = camera.view({}, {}, 64, 36);
+        EXPECT_EQ(again.position, seen.position);
+        for (int column = 0; column < 3; ++column) {
+          // asin near 1 keeps half of a double's digits.
+          EXPECT_LT(glm::length(again.worldToView[column] - seen.worldToView[column]), 1e-7)
+              << yaw << " " << pitch << " " << roll;
+        }
+      }
+    }
+  }
+}
+
 TEST(Camera, withoutAnAircraftEveryModeIsFree) {
   // A scene without an aircraft is seen from the pose, and the order of the modes is chase, cockpit, free.
   Camera camera;

@@ -36,7 +36,7 @@ HudData fullest() {
   HudData data = makeHudData(flying());
   data.dropPulse = 1;
   data.cooldownSeconds = 1.5;
-  data.stalled = data.paused = data.autopilot = true;
+  data.stalled = data.paused = data.autopilot = data.frozen = true;
   data.score = data.misses = 123456789;
   data.targetDistanceM = 1e300;
   data.altitudeM = -1e12;
@@ -58,7 +58,7 @@ constexpr int kSizes[][2] = {{320, 180},  {320, 240},   {640, 360},   {800, 601}
                              {720, 1280}, {1920, 1080}, {2560, 1080}, {3440, 1440}, {3840, 2160}};
 
 TEST(Hud, noItemCoversAnotherOrLeavesTheWindowAtAnySize) {
-  // Score, autopilot, instruments, messages, drop text, pause, warning and help keep apart, from 320 x 180
+  // Score, notes, instruments, messages, drop text, pause, warning and help keep apart, from 320 x 180
   // on.
   for (const auto& [width, height] : kSizes) {
     const Interface context(width, height);
@@ -96,7 +96,7 @@ TEST(Hud, theMiddleMovesBesideTheMenu) {
       for (const bool help : {false, true}) {
         const auto rows = help ? longHelp() : std::vector<HelpRow>();
         for (const HudItem& item : layoutHud(context, fullest(), rows, menu).items) {
-          if (item.name == "score" || item.name == "autopilot") continue;  // above it
+          if (item.name == "score" || item.name == "notes") continue;  // above it
           const ScreenRect& rect = item.rect;
           if (item.name == "flight" || item.name == "navigation" || item.name == "position")
             continue;  // below it

@@ -9,6 +9,7 @@
 #include "app/settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/ui/menu.h"
+#include "support/process.h"
 #include "window/flown_game.h"
 
 namespace skydrop::test {
@@ -24,6 +25,29 @@ bool isOn(const json& statistics, const char* name) { return statistics.at("wind
 
 // Degrees from a to b, in (-180, 180].
 double turn(double a, double b) { return std::remainder(b - a, 360.0); }
+
+// Share of the pixels of a rectangle that differ by more than 8 of 255 in some channel.
+double changed(const core::Image& a, const core::Image& b, const ui::ScreenRect& rect) {
+  int count = 0, all = 0;
+  for (int y = static_cast<int>(rect.top); y < static_cast<int>(rect.bottom); ++y) {
+    for (int x = static_cast<int>(rect.left); x < static_cast<int>(rect.right); ++x) {
+      ++all;
+      for (int c = 0; c < 3; ++c) {
+        if (std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]) > 8) {
+          ++count;
+          break;
+        }
+      }
+    }
+  }
+  return static_cast<double>(count) / all;
+}
+
+// So many frames later than now.
+FlownGame::Condition laterBy(const FlownGame& flown, int frames) {
+  const auto until = flown.statistics().at("frame").at("count").get<int>() + frames;
+  return [until](const json& s) { return s.at("frame").at("count").get<int>() > until; };
+}
 
 // Holds the key until the condition is met.
 testing::AssertionResult whileHeld(FlownGame& flown, const std::string& key,
@@ -123,13 +147,45 @@ TEST(Window, aPauseStopsTheClock) {
   flown.press("p");
   ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "paused"); }));
   const json paused = flown.statistics();
-  const auto framesAfter = paused.at("frame").at("count").get<int>() + 10;
-  ASSERT_TRUE(
-      flown.waitFor([&](const json& s) { return s.at("frame").at("count").get<int>() > framesAfter; }));
+  ASSERT_TRUE(flown.waitFor(laterBy(flown, 10)));
   EXPECT_EQ(flown.statistics().at("steps"), paused.at("steps"));
   EXPECT_EQ(flown.statistics().at("stateHash"), paused.at("stateHash"));
   flown.press("p");
   EXPECT_TRUE(flown.waitFor([&](const json& s) { return s.at("steps") > paused.at("steps"); }));
+}
+
+TEST(Window, aFreezeHoldsTimeWhileTheCameraMovesAndIsNotRecorded) {
+  // F holds the steps and frees the camera, whose keys still change the picture; F again rides on. What was
+  // recorded around the freeze replays to the same state.
+  SKIP_WITHOUT_DISPLAY();
+  const TemporaryFolder folder;
+  const std::string log = (folder.path() / "flight.log").string();
+  FlownGame flown({"--record", log});
+  flown.press("f");
+  ASSERT_TRUE(
+      flown.waitFor([](const json& s) { return isOn(s, "frozen") && s.at("terrain").at("queue") == 0; }));
+  const json frozen = flown.statistics();
+  EXPECT_EQ(frozen.at("window").at("camera"), "free");
+  EXPECT_FALSE(isOn(frozen, "paused"));
+  const core::Image before = flown.screenshot();
+  flown.hold("d");
+  ASSERT_TRUE(flown.waitFor(laterBy(flown, 20)));
+  flown.release("d");
+  const core::Image after = flown.screenshot();
+  EXPECT_GT(changed(before, after, {0, 60, FlownGame::kWidth, FlownGame::kHeight}), 0.2)
+      << "the camera turned";
+  EXPECT_EQ(flown.statistics().at("steps"), frozen.at("steps"));
+  EXPECT_EQ(flown.statistics().at("stateHash"), frozen.at("stateHash"));
+  flown.press("f");
+  ASSERT_TRUE(
+      flown.waitFor([&](const json& s) { return !isOn(s, "frozen") && s.at("steps") > frozen.at("steps"); }));
+  EXPECT_EQ(flown.window().at("camera"), "chase");
+  flown.process().askToEnd();
+  ASSERT_EQ(flown.process().wait(20), 0) << flown.log();
+  const json end = flown.statistics();
+  const ProcessResult replay = runSkydrop({"simulate", "--replay", log, "--seconds", "600"});
+  EXPECT_NE(replay.out.find(end.at("stateHash").get<std::string>()), std::string::npos)
+      << replay.out << replay.err;
 }
 
 TEST(Window, losingTheFocusPausesAndReleasesTheKeys) {
@@ -168,23 +224,6 @@ TEST(Window, itFollowsItsSizeAndFillsTheScreen) {
   flown.press("F11");
   EXPECT_TRUE(flown.waitFor(hasSize(500, 301))) << flown.window().dump();
   EXPECT_FALSE(isOn(flown.statistics(), "fullScreen"));
-}
-
-// Share of the pixels of a rectangle that differ by more than 8 of 255 in some channel.
-double changed(const core::Image& a, const core::Image& b, const ui::ScreenRect& rect) {
-  int count = 0, all = 0;
-  for (int y = static_cast<int>(rect.top); y < static_cast<int>(rect.bottom); ++y) {
-    for (int x = static_cast<int>(rect.left); x < static_cast<int>(rect.right); ++x) {
-      ++all;
-      for (int c = 0; c < 3; ++c) {
-        if (std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]) > 8) {
-          ++count;
-          break;
-        }
-      }
-    }
-  }
-  return static_cast<double>(count) / all;
 }
 
 // Where the menu's widgets stand in a window of this size: the same code, run without a window.

@@ -9,10 +9,10 @@
 namespace skydrop::core {
 
 struct PassStatistics {
-  double ms = 0;               // median over the measured frames
-  std::int64_t draws = 0;      // in the last frame
-  std::int64_t dispatches = 0; // in the last frame
-  std::string skipped;         // why it did no work in the last frame; empty: it worked
+  double ms = 0;                // median over the measured frames
+  std::int64_t draws = 0;       // in the last frame
+  std::int64_t dispatches = 0;  // in the last frame
+  std::string skipped;          // why it did no work in the last frame; empty: it worked
 };
 
 struct GlStatistics {
@@ -23,22 +23,23 @@ struct GlStatistics {
 
 struct TerrainStatistics {
   std::int64_t chunksDrawn = 0, triangles = 0, generated = 0, cacheHits = 0, queue = 0;
-  std::int64_t bytes = 0;     // chunk data held on the CPU
-  std::int64_t coarsened = 0; // chunks drawn coarser than wanted because a budget was full
+  std::int64_t bytes = 0;      // chunk data held on the CPU
+  std::int64_t coarsened = 0;  // chunks drawn coarser than wanted because a budget was full
 };
 
 struct GameStatistics {
   std::int64_t score = 0, drops = 0, misses = 0, targets = 0;
   double position[3] = {0, 0, 0};
-  double airspeedMps = 0, throttle = 0;                 // of the aircraft; 0..1
-  double headingDeg = 0, pitchDeg = 0, bankDeg = 0;     // degrees; compass, nose up, right wing down
+  double airspeedMps = 0, throttle = 0;              // of the aircraft; 0..1
+  double headingDeg = 0, pitchDeg = 0, bankDeg = 0;  // degrees; compass, nose up, right wing down
 };
 
 // The state of a window and of what is open in it; empty in headless runs.
 struct WindowStatistics {
   std::int64_t width = 0, height = 0;  // pixels
   std::string camera;
-  bool menuOpen = false, helpOpen = false, escapeOpen = false, paused = false, fullScreen = false;
+  bool menuOpen = false, helpOpen = false, escapeOpen = false, paused = false, frozen = false;
+  bool fullScreen = false;
   std::int64_t screenshots = 0;
 };
 

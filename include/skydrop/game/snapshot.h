@@ -78,6 +78,7 @@ struct Snapshot {
   // Set by whoever runs the world (app), for the HUD.
   bool autopilot = false;
   bool paused = false;
+  bool frozen = false;  // time is held, the camera is not
 };
 
 }  // namespace skydrop::game

@@ -32,6 +32,8 @@ class Camera {
   // Any attitude; angles in radians, roll positive right side down. Throws core::RangeError for a value that
   // is not finite.
   void setPose(const glm::dvec3& position, double yawRad, double pitchRad, double rollRad);
+  // The free camera where this view is, so that a change to it moves nothing. The view must be valid.
+  void standAt(const View& view);
   // The free camera's own moves: metres along right, up and forward; radians, pitch kept within +-45 degrees.
   // Level again after a pose with roll.
   void move(const glm::dvec3& rightUpForward);

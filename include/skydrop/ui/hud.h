@@ -60,6 +60,7 @@ struct HudData {
   double hintOpacity = 0;  // of the line that names the help: in the first seconds, without autopilot
   bool paused = false;
   bool autopilot = false;
+  bool frozen = false;
 };
 
 // Values that are not finite are shown as 0.
