@@ -73,6 +73,14 @@ Backend parseBackend(const std::string& text) {
   return found->second;
 }
 
+NoiseFormat parseNoiseFormat(const std::string& text) {
+  static const std::map<std::string, NoiseFormat> names = {
+      {"dds", NoiseFormat::dds}, {"dx10", NoiseFormat::dx10}, {"png", NoiseFormat::png}};
+  const auto found = names.find(text);
+  if (found == names.end()) throw UsageError("--format: '" + text + "' is not one of dds dx10 png");
+  return found->second;
+}
+
 // CLI11 only splits words and writes the help; values arrive as text and are read above, so that every
 // refusal has the same form.
 class Parser {
@@ -86,12 +94,14 @@ class Parser {
     CLI::App* render = app_.add_subcommand("render", "frames to PNG files, no window needed");
     CLI::App* simulate = app_.add_subcommand("simulate", "no graphics: physics and game only");
     CLI::App* accuracy = app_.add_subcommand("accuracy", "measure error against time, write the report");
+    CLI::App* noise = app_.add_subcommand("noise", "make, check, export and read the noise of the clouds");
     CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
-    for (CLI::App* verb : {render, simulate, accuracy, info}) verb->set_help_flag("--help", "print this help");
+    for (CLI::App* verb : {render, simulate, accuracy, noise, info}) verb->set_help_flag("--help", "print this help");
     addCommon(*render);
     addRender(*render);
     addCommon(*simulate);
     addSimulate(*simulate);
+    addNoise(*noise);
     accuracy->add_option("STUDY", line_.studies, "studies to run; none named: all");
     text(*accuracy, "--out", "FILE", "the report", [this](const std::string& t) { line_.out = t; });
     accuracy->preparse_callback([this](std::size_t) { line_.out = "accuracy.md"; });
@@ -101,6 +111,7 @@ class Parser {
     render->callback([this] { line_.verb = Verb::render; });
     simulate->callback([this] { line_.verb = Verb::simulate; });
     accuracy->callback([this] { line_.verb = Verb::accuracy; });
+    noise->callback([this] { line_.verb = Verb::noise; });
     info->callback([this] { line_.verb = Verb::info; });
   }
 
@@ -141,19 +152,39 @@ class Parser {
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
         ->expected(1, 1000);
-    text(verb, "--seed", "N", "the world's seed instead of the scene's", [this](const std::string& t) {
-      line_.seed = wholeText<std::uint64_t>(t);
-      if (const auto negative = wholeText<std::int64_t>(t); !line_.seed && negative) {
-        line_.seed = static_cast<std::uint64_t>(*negative);
-      }
-      if (!line_.seed) throw UsageError("--seed: '" + t + "' is not a whole number of 64 bits");
-    });
+    addSeed(verb, "the world's seed instead of the scene's");
     text(verb, "--workers", "N", "threads that make terrain (cores - 1)",
          [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
     path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
     path(verb, "--stats", "FILE", "write what was measured, as JSON", line_.stats);
     path(verb, "--replay", "FILE", "fly a recorded input log", line_.replay);
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
+  }
+
+  void addSeed(CLI::App& verb, const std::string& help) {
+    text(verb, "--seed", "N", help, [this](const std::string& t) {
+      line_.seed = wholeText<std::uint64_t>(t);
+      if (const auto negative = wholeText<std::int64_t>(t); !line_.seed && negative) {
+        line_.seed = static_cast<std::uint64_t>(*negative);
+      }
+      if (!line_.seed) throw UsageError("--seed: '" + t + "' is not a whole number of 64 bits");
+    });
+  }
+
+  void addNoise(CLI::App& verb) {
+    addSeed(verb, "the noise's seed (0); its lower 32 bits");
+    verb.add_flag("--check", line_.noise.check, "make all by processor and by shader, compare them, look for seams");
+    verb.add_option_function<std::vector<std::string>>(
+            "--noise", [this](const std::vector<std::string>& all) { line_.noise.files.assign(all.begin(), all.end()); },
+            "read these DDS files instead of making; may stand several times")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->expected(1, 1000);
+    path(verb, "--out", "DIR", "export to this folder", line_.noise.folder);
+    text(verb, "--format", "dds|dx10|png", "of the export (dx10): DDS with legacy or DX10 header, slices as PNG",
+         [this](const std::string& t) { line_.noise.format = parseNoiseFormat(t); });
+    text(verb, "--backend", "egl|osmesa|window", "what runs the shader of --check",
+         [this](const std::string& t) { line_.backend = parseBackend(t); });
   }
 
   void addSize(CLI::App& verb) {
@@ -195,6 +226,7 @@ class Parser {
     if (line_.replay && (line_.scene || line_.seed)) {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
     }
+    if (line_.noise.check && !line_.noise.files.empty()) throw UsageError("--check and --noise exclude each other");
     if (line_.verb != Verb::render) return;
     if (line_.frames > 1 && line_.out.find("%d") == std::string::npos) {
       throw UsageError("--out: '" + line_.out + "' needs %d for several frames");

@@ -12,7 +12,7 @@
 
 namespace skydrop::app {
 
-enum class Verb { fly, render, simulate, accuracy, info };
+enum class Verb { fly, render, simulate, accuracy, noise, info };
 enum class Backend { egl, osmesa, window };
 
 struct Size {
@@ -27,11 +27,20 @@ struct Pose {
 
 inline constexpr const char* kDefaultScene = "terrain";
 
+enum class NoiseFormat { dds, dx10, png };
+
+struct NoiseRequest {
+  bool check = false;
+  std::vector<std::filesystem::path> files;     // to read instead of making
+  std::optional<std::filesystem::path> folder;  // to export to
+  NoiseFormat format = NoiseFormat::dx10;
+};
+
 struct CommandLine {
   Verb verb = Verb::fly;
 
   std::optional<std::string> scene;  // kDefaultScene unless told; a replay brings its own
-  std::vector<std::string> set;  // PATH=VALUE, in order
+  std::vector<std::string> set;      // PATH=VALUE, in order
   std::optional<std::uint64_t> seed;
   std::optional<int> workers;  // 1 .. 64; cores - 1 unless told
   std::optional<std::filesystem::path> userDir, stats, replay;
@@ -48,13 +57,15 @@ struct CommandLine {
   std::optional<Backend> backend;  // unset: EGL, or OSMesa where EGL gives no OpenGL 4.5
   std::string out = "skydrop.png";
   int frames = 1;
-  double fps = 60;      // simulated frames a second, (0, 1000]
-  double timeS = 0;     // simulated seconds before the first frame
+  double fps = 60;   // simulated frames a second, (0, 1000]
+  double timeS = 0;  // simulated seconds before the first frame
   std::optional<Pose> pose;
   bool menu = false;
 
   // simulate
   double seconds = 60;
+
+  NoiseRequest noise;
 
   // accuracy
   std::vector<std::string> studies;

@@ -14,6 +14,7 @@ int runVerb(const CommandLine& line) {
     case Verb::render: return render(line);
     case Verb::simulate: return simulate(line);
     case Verb::accuracy: return accuracy(line);
+    case Verb::noise: return noise(line);
     case Verb::info: return info(line);
   }
   return kFailed;

@@ -9,6 +9,7 @@ int fly(const CommandLine& line);
 int render(const CommandLine& line);
 int simulate(const CommandLine& line);
 int accuracy(const CommandLine& line);
+int noise(const CommandLine& line);
 int info(const CommandLine& line);
 
 // The whole program: parses, runs, and turns errors into one line on stderr and an exit code.

@@ -5,24 +5,17 @@
 
 #include "skydrop/core/file.h"
 #include "support/process.h"
+#include "support/python.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop {
 namespace {
 
-// A Python that has numpy; empty if there is none.
-std::string pythonWithNumpy() {
-  for (const char* python : {"python3", "/usr/bin/python3"}) {
-    if (test::runProcess({python, "-c", "import numpy"}).exitCode == 0) return python;
-  }
-  return {};
-}
-
 class AssetScripts : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
   // A script run into an empty folder writes the files of assets/ byte for byte.
-  const std::string python = pythonWithNumpy();
+  const std::string python = test::pythonWithNumpy();
   if (python.empty()) GTEST_SKIP() << "no python3 with numpy";
   const std::filesystem::path assets = std::filesystem::path(SKYDROP_SOURCE_DIR) / "assets";
   const test::TemporaryFolder folder;

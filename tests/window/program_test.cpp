@@ -34,6 +34,8 @@ TEST(Program, usageErrorsExitWithTwoAndOneLine) {
       {"render", "--out", out, "--set", "aircraft.rollFactor"},
       {"simulate", "--seconds", "many"},
       {"accuracy", "nothing-of-this-name"},
+      {"noise", "--format", "bmp"},
+      {"noise", "--check", "--noise", out},
   };
   for (const auto& words : wrong) {
     const ProcessResult result = runSkydrop(words);
@@ -55,6 +57,8 @@ TEST(Program, badDataExitsWithOneAndNamesTheFile) {
       {{"simulate", "--scene", "nowhere"}, "nowhere"},
       {{"simulate", "--scene", "/nowhere/a.json"}, "/nowhere/a.json"},
       {{"simulate", "--replay", broken}, broken},
+      {{"noise", "--noise", broken}, "magic number"},
+      {{"noise", "--noise", "/nowhere/a.dds"}, "/nowhere/a.dds"},
       {{"simulate", "--replay", "/nowhere/a.log"}, "/nowhere/a.log"},
       {{"simulate", "--seconds", "1", "--stats", "/nowhere/s.json"}, "/nowhere/s.json"},
       {{"render", "--scene", "empty", "--out", "/nowhere/a.png"}, "/nowhere/a.png"},
@@ -65,6 +69,28 @@ TEST(Program, badDataExitsWithOneAndNamesTheFile) {
     EXPECT_TRUE(isOneLine(result)) << named;
     EXPECT_NE(result.err.find(named), std::string::npos) << result.err;
   }
+}
+
+TEST(Program, noiseIsMadeOnceAndKept) {
+  // The second run reads what the first has made; a damaged file is said and made again; exports read back.
+  const TemporaryFolder folder;
+  const std::string cache = folder.path() / "cache", out = folder.path() / "out";
+  const auto noise = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {SKYDROP_PROGRAM, "noise"});
+    return runProcess(words, {"XDG_CACHE_HOME=" + cache});
+  };
+  const ProcessResult first = noise({"--out", out, "--format", "dds"});
+  EXPECT_EQ(first.exitCode, 0) << first.err;
+  EXPECT_EQ(first.out.find("from the cache"), std::string::npos) << first.out;
+  EXPECT_EQ(noise({}).out.find("made"), std::string::npos);
+  EXPECT_EQ(noise({"--noise", out + "/shape.dds"}).out.find(out + "/shape.dds: 128x128x128 rgba8"), 0u);
+  const auto detail = std::filesystem::path(cache) / "skydrop" / "detail-1-0.noise";
+  std::filesystem::resize_file(detail, 1000);
+  const ProcessResult damaged = noise({});
+  EXPECT_EQ(damaged.exitCode, 0);
+  EXPECT_TRUE(isOneLine(damaged));
+  EXPECT_NE(damaged.err.find(detail.string() + ": damaged"), std::string::npos) << damaged.err;
+  EXPECT_EQ(noise({}).err, "");
 }
 
 TEST(Program, withoutADisplayItNamesRenderAndExitsWithThree) {

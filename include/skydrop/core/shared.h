@@ -39,6 +39,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/land_material.glsl"
 #include "shared/water.glsl"
 #include "shared/marker.glsl"
+#include "shared/cloud_noise.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -66,6 +67,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/land_material.glsl"
 #include "shared/water.glsl"
 #include "shared/marker.glsl"
+#include "shared/cloud_noise.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

@@ -1,0 +1,143 @@
+// skydrop noise: makes, checks, exports and reads the noise textures of the clouds.
+#include <chrono>
+#include <cstdio>
+
+#include "app/noise_store.h"
+#include "app/open_context.h"
+#include "app/verbs.h"
+#include "skydrop/clouds/noise_cache.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/image.h"
+#include "skydrop/render/noise_maker.h"
+
+namespace skydrop::app {
+namespace {
+
+using clouds::NoiseTexture;
+using core::TextureData;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+std::string nameOf(NoiseTexture texture) { return std::string(clouds::noiseLayout(texture).name); }
+
+std::string sizeOf(const TextureData& texture) {
+  std::string text = std::to_string(texture.width) + "x" + std::to_string(texture.height);
+  if (texture.isVolume()) text += "x" + std::to_string(texture.depth);
+  return text + " " + std::string(core::texelFormatName(texture.format));
+}
+
+// A layer of a volume, or the whole map, as a picture; colour as it is stored, opaque, so that it can be
+// seen.
+core::Image sliceOf(const TextureData& texture, int layer) {
+  if (texture.format != core::TexelFormat::rgba8) {
+    throw core::RangeError("a texture of format " + std::string(core::texelFormatName(texture.format)) +
+                           " cannot be written as PNG: only rgba8 can");
+  }
+  core::Image image(texture.width, texture.height);
+  const std::size_t bytes = image.rgba.size();
+  const std::byte* first = texture.texels.data() + static_cast<std::size_t>(layer) * bytes;
+  for (std::size_t i = 0; i < bytes; ++i)
+    image.rgba[i] = i % 4 == 3 ? 255 : std::to_integer<std::uint8_t>(first[i]);
+  return image;
+}
+
+void exportPng(const TextureData& texture, const std::filesystem::path& folder, const std::string& name) {
+  if (!texture.isVolume()) return core::writePng(folder / (name + ".png"), sliceOf(texture, 0));
+  for (int layer = 0; layer < texture.depth; ++layer) {
+    char number[16];
+    std::snprintf(number, sizeof number, "-%03d.png", layer);
+    core::writePng(folder / (name + number), sliceOf(texture, layer));
+  }
+}
+
+void exportTexture(const CommandLine& line, const TextureData& texture, const std::string& name) {
+  if (!line.noise.folder) return;
+  const std::filesystem::path& folder = *line.noise.folder;
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) throw core::DataError(folder.string(), "", "cannot make the folder: " + failed.message());
+  switch (line.noise.format) {
+    case NoiseFormat::dds:
+      return core::writeDds(folder / (name + ".dds"), texture, core::DdsHeader::legacy);
+    case NoiseFormat::dx10:
+      return core::writeDds(folder / (name + ".dds"), texture, core::DdsHeader::dx10);
+    case NoiseFormat::png:
+      return exportPng(texture, folder, name);
+  }
+}
+
+TextureData madeByGpu(render::gl::Context& context, NoiseTexture texture, std::uint32_t seed) {
+  constexpr int kSlices = 4;  // a fraction of a second each on a software renderer
+  render::NoiseMaker maker(context, texture, seed);
+  while (!maker.done()) maker.make(kSlices);
+  return maker.read();
+}
+
+// Both makers, compared; each texture's borders. True when all is well.
+bool check(const CommandLine& line, std::uint32_t seed) {
+  // What a seam adds to the step between neighbours; noise of a few cells leaves it within a quarter of 1.
+  constexpr double kRoughest = 1.5;
+  const auto context = openContext(line.backend, {64, 64});
+  bool good = true;
+  for (const NoiseTexture texture : clouds::kNoiseTextures) {
+    const Stopwatch processor;
+    const TextureData cpu = clouds::makeNoise(texture, seed);
+    const double cpuSeconds = processor.seconds();
+    const Stopwatch graphics;
+    const TextureData gpu = madeByGpu(*context, texture, seed);
+    const double gpuSeconds = graphics.seconds();
+    const clouds::NoiseDifference apart = clouds::noiseDifference(cpu, gpu);
+    const double seam = clouds::seamRoughness(cpu);
+    const bool agrees = apart.largest <= 1 && seam <= kRoughest;
+    std::printf(
+        "%-8s %-20s processor %6.2f s  shader %6.2f s  largest difference %d  mean %.5f  seam %.2f  %s\n",
+        nameOf(texture).c_str(), sizeOf(cpu).c_str(), cpuSeconds, gpuSeconds, apart.largest, apart.mean, seam,
+        agrees ? "ok" : "WRONG");
+    good = good && agrees;
+    exportTexture(line, cpu, nameOf(texture));
+  }
+  return good;
+}
+
+void readFiles(const CommandLine& line) {
+  for (const std::filesystem::path& file : line.noise.files) {
+    const TextureData texture = core::readDds(file);
+    std::printf("%s: %s, seam %.2f\n", file.string().c_str(), sizeOf(texture).c_str(),
+                clouds::seamRoughness(texture));
+    exportTexture(line, texture, file.stem().string());
+  }
+}
+
+void fromStore(const CommandLine& line, std::uint32_t seed) {
+  NoiseStore store(cacheFolder());
+  for (const NoiseTexture texture : clouds::kNoiseTextures) {
+    const Stopwatch watch;
+    const StoredNoise stored = store.get(texture, seed);
+    std::printf("%-8s %-20s %s in %.2f s\n", nameOf(texture).c_str(), sizeOf(stored.texture).c_str(),
+                stored.fromCache ? "from the cache" : "made", watch.seconds());
+    if (!stored.message.empty()) std::fprintf(stderr, "skydrop: %s\n", stored.message.c_str());
+    exportTexture(line, stored.texture, nameOf(texture));
+  }
+}
+
+}  // namespace
+
+int noise(const CommandLine& line) {
+  const auto seed = static_cast<std::uint32_t>(line.seed.value_or(0));
+  if (line.noise.check) return check(line, seed) ? 0 : 1;
+  if (!line.noise.files.empty())
+    readFiles(line);
+  else
+    fromStore(line, seed);
+  return 0;
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,170 @@
+#include "skydrop/clouds/noise_textures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "skydrop/clouds/noise_cache.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
+#include "skydrop/core/shared.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::clouds {
+namespace {
+
+namespace shared = core::shared::f32;
+
+// Each is made once for all tests of this file: the shape takes a second and a half.
+const core::TextureData& texture(NoiseTexture which) {
+  static std::array<core::TextureData, 3> made;
+  core::TextureData& kept = made[static_cast<std::size_t>(which)];
+  if (kept.width == 0) kept = makeNoise(which, 0);
+  return kept;
+}
+
+struct ChannelSpread {
+  int least = 255, most = 0;
+  double mean = 0, variance = 0;
+};
+
+ChannelSpread spreadOf(const core::TextureData& data, std::size_t channel) {
+  ChannelSpread spread;
+  double sum = 0, squares = 0;
+  for (std::size_t i = channel; i < data.texels.size(); i += 4) {
+    const int value = std::to_integer<int>(data.texels[i]);
+    spread.least = std::min(spread.least, value);
+    spread.most = std::max(spread.most, value);
+    sum += value;
+    squares += value * value;
+  }
+  const double count = static_cast<double>(data.texels.size() / 4);
+  spread.mean = sum / count;
+  spread.variance = squares / count - spread.mean * spread.mean;
+  return spread;
+}
+
+TEST(NoiseTextures, everyFaceMeetsTheOppositeOne) {
+  // The step over a border is like the steps inside: a texture that does not tile has a ratio of 5 and more.
+  for (const NoiseTexture which : kNoiseTextures) {
+    EXPECT_NEAR(seamRoughness(texture(which)), 1, 0.25) << noiseLayout(which).name;
+  }
+  core::TextureData cut = texture(NoiseTexture::weather);
+  for (std::size_t i = 0; i < cut.texels.size(); ++i) {
+    if (i / 4 % 512 >= 256) cut.texels[i] = ~cut.texels[i];  // the right half as a negative
+  }
+  EXPECT_GT(seamRoughness(cut), 5) << "the measure does not see a seam";
+}
+
+TEST(NoiseTextures, everyChannelFillsItsBytes) {
+  // Mean near the middle, a standard deviation of an eighth of the range or more, few texels at the ends.
+  const std::array channels = {4u, 3u, 3u};
+  for (const NoiseTexture which : kNoiseTextures) {
+    for (std::size_t channel = 0; channel < channels[static_cast<std::size_t>(which)]; ++channel) {
+      const ChannelSpread spread = spreadOf(texture(which), channel);
+      const bool isPrecipitation = which == NoiseTexture::weather && channel == 1;
+      EXPECT_GT(spread.variance, 32.0 * 32.0) << noiseLayout(which).name << channel;
+      EXPECT_NEAR(spread.mean, isPrecipitation ? 40 : 128, 30) << noiseLayout(which).name << channel;
+    }
+  }
+}
+
+TEST(NoiseTextures, worleyNoiseIsItsDefinition) {
+  // Against every feature point of the period and its copies around, in double.
+  using core::shared::f64::Vec3;
+  for (const std::uint32_t cells : {2u, 5u}) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 place =
+          Vec3(i * 0.377, i * 0.7177, i * 0.1357) - glm::floor(Vec3(i * 0.377, i * 0.7177, i * 0.1357));
+      double nearest = 3;
+      const int n = static_cast<int>(cells);
+      for (int z = -1; z <= n; ++z) {
+        for (int y = -1; y <= n; ++y) {
+          for (int x = -1; x <= n; ++x) {
+            const auto wrapped = [n](int cell) { return static_cast<std::uint32_t>((cell + n) % n); };
+            const glm::u32vec3 bits = shared::pointBits(wrapped(x), wrapped(y), wrapped(z), 77u);
+            const Vec3 feature = Vec3(x, y, z) + core::shared::f64::units(bits);
+            nearest =
+                std::min(nearest, glm::dot(feature - place * double(cells), feature - place * double(cells)));
+          }
+        }
+      }
+      // Exact in double; float's rounding of a distance of up to 5 cells.
+      EXPECT_NEAR(core::shared::f64::worley3(place, cells, 77u), 1 - std::sqrt(nearest / 3), 1e-12);
+      EXPECT_NEAR(shared::worley3(glm::vec3(place), cells, 77u), 1 - std::sqrt(nearest / 3), 2e-6);
+    }
+  }
+}
+
+TEST(NoiseTextures, slicesAreTheWhole) {
+  for (const NoiseTexture which : kNoiseTextures) {
+    const NoiseLayout& layout = noiseLayout(which);
+    std::vector<std::byte> slices(2 * layout.sliceBytes());
+    fillNoise(which, 0, 7, slices);
+    EXPECT_TRUE(
+        std::equal(slices.begin(), slices.end(),
+                   texture(which).texels.begin() + static_cast<std::ptrdiff_t>(7 * layout.sliceBytes())));
+  }
+}
+
+TEST(NoiseTextures, seedsGiveDifferentSkiesAndStopsAreHeard) {
+  EXPECT_GT(noiseDifference(makeNoise(NoiseTexture::detail, 1), texture(NoiseTexture::detail)).mean, 20);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(makeNoise(NoiseTexture::shape, 0, stop.get_token()).width, 0);
+}
+
+class NoiseCacheTest : public testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+  std::filesystem::path file() const { return noiseCacheFile(folder_.path(), NoiseTexture::detail, 3); }
+  CachedNoise load() const { return loadNoise(folder_.path(), NoiseTexture::detail, 3); }
+};
+
+TEST_F(NoiseCacheTest, whatIsSavedIsLoaded) {
+  EXPECT_EQ(load().state, CacheState::missing);
+  saveNoise(folder_.path() / "new", NoiseTexture::detail, 3, texture(NoiseTexture::detail));
+  const CachedNoise cached = loadNoise(folder_.path() / "new", NoiseTexture::detail, 3);
+  EXPECT_EQ(cached.state, CacheState::good);
+  EXPECT_EQ(cached.texture, texture(NoiseTexture::detail));
+  EXPECT_EQ(loadNoise(folder_.path() / "new", NoiseTexture::detail, 4).state, CacheState::missing)
+      << "another seed";
+}
+
+TEST_F(NoiseCacheTest, everyDamageIsNoticed) {
+  saveNoise(folder_.path(), NoiseTexture::detail, 3, texture(NoiseTexture::detail));
+  const std::vector<std::byte> good = core::readFile(file());
+  for (std::size_t at = 0; at < good.size(); at += at < 200 ? 1 : 997) {
+    std::vector<std::byte> bytes = good;
+    bytes[at] ^= std::byte{0x10};
+    core::writeFileAtomically(file(), bytes);
+    // Some fields of the DDS header say nothing about the texels: then the texture is still whole.
+    const CachedNoise cached = load();
+    EXPECT_TRUE(cached.state == CacheState::damaged || cached.texture == texture(NoiseTexture::detail)) << at;
+    const bool isTexel = at >= good.size() - texture(NoiseTexture::detail).texels.size();
+    EXPECT_TRUE(!isTexel || cached.state == CacheState::damaged) << at;
+  }
+  for (const std::size_t size : {std::size_t{0}, std::size_t{20}, std::size_t{100}, good.size() - 1}) {
+    core::writeFileAtomically(file(), std::span(good).first(size));
+    EXPECT_EQ(load().state, CacheState::damaged) << size;
+  }
+  core::writeFileAtomically(file(), core::encodeDds(texture(NoiseTexture::detail), core::DdsHeader::dx10));
+  EXPECT_EQ(load().state, CacheState::damaged) << "a DDS file without the header";
+}
+
+TEST_F(NoiseCacheTest, aFolderThatCannotBeMadeIsAnError) {
+  EXPECT_THROW(saveNoise("/proc/skydrop", NoiseTexture::detail, 3, texture(NoiseTexture::detail)),
+               core::DataError);
+}
+
+TEST(NoiseCache, theDefinitionIsTheOneThatItsNumberNames) {
+  // Whoever changes the noise raises kNoiseDefinition, or old caches would be taken for new ones.
+  EXPECT_EQ(kNoiseDefinition, 1u);
+  EXPECT_EQ(noiseDigest(texture(NoiseTexture::shape)), 15652582648506124404u);
+  EXPECT_EQ(noiseDigest(texture(NoiseTexture::detail)), 15171973740172691631u);
+  EXPECT_EQ(noiseDigest(texture(NoiseTexture::weather)), 12613845850247122945u);
+}
+
+}  // namespace
+}  // namespace skydrop::clouds
