@@ -1,6 +1,7 @@
 #include "frame.glsl"
 #include "shared/lattice_noise.glsl"
 #include "shared/land_material.glsl"
+#include "shadow/cast_shadows.glsl"
 #include "terrain/surface.glsl"
 #include "terrain/noise.glsl"
 #include "terrain/land.glsl"

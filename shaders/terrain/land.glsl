@@ -1,4 +1,5 @@
-// Normals and colours of the land at any place. After terrain/noise.glsl and shared/land_material.glsl.
+// Normals and colours of the land at any place. After terrain/noise.glsl, shared/land_material.glsl and
+// shadow/cast_shadows.glsl.
 
 layout(binding = 1) uniform sampler2DArray chunkNormals;
 layout(binding = 2) uniform usampler2D chunkTable;  // slots by level and place: 32 x 32 cells a level; 0xffff: none
@@ -58,7 +59,7 @@ vec3 landLight(vec3 relative) {
   vec2 place = eyeFromBase.xz + relative.xz;
   vec3 normal = landNormal(place, distanceM);
   LandNoise noise = landNoise(place, distanceM * frame.depthToSea.w);
-  return litByFrame(landAlbedo(eyeFromBase.y + relative.y, normal.y, noise), normal, 1.0);
+  return litByFrame(landAlbedo(eyeFromBase.y + relative.y, normal.y, noise), normal, castShadowShare(relative));
 }
 
 vec3 landAsSeen(vec3 relative) {

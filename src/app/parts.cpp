@@ -22,11 +22,14 @@ void addAircraft(Stage& stage) {
       renderer.context(), render::importModel(core::assetPath("models/airplane.glb")), "airplane");
   renderer.add(std::make_unique<render::AircraftPass>(model));
   renderer.add(std::make_unique<render::PropellerPass>(model));
+  stage.castShadow(render::aircraftShadow(model));
 }
 
 void addTargets(Stage& stage) {
   render::Renderer& renderer = stage.renderer();
-  renderer.add(std::make_unique<render::PackagePass>(renderer.context()));
+  const auto models = std::make_shared<const render::PackageModels>(renderer.context());
+  renderer.add(std::make_unique<render::PackagePass>(models));
+  stage.castShadow(render::packageShadows(models));
   renderer.add(std::make_unique<render::MarkerPass>(renderer.context()));
 }
 

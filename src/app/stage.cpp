@@ -46,6 +46,16 @@ void Stage::addLand() {
   renderer_.add(std::move(pass));
 }
 
+void Stage::castShadow(render::ShadowSource source) {
+  if (!setup_.effects.contains(Effect::terrain)) return;
+  if (!shadowPass_) {
+    auto pass = std::make_unique<render::ShadowPass>();
+    shadowPass_ = pass.get();
+    renderer_.add(std::move(pass));
+  }
+  shadowPass_->add(std::move(source));
+}
+
 void Stage::addOverlay() {
   auto pass = std::make_unique<render::ImGuiPass>(renderer_.context());
   overlay_ = pass.get();

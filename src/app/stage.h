@@ -15,6 +15,7 @@
 #include "skydrop/render/camera.h"
 #include "skydrop/render/imgui_pass.h"
 #include "skydrop/render/renderer.h"
+#include "skydrop/render/shadow_pass.h"
 #include "skydrop/render/terrain_pass.h"
 #include "skydrop/scene/effect.h"
 #include "skydrop/terrain/endless_terrain.h"
@@ -46,6 +47,8 @@ class Stage {
   void apply(const Settings& settings);
 
   void addLand();
+  // Something whose shadow falls on land; without land nothing is done.
+  void castShadow(render::ShadowSource source);
 
   // From now on draws what Dear ImGui has built; the interface's context must exist.
   void addOverlay();
@@ -72,6 +75,7 @@ class Stage {
   std::unique_ptr<core::JobPool> workers_;         // with terrain only
   std::unique_ptr<terrain::EndlessTerrain> land_;  // with terrain only
   render::TerrainPass* landPass_ = nullptr;        // the renderer's; with terrain only
+  render::ShadowPass* shadowPass_ = nullptr;       // the renderer's; with land and something that casts
   render::ImGuiPass* overlay_ = nullptr;           // the renderer's
   double settleMs_ = 0;
 };

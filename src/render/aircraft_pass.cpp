@@ -11,6 +11,8 @@ namespace {
 constexpr float kFullDeflectionRad =
     0.32f;  // of a control surface at full control: 18 degrees, as small planes have
 
+constexpr double kPlanAreaM2 = 26;  // seen from above: wings, tail and fuselage
+
 // The cabin in body axes, m: within these, the eye is inside the fuselage of airplane.glb.
 constexpr glm::dvec3 kCabinLow{-0.57, -0.6, -1.3}, kCabinHigh{0.57, 1.05, 1.5};
 
@@ -57,6 +59,21 @@ void AircraftPass::draw(FrameContext& context) {
   context.gl.api().Enable(GL_CULL_FACE);
   model_->draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
                bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose);
+}
+
+ShadowSource aircraftShadow(std::shared_ptr<const Model> model) {
+  return [model = std::move(model)](const game::Snapshot& snapshot, std::vector<ShadowCaster>& casters) {
+    const game::AircraftSnapshot& aircraft = snapshot.aircraft;
+    if (!aircraft.present) return;
+    const auto parts = [&aircraft, model](const View& view, const DrawPart& draw) {
+      ModelPose pose = poseOf(aircraft, *model);
+      pose.hide("propeller_disc");
+      pose.hide("cockpit");  // within the fuselage
+      if (!aircraft.crashed) pose.hide("propeller");
+      draw(*model, bodyMatrix(view, aircraft.position, aircraft.orientation), pose);
+    };
+    casters.push_back({aircraft.position, static_cast<double>(model->radius()), kPlanAreaM2, parts});
+  };
 }
 
 std::optional<std::string> PropellerPass::idleReason(const FrameInput& frame) const {

@@ -11,9 +11,10 @@ namespace skydrop::render {
 namespace {
 
 // Of assets/scripts/make_package.py.
-constexpr double kHarnessM = 0.58;       // where the lines meet, above the crate's centre
-constexpr double kCanopyHangsAtM = 4.3;  // its rim
-constexpr double kSeenRadiusM = 8;       // crate and open parachute, around the crate
+constexpr double kHarnessM = 0.58;                      // where the lines meet, above the crate's centre
+constexpr double kCanopyHangsAtM = 4.3;                 // its rim
+constexpr double kSeenRadiusM = 8;                      // crate and open parachute, around the crate
+constexpr double kCrateAreaM2 = 1, kCanopyAreaM2 = 30;  // of the outlines, roughly
 
 Model load(gl::Context& context, const char* name) {
   return Model(context, importModel(core::assetPath(std::string("models/") + name)), name);
@@ -48,10 +49,39 @@ bool isSeen(const FrameInput& frame, const game::PackageSnapshot& package) {
   return maySee(frame.view, package.position, kSeenRadiusM);
 }
 
+void drawCrate(const PackageModels& models, const game::PackageSnapshot& package, const View& view,
+               const DrawPart& draw) {
+  draw(models.crate, bodyMatrix(view, package.position, package.orientation), ModelPose(models.crate));
+}
+
+void drawParachute(const PackageModels& models, const game::PackageSnapshot& package, const glm::dvec3& wind,
+                   const View& view, const DrawPart& draw) {
+  if (package.parachuteOpen <= 0) return;
+  const glm::dvec3 harness =
+      package.landed ? glm::dvec3(0, kHarnessM, 0) : package.orientation * glm::dvec3(0, kHarnessM, 0);
+  const glm::mat4 toEye = bodyMatrix(view, package.position + harness, canopyAttitude(package, wind));
+  ModelPose pose(models.parachute);
+  if (package.landed) pose.hide("lines");
+  draw(models.parachute, toEye * shapeOf(package), pose);
+}
+
 }  // namespace
 
-PackagePass::PackagePass(gl::Context& context)
-    : crate_(load(context, "package.glb")), parachute_(load(context, "parachute.glb")) {}
+PackageModels::PackageModels(gl::Context& context)
+    : crate(load(context, "package.glb")), parachute(load(context, "parachute.glb")) {}
+
+ShadowSource packageShadows(std::shared_ptr<const PackageModels> models) {
+  return [models = std::move(models)](const game::Snapshot& snapshot, std::vector<ShadowCaster>& casters) {
+    for (const game::PackageSnapshot& package : snapshot.packages) {
+      const auto parts = [models, &package, wind = snapshot.wind](const View& view, const DrawPart& draw) {
+        drawCrate(*models, package, view, draw);
+        drawParachute(*models, package, wind, view, draw);
+      };
+      const double area = package.parachuteOpen > 0 ? kCanopyAreaM2 : kCrateAreaM2;
+      casters.push_back({package.position, kSeenRadiusM, area, parts});
+    }
+  };
+}
 
 std::optional<std::string> PackagePass::idleReason(const FrameInput& frame) const {
   const auto& packages = frame.snapshot.packages;
@@ -63,27 +93,20 @@ std::optional<std::string> PackagePass::idleReason(const FrameInput& frame) cons
 }
 
 void PackagePass::draw(FrameContext& context) {
+  const View& view = context.frame.view;
+  std::vector<std::string> cloth(context.defines.begin(), context.defines.end());
+  cloth.emplace_back("CLOTH");
+  const auto with = [&](std::span<const std::string> defines) {
+    return [&context, defines](const Model& model, const glm::mat4& toEye, const ModelPose& pose) {
+      model.draw(context.shaders, "models/model.vert", "models/model.frag", defines, toEye, pose);
+    };
+  };
   context.gl.api().Enable(GL_CULL_FACE);
   for (const game::PackageSnapshot& package : context.frame.snapshot.packages) {
-    if (isSeen(context.frame, package)) drawPackage(context, package);
+    if (!isSeen(context.frame, package)) continue;
+    drawCrate(*models_, package, view, with(context.defines));
+    drawParachute(*models_, package, context.frame.snapshot.wind, view, with(cloth));
   }
-}
-
-void PackagePass::drawPackage(FrameContext& context, const game::PackageSnapshot& package) const {
-  const View& view = context.frame.view;
-  crate_.draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
-              bodyMatrix(view, package.position, package.orientation), ModelPose(crate_));
-  if (package.parachuteOpen <= 0) return;
-  const glm::dvec3 harness =
-      package.landed ? glm::dvec3(0, kHarnessM, 0) : package.orientation * glm::dvec3(0, kHarnessM, 0);
-  const glm::mat4 toEye =
-      bodyMatrix(view, package.position + harness, canopyAttitude(package, context.frame.snapshot.wind));
-  ModelPose pose(parachute_);
-  if (package.landed) pose.hide("lines");
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  defines.emplace_back("CLOTH");
-  parachute_.draw(context.shaders, "models/model.vert", "models/model.frag", defines,
-                  toEye * shapeOf(package), pose);
 }
 
 }  // namespace skydrop::render

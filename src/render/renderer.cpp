@@ -57,11 +57,13 @@ void Renderer::bindTarget(Slot slot) {
   target.bind(gl::FrameBuffer::Clear::no);
 }
 
-void Renderer::draw(const FrameInput& input) {
-  requireValid(input.view);
+void Renderer::draw(const FrameInput& asked) {
+  requireValid(asked.view);
   context_.makeCurrent();
-  resize(input.view.width, input.view.height);
-  const SkyLight light = skyLight(settings_, input.view.position.y);
+  resize(asked.view.width, asked.view.height);
+  const SkyLight light = skyLight(settings_, asked.view.position.y);
+  FrameInput input = asked;
+  input.toSun = light.toSun;
   const FrameUniforms uniforms = frameUniforms(input.view, light, input.snapshot.simulatedSeconds);
   const std::vector<std::string> defines = definesOf(input.features);
 
@@ -73,6 +75,7 @@ void Renderer::draw(const FrameInput& input) {
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kFrameUniformsBinding);
   scene_.clear();
   output_.clear();
+  shadows_.clear();
   FrameContext frame{context_,
                      shaders_,
                      input,
@@ -80,6 +83,7 @@ void Renderer::draw(const FrameInput& input) {
                      uniforms,
                      settings_,
                      defines,
+                     shadows_,
                      scene_.colorTexture(),
                      scene_.depthTexture()};
   skipped_.clear();

@@ -94,6 +94,7 @@ void TerrainPass::draw(FrameContext& context) {
   } else {
     drawDepth(context);
     drawLand(context.shaders.shader("fullscreen.vert", "terrain/land.frag", context.defines), view);
+    if (!context.shadows.empty()) drawShadows(context);
     if (view.position.y > 0) drawSea(context);
   }
   if (context.settings.terrainNormals) {
@@ -141,11 +142,33 @@ void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
   if (depth_) depth_.depthTexture().bind(kDepthUnit);
 }
 
-void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
-  shader.use();
+void TerrainPass::setLand(gl::Shader& shader, const View& view) const {
   setSurface(shader, view);
   shader.setFloats("chunkSplit", inFloat(lod_.split));
+}
+
+void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
+  shader.use();
+  setLand(shader, view);
   triangle_.draw();
+}
+
+// Over the land, so that only pixels that may be in shadow pay for it. The inner faces of a shadow's volume,
+// tested for lying behind the land: elsewhere the land is beyond the volume, or there is none.
+void TerrainPass::drawShadows(FrameContext& context) {
+  const gl::Functions& api = context_.api();
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  defines.push_back(context.shadows.define());
+  gl::Shader& shader = context.shaders.shader("shadow/volume.vert", "terrain/shadowed_land.frag", defines);
+  shader.use();
+  setLand(shader, context.frame.view);
+  context.shadows.bind(shader);
+  api.Enable(GL_CULL_FACE);
+  api.CullFace(GL_FRONT);
+  api.DepthFunc(GL_LEQUAL);
+  api.DepthMask(GL_FALSE);
+  for (const CastShadow& shadow : context.shadows.all()) context.shadows.drawVolume(shader, shadow);
+  context_.setDefaultState();
 }
 
 // Separate from the land, so that only pixels that show water pay for it: a software renderer runs both sides

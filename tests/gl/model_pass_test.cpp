@@ -52,7 +52,7 @@ class ModelPassGLTest : public test::FrameTest {
     renderer().add(std::make_unique<SkyPass>(context()));
     renderer().add(std::make_unique<AircraftPass>(model));
     renderer().add(std::make_unique<PropellerPass>(model));
-    renderer().add(std::make_unique<PackagePass>(context()));
+    renderer().add(std::make_unique<PackagePass>(std::make_shared<const PackageModels>(context())));
     renderer().add(std::make_unique<MarkerPass>(context()));
     renderer().add(std::make_unique<ToneMapPass>(context()));
     settings_.sun.elevationDegrees = 60;

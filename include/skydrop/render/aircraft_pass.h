@@ -4,6 +4,7 @@
 
 #include "skydrop/render/model.h"
 #include "skydrop/render/pass.h"
+#include "skydrop/render/shadow_pass.h"
 
 namespace skydrop::render {
 
@@ -22,6 +23,9 @@ class AircraftPass final : public Pass {
  private:
   std::shared_ptr<const Model> model_;
 };
+
+// The aircraft as it hides the sun: turning blades hide next to nothing and are left out.
+ShadowSource aircraftShadow(std::shared_ptr<const Model> model);
 
 // The veil of the turning blades. It is translucent, so it comes after the sky.
 class PropellerPass final : public Pass {

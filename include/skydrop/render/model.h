@@ -60,6 +60,9 @@ class Model {
   // toEye: of the model's frame to eye-relative world axes; no shear without scale of one node's own.
   void draw(gl::ShaderCache& shaders, const std::string& vertex, const std::string& fragment,
             std::span<const std::string> defines, const glm::mat4& toEye, const ModelPose& pose) const;
+  // Draws the shape alone, with a program that knows `uniform mat4 toClip` and needs no texture.
+  // modelToClip: of the model's frame to clip space.
+  void drawOutline(gl::Shader& shader, const glm::mat4& modelToClip, const ModelPose& pose) const;
 
  private:
   struct Material {

@@ -1,15 +1,27 @@
 #pragma once
 
+#include <memory>
+
 #include "skydrop/render/model.h"
 #include "skydrop/render/pass.h"
+#include "skydrop/render/shadow_pass.h"
 
 namespace skydrop::render {
+
+struct PackageModels {
+  // Reads assets/models/package.glb and parachute.glb. Throws core::DataError.
+  explicit PackageModels(gl::Context& context);
+
+  Model crate, parachute;
+};
+
+// The packages, with their parachutes, as they hide the sun.
+ShadowSource packageShadows(std::shared_ptr<const PackageModels> models);
 
 // The packages under way and those that have landed, with their parachutes.
 class PackagePass final : public Pass {
  public:
-  // Reads assets/models/package.glb and parachute.glb. Throws core::DataError.
-  explicit PackagePass(gl::Context& context);
+  explicit PackagePass(std::shared_ptr<const PackageModels> models) : models_(std::move(models)) {}
 
   std::string_view name() const override { return "packages"; }
   Slot slot() const override { return Slot::models; }
@@ -17,9 +29,7 @@ class PackagePass final : public Pass {
   void draw(FrameContext& context) override;
 
  private:
-  void drawPackage(FrameContext& context, const game::PackageSnapshot& package) const;
-
-  Model crate_, parachute_;
+  std::shared_ptr<const PackageModels> models_;
 };
 
 }  // namespace skydrop::render

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "skydrop/game/snapshot.h"
+#include "skydrop/render/cast_shadows.h"
 #include "skydrop/render/frame_features.h"
 #include "skydrop/render/frame_uniforms.h"
 #include "skydrop/render/gl/context.h"
@@ -19,17 +20,19 @@
 namespace skydrop::render {
 
 // The order of a frame. What is bound when draw() is called:
+//   shadows                  as the next: what is drawn goes to maps of its own (FrameContext::shadows)
 //   terrain, models, sky     the scene: linear light (RGBA16F) and reversed depth (D32F), both written
 //   translucents, clouds,    the scene's colour alone: depth can be read as a texture
 //   weatherEffects           (FrameContext::sceneDepth)
 //   toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
-enum class Slot { terrain, models, sky, translucents, clouds, weatherEffects, toneMap, hud, menu };
+enum class Slot { shadows, terrain, models, sky, translucents, clouds, weatherEffects, toneMap, hud, menu };
 
 // What a frame is a pure function of. Values: nothing in here changes while it is drawn.
 struct FrameInput {
   const game::Snapshot& snapshot;
   View view;
   FrameFeatures features;
+  glm::dvec3 toSun{0, 1, 0};  // unit; the renderer puts its settings' sun here
 };
 
 // What a pass draws with. References are valid during draw() only.
@@ -41,6 +44,7 @@ struct FrameContext {
   const FrameUniforms& uniforms;  // bound as block 0 (shaders/frame.glsl)
   const RenderSettings& settings;
   std::span<const std::string> defines;  // of the frame's features, for the cache
+  CastShadows& shadows;                  // on land; filled in slot shadows
   const gl::Texture& sceneColor;         // RGBA16F; to be read from slot toneMap on
   const gl::Texture& sceneDepth;         // D32F; to be read from slot translucents on, without filtering
 };

@@ -62,6 +62,7 @@ class Renderer {
   gl::ShaderCache shaders_;
   gl::PassTimer timer_;
   gl::Buffer uniforms_;
+  CastShadows shadows_;
   gl::FrameBuffer scene_, sceneColorOnly_, output_;
   std::vector<std::unique_ptr<Pass>> passes_;
   std::map<std::string, std::string, std::less<>> skipped_;

@@ -46,7 +46,9 @@ class TerrainPass final : public Pass {
 
   void setEye(gl::Shader& shader, const View& view) const;
   void setSurface(gl::Shader& shader, const View& view) const;
+  void setLand(gl::Shader& shader, const View& view) const;
   void drawDepth(FrameContext& context);
+  void drawShadows(FrameContext& context);
   void drawSea(FrameContext& context);
   void drawLines(FrameContext& context);
 

@@ -135,4 +135,14 @@ void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std:
   }
 }
 
+void Model::drawOutline(gl::Shader& shader, const glm::mat4& modelToClip, const ModelPose& pose) const {
+  shader.use();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const int index = static_cast<int>(i);
+    if (nodes_[i].meshes.empty() || !pose.isShown(index)) continue;
+    shader.setMatrix("toClip", modelToClip * pose.toModel(index));
+    for (const int mesh : nodes_[i].meshes) meshes_[static_cast<std::size_t>(mesh)].draw();
+  }
+}
+
 }  // namespace skydrop::render

@@ -1,0 +1,126 @@
+#include "skydrop/render/cast_shadows.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <numbers>
+
+#include "skydrop/render/sky_light.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr double kFaintest = 0.01;     // share of the sun below which a shadow is not looked for
+constexpr double kDeepestFloorM = 20;  // of the sea's floor that can be seen
+constexpr double kLongestM = 10000;    // where a sun at the horizon would make a volume without end
+constexpr double kMapMargin = 1.02;    // of the map over the caster: its border must stay empty
+
+constexpr int kBoxStrip = 14;  // vertices around a box
+
+glm::vec4 toVec4(const glm::dvec3& v, double w) { return {glm::vec3(v), static_cast<float>(w)}; }
+
+}  // namespace
+
+double CastShadow::mapHalfWidthM() const { return radiusM * kMapMargin; }
+
+double CastShadow::halfWidthM(double behindM) const {
+  const double pixelM = pixelAngleRad * glm::length(middle + down * behindM);
+  return mapHalfWidthM() + std::max(behindM, 0.0) * std::tan(kSunRadiusRad) + pixelM;
+}
+
+CastShadow castShadow(const View& view, const glm::dvec3& middle, double radiusM, double areaM2,
+                      const glm::dvec3& toSun) {
+  CastShadow shadow;
+  shadow.middle = middle - view.position;
+  shadow.pixelAngleRad = 2 * std::tan(view.fovYRad / 2) / view.height;
+  shadow.down = -toSun;
+  // Any axis across the sun's way will do; this one never vanishes.
+  const glm::dvec3 across = std::abs(toSun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  shadow.right = glm::normalize(glm::cross(across, toSun));
+  shadow.up = glm::cross(toSun, shadow.right);
+  shadow.radiusM = radiusM;
+  // Where the sun's disc hides behind the outline by so little.
+  shadow.reachM = std::sqrt(areaM2 / (std::numbers::pi * kFaintest)) / std::tan(kSunRadiusRad);
+  const double toFloor = (middle.y + kDeepestFloorM) / std::max(toSun.y, 1e-6);
+  shadow.lengthM = std::clamp(toFloor, 2 * radiusM, std::min(shadow.reachM, kLongestM));
+  return shadow;
+}
+
+bool maySeeVolume(const View& view, const CastShadow& shadow) {
+  const double tangentY = std::tan(view.fovYRad / 2), tangentX = tangentY * view.aspect();
+  int beyond[5] = {};
+  for (int corner = 0; corner < 8; ++corner) {
+    const double behind = corner & 1 ? shadow.lengthM : -shadow.radiusM;
+    const double half = shadow.halfWidthM(behind);
+    const glm::dvec3 p = view.worldToView *
+                         (shadow.middle + shadow.down * behind + shadow.right * (corner & 2 ? half : -half) +
+                          shadow.up * (corner & 4 ? half : -half));
+    const double ahead = -p.z;
+    beyond[0] += ahead < view.nearM;
+    beyond[1] += p.x > ahead * tangentX;
+    beyond[2] += -p.x > ahead * tangentX;
+    beyond[3] += p.y > ahead * tangentY;
+    beyond[4] += -p.y > ahead * tangentY;
+  }
+  return std::none_of(std::begin(beyond), std::end(beyond), [](int corners) { return corners == 8; });
+}
+
+glm::mat4 toShadowMap(const CastShadow& shadow) {
+  const double scale = 1 / shadow.mapHalfWidthM();
+  const glm::dmat3 axes =
+      glm::transpose(glm::dmat3(shadow.right * scale, shadow.up * scale, shadow.down * (0.5 * scale)));
+  glm::dmat4 result(axes);
+  result[3] = glm::dvec4(glm::dvec3(0, 0, 0.5) - axes * shadow.middle, 1);
+  return glm::mat4(result);
+}
+
+gl::FrameBuffer& CastShadows::add(gl::Context& context, const CastShadow& shadow) {
+  assert(shadows_.size() < kMost);
+  if (!empty_) empty_ = gl::VertexArray(context, "shadow volume");
+  shadows_.push_back(shadow);
+  if (maps_.size() < shadows_.size()) {
+    Map map;
+    map.texture = gl::Texture::make2D(context, GL_R8, kMapTexels, kMapTexels, "shadow map",
+                                      gl::mipLevels(kMapTexels, kMapTexels));
+    map.texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    map.texture.setWrap(GL_CLAMP_TO_BORDER);  // nothing is hidden beside the caster
+    map.target = gl::FrameBuffer(context, &map.texture, nullptr, "shadow map");
+    maps_.push_back(std::move(map));
+  }
+  return maps_[shadows_.size() - 1].target;
+}
+
+void CastShadows::finish() {
+  for (std::size_t i = 0; i < shadows_.size(); ++i) maps_[i].texture.generateMipmaps();
+}
+
+std::string CastShadows::define() const { return "CAST_SHADOWS " + std::to_string(shadows_.size()); }
+
+void CastShadows::bind(gl::Shader& shader) const {
+  std::array<glm::vec4, 3 * kMost> values{};
+  for (std::size_t i = 0; i < shadows_.size(); ++i) {
+    const CastShadow& shadow = shadows_[i];
+    values[3 * i] = toVec4(shadow.middle, 1 / shadow.mapHalfWidthM());
+    values[3 * i + 1] = toVec4(shadow.right, shadow.radiusM);
+    values[3 * i + 2] = toVec4(shadow.up, shadow.reachM);
+    maps_[i].texture.bind(kFirstUnit + static_cast<GLuint>(i));
+  }
+  shader.setVec4s("castShadows", std::span(values).first(3 * shadows_.size()));
+}
+
+void CastShadows::drawVolume(gl::Shader& shader, const CastShadow& shadow) const {
+  const auto end = [&](double behindM) {
+    return toVec4(shadow.middle + shadow.down * behindM, shadow.halfWidthM(behindM));
+  };
+  shader.setVec4("volumeBegin", end(-shadow.radiusM));
+  shader.setVec4("volumeEnd", end(shadow.lengthM));
+  shader.setVec3("volumeRight", glm::vec3(shadow.right));
+  shader.setVec3("volumeUp", glm::vec3(shadow.up));
+  empty_.bind();
+  empty_.context().drawArrays(GL_TRIANGLE_STRIP, 0, kBoxStrip);
+}
+
+}  // namespace skydrop::render
