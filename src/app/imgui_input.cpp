@@ -44,6 +44,9 @@ constexpr KeyPair kKeys[] = {{key::kTab, ImGuiKey_Tab},
                              {key::kKeypadEnter, kImGuiKeypadEnter},
                              {'A', ImGuiKey_A},
                              {'C', ImGuiKey_C},
+#if IMGUI_VERSION_NUM >= 18900
+                             {'F', ImGuiKey_F},
+#endif
                              {'V', ImGuiKey_V},
                              {'X', ImGuiKey_X},
                              {'Y', ImGuiKey_Y},

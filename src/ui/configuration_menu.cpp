@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
+#include "skydrop/core/error.h"
+#include "skydrop/core/flag_text.h"
 #include "skydrop/ui/menu.h"
+#include "ui/copy_section.h"
 #include "ui/field_label.h"
+#include "ui/key_press.h"
+#include "ui/menu_item.h"
+#include "ui/preset_section.h"
+#include "ui/row_editor.h"
+#include "ui/row_filter.h"
 #include "ui/statistics_view.h"
 
 namespace skydrop::ui {
@@ -14,26 +21,16 @@ namespace {
 
 using core::Field;
 using core::FieldKind;
-using core::TakesEffect;
+using core::SettingsTable;
 
-// Sizes in lines of text. The menu leaves the score above and the instruments below free.
-constexpr float kWidth = 30, kTop = 2.8f, kMargin = 0.5f, kBottomOfHeight = 0.2f, kAboveBottom = 1.2f;
-constexpr float kMinHeight = 8;
-constexpr double kWidestSlider = 1e9;  // a slider over more than that cannot be aimed
-
-ScreenRect lastItemRect() {
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  return {low.x, low.y, high.x, high.y};
-}
-
-void tooltip(const std::string& text, float line) {
-  if (!ImGui::IsItemHovered()) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(24 * line);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-}
+// Sizes in lines of text and shares of the window. The menu leaves the score above, the instruments below and
+// the aircraft beside it free: a wing of the aircraft that the chase camera follows ends at a third of the
+// width.
+constexpr float kTop = 2.8f, kMargin = 0.5f, kBottomOfHeight = 0.2f, kAboveBottom = 1.2f;
+constexpr float kWidthOfWindow = 0.325f, kMinWidth = 18, kMinHeight = 8;
+constexpr float kNameShare = 0.49f;
+constexpr int kFramesToFocus = 3;  // Dear ImGui hands the keyboard over a frame later
+const ImVec4 kChangedColor{0.98f, 0.72f, 0.36f, 1};
 
 bool belongsTo(const Field& field, const std::string& group) {
   return field.group == group || (!group.empty() && field.group.starts_with(group + "."));
@@ -41,169 +38,394 @@ bool belongsTo(const Field& field, const std::string& group) {
 
 }  // namespace
 
-void ConfigurationMenu::commit(const Field& field, double value, MenuResult& result) {
+struct ConfigurationMenu::Parts {
+  UndoHistory history;
+  RowEditor rows;
+  PresetSection presets;
+  MenuState state;
+  char search[128] = {};
+  bool changedOnly = false;
+  std::string refusal;     // of what was typed last
+  bool held = false;       // a widget may go on with the step that is open
+  int framesToSearch = 0;  // while the search field is to get the keyboard
+  // Of the last frame.
+  std::map<std::string, MenuRowPlace> places;
+  ItemPlaces items;
+  std::vector<const Field*> typedRows;  // numbers, in their order, for Tab
+  ScreenRect window;
+  float titleHeight = 0;
+  int placedWidth = 0, placedHeight = 0;  // the window size that the menu was last placed in
+
+  void set(const Field& field, double value, MenuResult& result);
+  void setText(const Field& field, std::string_view text, MenuResult& result);
+  void setAll(const SettingsTable& table, std::span<const SettingValue> values,
+              std::vector<std::string>& changed);
+  void resetGroup(const SettingsTable& table, const std::string& group, MenuResult& result);
+
+  bool section(const std::string& name, const std::string& group, const std::string& title, bool openAtFirst);
+  void drawTop(const MenuContent& content, MenuResult& result);
+  void drawTools(const MenuContent& content, MenuResult& result);
+  void drawSection(const MenuContent& content, const MenuSection& section, const RowFilter& filter,
+                   MenuResult& result);
+  void drawRow(const SettingsTable& table, const Field& field, MenuResult& result);
+  void takeKeys(const SettingsTable& table, MenuResult& result);
+  void placeWindow(const Interface& context);
+  void keepPlace(const Interface& context, bool placed);
+};
+
+namespace {
+
+void remember(std::vector<std::string>& paths, const std::string& path) {
+  if (std::ranges::find(paths, path) == paths.end()) paths.push_back(path);
+}
+
+}  // namespace
+
+// Of a widget: clamped to the range.
+void ConfigurationMenu::Parts::set(const Field& field, double value, MenuResult& result) {
   if (field.kind != FieldKind::number) value = std::round(value);
   value = std::clamp(value, field.min, field.max);
-  if (!std::isfinite(value) || value == field.get()) return;
+  const double before = field.get();
+  if (!std::isfinite(value) || value == before) return;
   core::setField(field, value);
-  if (std::ranges::find(result.changedPaths, field.path) == result.changedPaths.end()) {
-    result.changedPaths.push_back(field.path);
+  history.note(field.path, before, value);
+  remember(result.changedPaths, field.path);
+  refusal.clear();
+}
+
+// Of a typed text: as it stands, or refused.
+void ConfigurationMenu::Parts::setText(const Field& field, std::string_view text, MenuResult& result) {
+  const double before = field.get();
+  try {
+    core::setField(field, withoutUnit(field, text));
+    refusal.clear();
+  } catch (const core::RangeError& error) {
+    refusal = error.what();
+    return;
+  }
+  if (field.get() == before) return;
+  history.note(field.path, before, field.get());
+  remember(result.changedPaths, field.path);
+}
+
+void ConfigurationMenu::Parts::setAll(const SettingsTable& table, std::span<const SettingValue> values,
+                                      std::vector<std::string>& changed) {
+  for (const SettingValue& value : values) {
+    const Field* field = table.find(value.path);
+    if (!field || field->get() == value.value) continue;
+    field->set(value.value);
+    remember(changed, value.path);
   }
 }
 
-// Draws the widget of a value and changes it; true while the user does.
-bool ConfigurationMenu::editValue(const Field& field, double& value) {
-  switch (field.kind) {
-    case FieldKind::flag: {
-      bool on = value != 0;
-      const bool edited = ImGui::Checkbox("##value", &on);
-      value = on ? 1 : 0;
-      return edited;
-    }
-    case FieldKind::choice: {
-      const auto index = static_cast<std::size_t>(std::clamp(value, field.min, field.max));
-      bool edited = false;
-      if (ImGui::BeginCombo("##value", field.names[index].c_str())) {
-        for (std::size_t i = 0; i < field.names.size(); ++i) {
-          if (ImGui::Selectable(field.names[i].c_str(), i == index)) {
-            value = static_cast<double>(i);
-            edited = true;
-          }
-        }
-        ImGui::EndCombo();
-      }
-      return edited;
-    }
-    case FieldKind::number:
-    case FieldKind::integer:
-      break;
+void ConfigurationMenu::Parts::resetGroup(const SettingsTable& table, const std::string& group,
+                                          MenuResult& result) {
+  for (const Field& field : table.fields()) {
+    if (belongsTo(field, group)) set(field, field.defaultValue, result);
   }
-  const bool sliding = field.max - field.min <= kWidestSlider;
-  ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-  if (field.logarithmic && field.min > 0) flags |= ImGuiSliderFlags_Logarithmic;
-  const std::string format = sliderFormat(field);
-  if (field.kind == FieldKind::integer) {
-    const auto whole = [](double v) { return static_cast<std::int64_t>(std::clamp(v, -9e18, 9e18)); };
-    std::int64_t number = whole(value);
-    const std::int64_t low = whole(field.min), high = whole(field.max);
-    const bool edited = sliding ? ImGui::SliderScalar("##value", ImGuiDataType_S64, &number, &low, &high,
-                                                      format.c_str(), flags)
-                                : ImGui::InputScalar("##value", ImGuiDataType_S64, &number);
-    if (edited) value = static_cast<double>(number);
-    return edited;
-  }
-  return sliding ? ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.min, &field.max,
-                                       format.c_str(), flags)
-                 : ImGui::InputDouble("##value", &value, 0, 0, format.c_str());
 }
 
-void ConfigurationMenu::drawRow(const Field& field, MenuResult& result) {
-  const float line = ImGui::GetFontSize();
+// A header that opens and closes, and remembers it.
+bool ConfigurationMenu::Parts::section(const std::string& name, const std::string& group,
+                                       const std::string& title, bool openAtFirst) {
+  const auto known = state.open.find(group);
+  const bool before = known == state.open.end() ? openAtFirst : known->second;
+  ImGui::SetNextItemOpen(before, ImGuiCond_Always);
+  const bool open = ImGui::CollapsingHeader((title + "###" + name).c_str());
+  items.insert_or_assign(name, lastItemRect());
+  if (open != before) state.open[group] = open;
+  return open;
+}
+
+void ConfigurationMenu::Parts::drawRow(const SettingsTable& table, const Field& field, MenuResult& result) {
   ImGui::PushID(field.path.c_str());
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
+  const bool changed = !field.isDefault();
+  if (changed) ImGui::PushStyleColor(ImGuiCol_Text, kChangedColor);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(humanName(field.name).c_str());
-  tooltip(tooltipText(field), line);
+  ImGui::TextUnformatted(fittingText(humanName(field.name), ImGui::GetContentRegionAvail().x).c_str());
+  if (changed) ImGui::PopStyleColor();
+  tooltip(tooltipText(field));
 
   ImGui::TableNextColumn();
-  ImGui::SetNextItemWidth(-1);
-  const bool held = pending_ && pending_->path == field.path;
-  double value = held ? pending_->value : field.get();
-  const bool edited = editValue(field, value);
-  MenuRowPlace place{lastItemRect(), std::nullopt};
-  const bool number = field.kind == FieldKind::number || field.kind == FieldKind::integer;
-  if (!number || field.takesEffect == TakesEffect::live) {
-    if (edited) commit(field, value, result);
-  } else {
-    if (edited) pending_ = PendingEdit{field.path, value};
-    if (ImGui::IsItemDeactivatedAfterEdit()) {
-      commit(field, value, result);
-      pending_.reset();
-    } else if (held && !ImGui::IsItemActive()) {
-      pending_.reset();
+  MenuRowPlace place;
+  const RowOutcome outcome = rows.draw(field, place.value);
+  if (!ImGui::IsItemActive()) tooltip(tooltipText(field));
+  held |= outcome.held;
+  if (outcome.before && *outcome.before != field.get()) {
+    setAll(table, history.dropLastStep(), result.changedPaths);
+  }
+  if (outcome.value) set(field, *outcome.value, result);
+  if (outcome.typed) setText(field, *outcome.typed, result);
+  if (outcome.wantsToType) rows.type(field);
+  if (outcome.nextRow != 0) {
+    const auto here = std::ranges::find(typedRows, &field);
+    const auto at = (here - typedRows.begin()) + outcome.nextRow;
+    if (here != typedRows.end() && at >= 0 && at < std::ssize(typedRows)) {
+      rows.type(*typedRows[static_cast<std::size_t>(at)]);
     }
   }
-  if (!ImGui::IsItemActive()) tooltip(tooltipText(field), line);
 
   ImGui::TableNextColumn();
-  if (!field.isDefault()) {
-    if (ImGui::Button("Reset")) commit(field, field.defaultValue, result);
+  if (changed) {
+    if (ImGui::Button("\u21a9")) set(field, field.defaultValue, result);
     place.reset = lastItemRect();
+    tooltip("Back to its default.");
   }
   ImGui::PopID();
-  places_.insert_or_assign(field.path, place);
+  places.insert_or_assign(field.path, place);
 }
 
-MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& content) {
-  MenuResult result;
-  places_.clear();
-  const float line = context.text().pixels;
-  const auto windowWidth = static_cast<float>(context.width()),
-             windowHeight = static_cast<float>(context.height());
-  // A new window size places the menu anew, so that it is never left outside.
-  const bool moved = placedWidth_ != context.width() || placedHeight_ != context.height();
-  placedWidth_ = context.width();
-  placedHeight_ = context.height();
-  const ImGuiCond when = moved ? ImGuiCond_Always : ImGuiCond_Once;
-  ImGui::SetNextWindowPos({kMargin * line, kTop * line}, when);
-  const float height = windowHeight * (1 - kBottomOfHeight) - (kTop + kAboveBottom) * line;
-  ImGui::SetNextWindowSize(
-      {std::min(kWidth * line, windowWidth - 2 * kMargin * line), std::max(height, kMinHeight * line)}, when);
+void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const MenuSection& section,
+                                           const RowFilter& filter, MenuResult& result) {
+  std::vector<const Field*> shown;
+  int changed = 0;
+  for (const Field& field : content.table.fields()) {
+    if (!belongsTo(field, section.group)) continue;
+    changed += field.isDefault() ? 0 : 1;
+    if (filter.matches(field, section.title)) shown.push_back(&field);
+  }
+  if (filter.isActive()) {
+    if (shown.empty()) return;
+    ImGui::TextDisabled("%s", section.title.c_str());
+  } else {
+    const bool open = this->section("section " + section.group, section.group, section.title, section.open);
+    if (changed > 0) {
+      const std::string note = std::to_string(changed) + " changed";
+      const ScreenRect header = lastItemRect();
+      const float width = ImGui::CalcTextSize(note.c_str()).x, padding = ImGui::GetStyle().FramePadding.x;
+      ImGui::GetWindowDrawList()->AddText(
+          {header.right - width - padding, header.top + ImGui::GetStyle().FramePadding.y},
+          ImGui::GetColorU32(kChangedColor), note.c_str());
+    }
+    if (!open) return;
+  }
+  if (!ImGui::BeginTable(("fields " + section.group).c_str(), 3, ImGuiTableFlags_SizingStretchProp)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, kNameShare);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1 - kNameShare);
+  ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed,
+                          ImGui::CalcTextSize("\u21a9").x + 2 * ImGui::GetStyle().FramePadding.x);
+  std::string group = section.group;
+  for (const Field* field : shown) {
+    if (field->group != group) {
+      group = field->group;
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled(
+          "%s", humanName(group.substr(section.group.empty() ? 0 : section.group.size() + 1)).c_str());
+    }
+    drawRow(content.table, *field, result);
+  }
+  ImGui::EndTable();
+  // At the end: rows must not move under the mouse while a slider leaves its default.
+  if (changed > 0 && !filter.isActive()) {
+    ImGui::PushID(section.group.c_str());
+    if (placedButton("Reset this section", "reset " + section.group, items)) {
+      resetGroup(content.table, section.group, result);
+    }
+    ImGui::PopID();
+  }
+}
 
+// What stays in sight whatever is scrolled: lines, search, undo.
+void ConfigurationMenu::Parts::drawTop(const MenuContent& content, MenuResult& result) {
+  drawRefusal(content.error);
+  drawRefusal(refusal);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float box = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize("changed").x;
+  ImGui::SetNextItemWidth(-box - style.ItemSpacing.x);
+  if (framesToSearch > 0) ImGui::SetKeyboardFocusHere();
+  const bool found = isControlHeld() && isPressed(MenuKey::find);
+  const auto selectAll = [](ImGuiInputTextCallbackData* data) {
+    if (*static_cast<const bool*>(data->UserData)) data->SelectAll();
+    return 0;
+  };
+  bool again = found;  // the field has the keyboard already
+  ImGui::InputTextWithHint("##search", "Search, or PATH=VALUE", search, sizeof search,
+                           ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackAlways, selectAll,
+                           &again);
+  items.insert_or_assign("search", lastItemRect());
+  framesToSearch = ImGui::IsItemActive() ? 0 : std::max(framesToSearch - 1, 0);
+  const bool entered =
+      ImGui::IsItemDeactivated() && (isPressed(MenuKey::enter) || isPressed(MenuKey::keypadEnter));
+  tooltip(
+      "Shows the rows of all sections in whose name, path or description every word stands. Ctrl+F comes "
+      "here. "
+      "PATH=VALUE and Enter sets a value.");
+  if (const std::string_view text = search; entered && text.find('=') != std::string_view::npos) {
+    const std::size_t equals = text.find('=');
+    try {
+      setText(content.table.at(text.substr(0, equals)), text.substr(equals + 1), result);
+      if (refusal.empty()) search[0] = '\0';
+    } catch (const core::RangeError& error) {
+      refusal = error.what();
+    }
+  }
+  ImGui::SameLine();
+  ImGui::Checkbox("changed", &changedOnly);
+  items.insert_or_assign("changed only", lastItemRect());
+  tooltip("Shows only what is not at its default.");
+
+  const auto step = [&](const char* label, const char* name, std::size_t steps, const char* keys,
+                        bool pressed, auto take) {
+    const bool clicked = placedButton(label, name, items, steps > 0);
+    tooltip(std::string(keys) + ", " + std::to_string(steps) + (steps == 1 ? " step" : " steps"));
+    if (clicked || pressed) {
+      refusal.clear();
+      setAll(content.table, take(), result.changedPaths);
+    }
+  };
+  const bool keys = !ImGui::GetIO().WantTextInput && isControlHeld();
+  const bool redoKey = keys && (isPressed(MenuKey::redo) || (isShiftHeld() && isPressed(MenuKey::undo)));
+  const bool undoKey = keys && !isShiftHeld() && isPressed(MenuKey::undo);
+  step("Undo", "undo", history.undoSteps(), "Ctrl+Z", undoKey, [&] { return history.undo(); });
+  ImGui::SameLine();
+  step("Redo", "redo", history.redoSteps(), "Ctrl+Y", redoKey, [&] { return history.redo(); });
+  ImGui::SameLine();
+  if (placedButton("Reset all", "reset all", items)) {
+    for (const MenuSection& section : content.sections) resetGroup(content.table, section.group, result);
+  }
+  tooltip("Sets every row of this menu to its default. It can be undone.");
+  if (found) {
+    framesToSearch = kFramesToFocus;
+    ImGui::SetWindowFocus();
+  }
+}
+
+void ConfigurationMenu::Parts::drawTools(const MenuContent& content, MenuResult& result) {
+  if (content.statistics && section("costs", "#costs", "What accuracy costs", false)) {
+    drawStatistics(*content.statistics, content.frameMs, content.table);
+  }
+  if (content.presets && section("presets", "#presets", "Presets", false)) {
+    result.preset = presets.draw(*content.presets, content.sections, items);
+  }
+  if ((content.base || !content.pose.empty()) && section("copy", "#copy", "Copy for a command line", false)) {
+    drawCopySection(content.base ? core::setFlags(content.table, *content.base) : "", content.pose, items);
+  }
+}
+
+// A new window size places the menu anew, so that it is never left outside.
+void ConfigurationMenu::Parts::placeWindow(const Interface& context) {
+  const float line = context.text().pixels;
+  const auto width = static_cast<float>(context.width()), height = static_cast<float>(context.height());
+  ScreenRect place;
+  if (state.place) {
+    place = {state.place->left * width, state.place->top * height, state.place->right * width,
+             state.place->bottom * height};
+  } else {
+    const float margin = kMargin * line;
+    place.left = margin;
+    place.top = kTop * line;
+    place.right =
+        margin + std::min(std::max(kWidthOfWindow * width - margin, kMinWidth * line), width - 2 * margin);
+    place.bottom =
+        std::max(height * (1 - kBottomOfHeight) - kAboveBottom * line, place.top + kMinHeight * line);
+  }
+  const float wide = std::clamp(place.right - place.left, std::min(kMinWidth * line, width), width);
+  const float high = std::clamp(place.bottom - place.top, std::min(kMinHeight * line, height), height);
+  ImGui::SetNextWindowPos(
+      {std::clamp(place.left, 0.0f, width - wide), std::clamp(place.top, 0.0f, height - high)},
+      ImGuiCond_Always);
+  ImGui::SetNextWindowSize({wide, high}, ImGuiCond_Always);
+}
+
+// Notes where the player has put the menu.
+void ConfigurationMenu::Parts::keepPlace(const Interface& context, bool placed) {
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const ScreenRect now{low.x, low.y, low.x + size.x, low.y + size.y};
+  const bool moved = now.left != window.left || now.top != window.top || now.right != window.right ||
+                     now.bottom != window.bottom;
+  if (moved && !placed) {
+    const auto width = static_cast<float>(context.width()), height = static_cast<float>(context.height());
+    state.place = ScreenRect{now.left / width, now.top / height, now.right / width, now.bottom / height};
+  }
+  window = now;
+}
+
+ConfigurationMenu::ConfigurationMenu() : parts_(std::make_unique<Parts>()) {}
+ConfigurationMenu::~ConfigurationMenu() = default;
+
+MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& content) {
+  Parts& parts = *parts_;
+  MenuResult result;
+  parts.places.clear();
+  parts.items.clear();
+  parts.held = false;
+  const float line = context.text().pixels;
+  const bool placed = parts.placedWidth != context.width() || parts.placedHeight != context.height();
+  parts.placedWidth = context.width();
+  parts.placedHeight = context.height();
+  if (placed) parts.placeWindow(context);
+  ImGui::SetNextWindowSizeConstraints(
+      {std::min(kMinWidth * line, static_cast<float>(context.width())), kMinHeight * line},
+      {static_cast<float>(context.width()), static_cast<float>(context.height())});
   bool open = true;
   if (ImGui::Begin("Configuration", &open, ImGuiWindowFlags_NoCollapse)) {
-    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    place_ = {low.x, low.y, low.x + size.x, low.y + size.y};
-    titleHeight_ = ImGui::GetFrameHeight();
-    if (!content.error.empty()) {
-      ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 0.45f, 0.35f, 1));
-      ImGui::PushTextWrapPos(0);
-      ImGui::TextUnformatted(content.error.data(), content.error.data() + content.error.size());
-      ImGui::PopTextWrapPos();
-      ImGui::PopStyleColor();
+    parts.keepPlace(context, placed);
+    parts.titleHeight = ImGui::GetFrameHeight();
+    parts.drawTop(content, result);
+    if (ImGui::BeginChild("rows")) {
+      const RowFilter filter(parts.search, parts.changedOnly);
+      if (!filter.isActive()) parts.drawTools(content, result);
+      for (const MenuSection& section : content.sections) parts.drawSection(content, section, filter, result);
+      if (filter.isActive() && parts.places.empty()) ImGui::TextDisabled("No row is like that.");
     }
-    const bool resetAll = ImGui::Button("Reset all");
-    resetAllPlace_ = lastItemRect();
-    tooltip("Sets every row of this menu to its default.", line);
-    for (const MenuSection& section : content.sections) {
-      if (resetAll) {
-        for (const Field& field : content.table.fields()) {
-          if (belongsTo(field, section.group)) commit(field, field.defaultValue, result);
-        }
-      }
-      ImGui::SetNextItemOpen(section.open, ImGuiCond_Once);
-      if (!ImGui::CollapsingHeader((section.title + "###section " + section.group).c_str())) continue;
-      const std::string id = "fields " + section.group;
-      if (!ImGui::BeginTable(id.c_str(), 3, ImGuiTableFlags_SizingStretchProp)) continue;
-      ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 0.42f);
-      ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.58f);
-      ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed,
-                              ImGui::CalcTextSize("Reset").x + line);
-      std::string group = section.group;
-      for (const Field& field : content.table.fields()) {
-        if (!belongsTo(field, section.group)) continue;
-        if (field.group != group) {
-          group = field.group;
-          ImGui::TableNextRow();
-          ImGui::TableNextColumn();
-          ImGui::TextDisabled(
-              "%s", humanName(group.substr(section.group.empty() ? 0 : section.group.size() + 1)).c_str());
-        }
-        drawRow(field, result);
-      }
-      ImGui::EndTable();
+    ImGui::EndChild();
+    parts.typedRows.clear();
+    for (const Field& field : content.table.fields()) {
+      if (parts.places.contains(field.path) && RowEditor::isTyped(field)) parts.typedRows.push_back(&field);
     }
-    if (content.statistics && ImGui::CollapsingHeader("What accuracy costs"))
-      drawStatistics(*content.statistics);
   }
   ImGui::End();
+  if (!parts.held) parts.history.closeStep();
   result.closed = !open;
   return result;
 }
 
+std::vector<std::string> ConfigurationMenu::change(const SettingsTable& table,
+                                                   std::span<const SettingValue> values) {
+  for (const SettingValue& value : values) {
+    const Field& field = table.at(value.path);
+    const double before = field.get();
+    core::setField(field, value.value);  // the door
+    field.set(before);
+  }
+  parts_->history.closeStep();
+  for (const SettingValue& value : values) {
+    const double before = table.at(value.path).get();
+    if (before != value.value) parts_->history.note(value.path, before, value.value);
+  }
+  parts_->history.closeStep();
+  parts_->refusal.clear();
+  std::vector<std::string> changed;
+  parts_->setAll(table, values, changed);
+  return changed;
+}
+
+const MenuState& ConfigurationMenu::state() const { return parts_->state; }
+
+void ConfigurationMenu::setState(MenuState state) {
+  parts_->state = std::move(state);
+  parts_->placedWidth = parts_->placedHeight = 0;
+}
+
+bool ConfigurationMenu::showsCosts() const {
+  const auto costs = parts_->state.open.find("#costs");
+  return costs != parts_->state.open.end() && costs->second;
+}
+
+const std::map<std::string, MenuRowPlace>& ConfigurationMenu::places() const { return parts_->places; }
+const ScreenRect& ConfigurationMenu::place() const { return parts_->window; }
+
+const ScreenRect* ConfigurationMenu::place(std::string_view what) const {
+  const auto found = parts_->items.find(what);
+  return found == parts_->items.end() ? nullptr : &found->second;
+}
+
 ScreenRect ConfigurationMenu::crossPlace() const {
-  return {place_.right - titleHeight_, place_.top, place_.right, place_.top + titleHeight_};
+  const ScreenRect& window = parts_->window;
+  return {window.right - parts_->titleHeight, window.top, window.right, window.top + parts_->titleHeight};
 }
 
 }  // namespace skydrop::ui

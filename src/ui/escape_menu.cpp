@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include "skydrop/ui/menu.h"
+#include "ui/key_press.h"
 
 namespace skydrop::ui {
 namespace {
@@ -15,21 +16,13 @@ constexpr Entry kEntries[] = {
 constexpr int kEntryCount = static_cast<int>(std::size(kEntries));
 constexpr float kButtonWidth = 12;  // lines of text
 
-#if IMGUI_VERSION_NUM >= 18900
-constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
-bool keyPressed(ImGuiKey key) { return ImGui::IsKeyPressed(key); }
-#else
-constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeyPadEnter;
-bool keyPressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
-#endif
-
 }  // namespace
 
 EscapeAction EscapeMenu::draw(const Interface& context) {
   EscapeAction action = EscapeAction::none;
-  if (keyPressed(ImGuiKey_DownArrow)) selected_ = (selected_ + 1) % kEntryCount;
-  if (keyPressed(ImGuiKey_UpArrow)) selected_ = (selected_ + kEntryCount - 1) % kEntryCount;
-  if (keyPressed(ImGuiKey_Enter) || keyPressed(kKeypadEnter)) action = kEntries[selected_].action;
+  if (isPressed(MenuKey::down)) selected_ = (selected_ + 1) % kEntryCount;
+  if (isPressed(MenuKey::up)) selected_ = (selected_ + kEntryCount - 1) % kEntryCount;
+  if (isPressed(MenuKey::enter) || isPressed(MenuKey::keypadEnter)) action = kEntries[selected_].action;
 
   const ImVec2 middle(static_cast<float>(context.width()) / 2, static_cast<float>(context.height()) / 2);
   ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5f, 0.5f});

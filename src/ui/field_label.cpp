@@ -35,7 +35,7 @@ std::string valueText(const Field& field, double value) {
 std::string_view effectText(TakesEffect effect) {
   switch (effect) {
     case TakesEffect::live:
-      return "";
+      return "Takes effect at once.";
     case TakesEffect::variant:
       return "Compiles a shader when released.";
     case TakesEffect::rebuild:
@@ -73,6 +73,25 @@ std::string humanName(std::string_view name) {
   return words;
 }
 
+std::string unitText(const Field& field) { return hasUnit(field) ? raisedPowers(field.unit) : ""; }
+
+std::string_view withoutUnit(const Field& field, std::string_view text) {
+  const auto trim = [&] {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  };
+  trim();
+  if (!hasUnit(field)) return text;
+  for (const std::string& unit : {field.unit, raisedPowers(field.unit)}) {
+    if (text.size() > unit.size() && text.ends_with(unit)) {
+      text.remove_suffix(unit.size());
+      break;
+    }
+  }
+  trim();
+  return text;
+}
+
 std::string sliderFormat(const Field& field) {
   std::string format = "%lld";
   if (field.kind == FieldKind::number) {
@@ -100,8 +119,7 @@ std::string tooltipText(const Field& field) {
   }
   text += "\nDefault " + valueText(field, field.defaultValue) +
           (field.kind == FieldKind::flag || field.kind == FieldKind::choice ? "" : unit) + ".";
-  if (field.takesEffect != TakesEffect::live) text += "\n" + std::string(effectText(field.takesEffect));
-  return text + "\n" + field.path;
+  return text + "\n" + std::string(effectText(field.takesEffect)) + "\n" + field.path;
 }
 
 }  // namespace skydrop::ui

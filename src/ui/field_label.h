@@ -11,6 +11,12 @@ namespace skydrop::ui {
 // "rollFactor" -> "Roll factor"
 std::string humanName(std::string_view name);
 
+// "m/s²"; empty for a pure number, a flag or a choice.
+std::string unitText(const core::Field& field);
+
+// A typed value without spaces around it and without its unit, in either spelling.
+std::string_view withoutUnit(const core::Field& field, std::string_view text);
+
 // printf format of the field's slider: digits and unit, a per cent sign doubled.
 std::string sliderFormat(const core::Field& field);
 

@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/key_map.h"
+#include "skydrop/core/error.h"
 #include "ui/field_label.h"
 #include "ui/interface_driver.h"
 
@@ -71,8 +74,13 @@ class MenuTest : public ::testing::Test {
   MenuTest()
       : driver(1280, 720, [this](const Interface& context) {
           if (!shown) return;
-          const MenuResult result = menu.draw(context, {table, sections, statistics, error});
+          MenuContent content{table, sections, statistics, error};
+          content.base = &baseTable;
+          content.pose = pose;
+          content.presets = presets;
+          const MenuResult result = menu.draw(context, content);
           changed.insert(changed.end(), result.changedPaths.begin(), result.changedPaths.end());
+          if (result.preset) request = result.preset;
           if (result.closed) shown = false;
         }) {}
 
@@ -92,8 +100,48 @@ class MenuTest : public ::testing::Test {
     driver.frames(1);
   }
 
-  Settings settings;
-  core::SettingsTable table{settings};
+  // Control and a click make a text field of a slider.
+  void startTyping(const std::string& path) {
+    driver.key(app::key::kLeftControl, true);
+    driver.frames(1);
+    driver.click(place(path).value);
+    driver.key(app::key::kLeftControl, false);
+    driver.frames(3);
+  }
+  void typeAndEnter(const char* text) {
+    driver.type(text);
+    driver.tap(app::key::kEnter);
+  }
+  void clickOn(std::string_view what) {
+    ASSERT_NE(menu.place(what), nullptr) << what;
+    driver.click(ScreenRect(*menu.place(what)));
+  }
+  void chord(int code, bool shift = false) {
+    driver.key(app::key::kLeftControl, true);
+    if (shift) driver.key(app::key::kLeftShift, true);
+    driver.frames(1);
+    driver.tap(code);
+    driver.key(app::key::kLeftControl, false);
+    if (shift) driver.key(app::key::kLeftShift, false);
+    driver.frames(3);
+  }
+  void search(const char* text) {
+    chord('F');
+    driver.type(text);
+    driver.frames(2);
+  }
+  std::vector<std::string> rows() const {
+    std::vector<std::string> paths;
+    for (const auto& [path, where] : menu.places()) paths.push_back(path);
+    return paths;
+  }
+
+  Settings settings, base;
+  core::SettingsTable table{settings}, baseTable{base};
+  std::string pose;
+  std::vector<PresetEntry> presetList;
+  std::optional<std::span<const PresetEntry>> presets;
+  std::optional<PresetRequest> request;
   std::vector<MenuSection> sections = {{"aircraft", "Aircraft", true}};
   const core::FrameStatistics* statistics = nullptr;
   std::string error;
@@ -153,42 +201,327 @@ TEST_F(MenuTest, resetAllSetsEveryShownSectionAndNoOther) {
   settings.aircraft = {1, 2, 3, true, Quality::high, {4}};
   settings.weather = {0.1, 8};
   driver.frames(1);
-  driver.click(menu.resetAllPlace());
+  clickOn("reset all");
   for (const core::Field& field : table.fields()) {
     EXPECT_EQ(field.isDefault(), field.group != "weather") << field.path;
   }
   EXPECT_EQ(changed.size(), 6u);
 }
 
-TEST_F(MenuTest, aTypedValueIsClampedToTheRange) {
-  // Control and a click make a text field of a slider.
-  const ScreenRect rect = place("aircraft.rollFactor").value;
-  driver.key(app::key::kLeftControl, true);
-  driver.frames(1);
-  driver.click(rect);
-  driver.key(app::key::kLeftControl, false);
-  driver.frames(1);
+TEST_F(MenuTest, aTypedValueIsTakenExactlyOrRefusedWithALine) {
+  // No rounding to the slider's five digits; out of range and no number change nothing and are said.
+  startTyping("aircraft.rollFactor");
   EXPECT_TRUE(app::ImGuiInput::wantsText()) << "keys go to the field";
-  driver.type("99");
-  driver.tap(app::key::kEnter);
-  EXPECT_EQ(settings.aircraft.rollFactor, 2);
+  typeAndEnter("0.123456789012345");
+  EXPECT_EQ(settings.aircraft.rollFactor, 0.123456789012345);
   EXPECT_FALSE(app::ImGuiInput::wantsText());
+  const float top = place("aircraft.rollFactor").value.top;
+  for (const char* refused : {"99", "-1e-9", "fast", "nan", ""}) {
+    startTyping("aircraft.rollFactor");
+    if (*refused) {
+      driver.type(refused);
+    } else {
+      driver.tap(app::key::kBackspace);
+    }
+    driver.tap(app::key::kEnter);
+    EXPECT_EQ(settings.aircraft.rollFactor, 0.123456789012345) << refused;
+    EXPECT_GT(place("aircraft.rollFactor").value.top, top) << "a line above says so: " << refused;
+  }
+  startTyping("aircraft.rollFactor");
+  typeAndEnter("2");
+  EXPECT_EQ(settings.aircraft.rollFactor, 2);
+  EXPECT_EQ(place("aircraft.rollFactor").value.top, top) << "the line is gone";
 }
 
-TEST_F(MenuTest, aRangeTooWideForASliderIsTypedAndClamped) {
+TEST_F(MenuTest, aTypedValueMayCarryItsUnit) {
+  startTyping("aircraft.mass");
+  typeAndEnter("950.5 kg");
+  EXPECT_EQ(settings.aircraft.mass, 950.5);
+}
+
+TEST_F(MenuTest, escapeLeavesATypedValueAsItWas) {
+  startTyping("aircraft.rollFactor");
+  driver.type("1.5");
+  driver.tap(app::key::kEscape);
+  EXPECT_EQ(settings.aircraft.rollFactor, 0.75);
+  EXPECT_TRUE(changed.empty());
+}
+
+TEST_F(MenuTest, tabTypesOnInTheNextRow) {
+  // And Shift with Tab in the one before; rows that are not numbers are passed over.
+  startTyping("aircraft.mass");
+  driver.type("900");
+  driver.tap(app::key::kTab);
+  EXPECT_EQ(settings.aircraft.mass, 900);
+  driver.frames(3);
+  driver.type("3");
+  driver.tap(app::key::kTab);
+  EXPECT_EQ(settings.aircraft.blades, 3);
+  driver.frames(3);
+  typeAndEnter("12");
+  EXPECT_EQ(settings.aircraft.wing.span, 12);
+}
+
+TEST_F(MenuTest, aDoubleClickTypesAndTakesBackWhatItsFirstClickMoved) {
+  for (const char* path : {"aircraft.rollFactor", "aircraft.mass"}) {
+    const double before = table.at(path).get();
+    const ScreenRect rect = place(path).value;
+    const ScreenRect end{rect.right - 8, rect.top, rect.right - 6, rect.bottom};  // far from the value
+    driver.click(end);
+    driver.click(end);
+    driver.frames(3);
+    EXPECT_EQ(table.at(path).get(), before);
+    EXPECT_TRUE(app::ImGuiInput::wantsText());
+    typeAndEnter("1.25");
+    EXPECT_EQ(table.at(path).get(), 1.25);
+    driver.frames(30);
+    EXPECT_EQ(table.at(path).get(), 1.25);
+    clickOn("undo");
+    EXPECT_EQ(table.at(path).get(), before) << "the clicks left no step of their own";
+  }
+}
+
+TEST_F(MenuTest, aClickOnASlowSliderTakesEffectOnceNoSecondOneCanFollow) {
+  const ScreenRect rect = place("aircraft.mass").value;
+  driver.click({rect.right - 8, rect.top, rect.right - 6, rect.bottom});
+  EXPECT_EQ(settings.aircraft.mass, 1200);
+  driver.frames(30);  // half a second
+  EXPECT_GT(settings.aircraft.mass, 50000);
+  EXPECT_THAT(changed, ::testing::ElementsAre("aircraft.mass"));
+}
+
+TEST_F(MenuTest, aRangeTooWideForASliderIsTypedOrRefused) {
   sections = {{"weather", "Weather", true}};
   driver.frames(2);
   for (const auto& [typed, expected] :
-       {std::pair("-5", std::int64_t{0}), std::pair("123456789012", 123456789012)}) {
+       {std::pair("-5", std::int64_t{7}), std::pair("123456789012", 123456789012)}) {
     driver.click(place("weather.seed").value);
-    driver.key(app::key::kLeftControl, true);
-    driver.tap('A');
-    driver.key(app::key::kLeftControl, false);
-    driver.frames(1);
-    driver.type(typed);
-    driver.tap(app::key::kEnter);
+    driver.frames(3);
+    typeAndEnter(typed);
     EXPECT_EQ(settings.weather.seed, expected);
   }
+}
+
+TEST_F(MenuTest, aDragIsOneStepThatUndoAndRedoTakeWhole) {
+  const ScreenRect rect = place("aircraft.rollFactor").value;
+  drag("aircraft.rollFactor", 0.4f, 0.6f);
+  for (const float to : {0.7f, 0.8f, 0.9f}) {
+    driver.move(rect.left + to * (rect.right - rect.left), (rect.top + rect.bottom) / 2);
+  }
+  release("aircraft.rollFactor", 0.9f);
+  const double dragged = settings.aircraft.rollFactor;
+  EXPECT_GT(dragged, 1.5);
+  changed.clear();
+  clickOn("undo");
+  EXPECT_EQ(settings.aircraft.rollFactor, 0.75);
+  EXPECT_THAT(changed, ::testing::ElementsAre("aircraft.rollFactor")) << "the caller hears of it";
+  clickOn("redo");
+  EXPECT_EQ(settings.aircraft.rollFactor, dragged);
+  chord('Z');
+  EXPECT_EQ(settings.aircraft.rollFactor, 0.75);
+  chord('Y');
+  EXPECT_EQ(settings.aircraft.rollFactor, dragged);
+  chord('Z');
+  chord('Z', true);
+  EXPECT_EQ(settings.aircraft.rollFactor, dragged) << "Shift turns it round";
+  clickOn("redo");
+  EXPECT_EQ(settings.aircraft.rollFactor, dragged) << "nothing more to do again";
+}
+
+TEST_F(MenuTest, controlZInATextFieldIsTheFieldsOwn) {
+  settings.aircraft.rollFactor = 1;
+  driver.frames(1);
+  driver.click(*place("aircraft.rollFactor").reset);
+  startTyping("aircraft.rollFactor");
+  chord('Z');
+  EXPECT_EQ(settings.aircraft.rollFactor, 0.75);
+  driver.tap(app::key::kEscape);
+  chord('Z');
+  EXPECT_EQ(settings.aircraft.rollFactor, 1);
+}
+
+TEST_F(MenuTest, resetAllIsUndoneAsOneStep) {
+  settings.aircraft = {1, 2, 3, true, Quality::high, {4}};
+  driver.frames(1);
+  clickOn("reset all");
+  EXPECT_EQ(settings.aircraft.mass, 1200);
+  changed.clear();
+  clickOn("undo");
+  EXPECT_EQ(changed.size(), 6u);
+  EXPECT_EQ(settings.aircraft.rollFactor, 1);
+  EXPECT_EQ(settings.aircraft.mass, 2);
+  EXPECT_EQ(settings.aircraft.blades, 3);
+  EXPECT_TRUE(settings.aircraft.smoke);
+  EXPECT_EQ(settings.aircraft.quality, Quality::high);
+  EXPECT_EQ(settings.aircraft.wing.span, 4);
+}
+
+TEST_F(MenuTest, aSectionIsResetByItself) {
+  sections = {{"aircraft", "Aircraft", true}, {"weather", "Weather", true}};
+  settings.aircraft.mass = 900;
+  settings.weather.scale = 0.1;
+  driver.frames(3);
+  clickOn("reset weather");
+  EXPECT_EQ(settings.aircraft.mass, 900);
+  EXPECT_EQ(settings.weather.scale, 0.595);
+  driver.frames(1);
+  EXPECT_EQ(menu.place("reset weather"), nullptr) << "nothing left to reset";
+}
+
+TEST_F(MenuTest, aSearchShowsRowsOfClosedSectionsTooAndNoOthers) {
+  sections.push_back({"weather", "Weather", false});
+  driver.frames(2);
+  EXPECT_FALSE(menu.places().contains("weather.scale")) << "closed";
+  search("FLUFFIER");
+  EXPECT_THAT(rows(), ::testing::ElementsAre("weather.scale")) << "a word of the tooltip, capitals or not";
+  EXPECT_TRUE(app::ImGuiInput::wantsText());
+  search("wing span");
+  EXPECT_THAT(rows(), ::testing::ElementsAre("aircraft.wing.span")) << "every word must stand somewhere";
+  search("aircraft.m");
+  EXPECT_THAT(rows(), ::testing::ElementsAre("aircraft.mass")) << "a part of the path";
+  search("nothing like it");
+  EXPECT_THAT(rows(), ::testing::IsEmpty());
+  chord('F');
+  driver.tap(app::key::kBackspace);
+  EXPECT_EQ(rows().size(), 6u) << "an empty search shows the open sections";
+}
+
+TEST_F(MenuTest, onlyWhatWasChangedIsShownOnRequest) {
+  sections.push_back({"weather", "Weather", false});
+  settings.weather.seed = 8;
+  settings.aircraft.smoke = true;
+  driver.frames(2);
+  clickOn("changed only");
+  EXPECT_THAT(rows(), ::testing::ElementsAre("aircraft.smoke", "weather.seed"));
+}
+
+TEST_F(MenuTest, thePathAndAValueInTheSearchFieldSetIt) {
+  // Flags and choices are within the keyboard's reach too.
+  search("aircraft.quality=high");
+  driver.tap(app::key::kEnter);
+  EXPECT_EQ(settings.aircraft.quality, Quality::high);
+  EXPECT_THAT(changed, ::testing::ElementsAre("aircraft.quality"));
+  const float top = place("aircraft.rollFactor").value.top;
+  for (const char* refused : {"aircraft.qualify=high", "aircraft.mass=0"}) {
+    search(refused);
+    driver.tap(app::key::kEnter);
+    EXPECT_EQ(settings.aircraft.mass, 1200);
+    EXPECT_TRUE(menu.places().empty()) << "it stands there still, to be mended";
+  }
+  chord('F');
+  driver.tap(app::key::kBackspace);
+  EXPECT_GT(place("aircraft.rollFactor").value.top, top) << "with the line that says what is wrong";
+  chord('Z');
+  driver.tap(app::key::kEscape);
+  chord('Z');
+  EXPECT_EQ(settings.aircraft.quality, Quality::medium);
+}
+
+TEST_F(MenuTest, whatIsOpenAndWhereTheMenuStandsIsRemembered) {
+  sections.push_back({"weather", "Weather", false});
+  driver.frames(2);
+  clickOn("section aircraft");
+  clickOn("section weather");
+  EXPECT_THAT(rows(), ::testing::ElementsAre("weather.scale", "weather.seed"));
+  EXPECT_FALSE(menu.state().place) << "nobody has moved it";
+  const ScreenRect before = menu.place();
+  const float y = before.top + 5;
+  driver.move(before.left + 100, y);
+  driver.button(before.left + 100, y, true);
+  driver.move(before.left + 400, y + 50);
+  driver.button(before.left + 400, y + 50, false);
+  driver.frames(2);
+  EXPECT_NEAR(menu.place().left, before.left + 300, 1);
+  ASSERT_TRUE(menu.state().place);
+
+  ConfigurationMenu next;
+  next.setState(menu.state());
+  test::InterfaceDriver nextDriver(1280, 720, [&](const Interface& context) {
+    next.draw(context, {table, sections});
+  });
+  EXPECT_NEAR(next.place().left, menu.place().left, 1);
+  EXPECT_NEAR(next.place().bottom, menu.place().bottom, 1);
+  EXPECT_TRUE(next.places().contains("weather.seed"));
+  EXPECT_FALSE(next.places().contains("aircraft.mass"));
+  nextDriver.resize(640, 360);
+  nextDriver.frames(2);
+  EXPECT_NEAR(next.place().left, menu.place().left / 2, 1) << "at the same share of another window";
+}
+
+TEST_F(MenuTest, itLeavesTheAircraftFree) {
+  // The wings of the aircraft that the chase camera follows end at a third of the width. Rows keep a slider
+  // that can be aimed: a hand's width of pixels.
+  for (const auto& [width, height] : {std::pair(640, 360), {1280, 720}, {1920, 1080}, {3840, 2160}}) {
+    driver.resize(width, height);
+    driver.frames(3);
+    EXPECT_LE(menu.place().right, 0.33f * static_cast<float>(width)) << width;
+    EXPECT_LE(menu.place().bottom, 0.8f * static_cast<float>(height)) << width;
+    const ScreenRect slider = place("aircraft.rollFactor").value;
+    EXPECT_GE(slider.right - slider.left, 70) << width;
+    EXPECT_LE(slider.right, menu.place().right) << width;
+  }
+}
+
+TEST_F(MenuTest, presetsAreSavedLoadedAndDeletedOnlyWhenConfirmed) {
+  presetList = {{"calm", "aircraft", true}, {"torn", "calm.json: JSON: bad", false}};
+  presets = presetList;
+  driver.frames(2);
+  clickOn("presets");
+  driver.click(ScreenRect(*menu.place("preset name")));
+  driver.type("my own");
+  driver.frames(1);
+  clickOn("save preset");
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->kind, PresetRequest::Kind::save);
+  EXPECT_EQ(request->name, "my own");
+  EXPECT_EQ(request->group, "") << "every setting";
+  request.reset();
+  clickOn("load torn");
+  EXPECT_FALSE(request) << "a broken one cannot be loaded";
+  clickOn("load calm");
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->kind, PresetRequest::Kind::load);
+  EXPECT_EQ(request->name, "calm");
+  request.reset();
+  clickOn("delete torn");
+  EXPECT_FALSE(request);
+  clickOn("save preset");  // a click elsewhere is a no
+  request.reset();
+  clickOn("delete torn");
+  EXPECT_FALSE(request);
+  clickOn("delete torn");
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->kind, PresetRequest::Kind::remove);
+  EXPECT_EQ(request->name, "torn");
+}
+
+TEST_F(MenuTest, valuesFromOutsideAreOneStepOrRefusedWhole) {
+  const std::vector<SettingValue> values = {
+      {"aircraft.mass", 900}, {"aircraft.smoke", 1}, {"weather.scale", 0.595}};
+  EXPECT_THAT(menu.change(table, values), ::testing::ElementsAre("aircraft.mass", "aircraft.smoke"));
+  EXPECT_EQ(settings.aircraft.mass, 900);
+  const std::vector<SettingValue> bad = {{"aircraft.rollFactor", 1}, {"aircraft.mass", 0}};
+  EXPECT_THROW(menu.change(table, bad), core::RangeError);
+  EXPECT_EQ(settings.aircraft.rollFactor, 0.75);
+  driver.frames(1);
+  clickOn("undo");
+  EXPECT_EQ(settings.aircraft.mass, 1200);
+  EXPECT_FALSE(settings.aircraft.smoke);
+}
+
+std::string clipboard;  // Dear ImGui asks for plain functions
+
+TEST_F(MenuTest, theCopyButtonsFillTheClipboard) {
+  ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { clipboard = text; };
+  settings.aircraft.mass = 900.1;
+  base.aircraft.smoke = true;  // the scene's: no smoke is a change of ours
+  pose = "--pose=1,2,3,4,5,6";
+  driver.frames(2);
+  clickOn("copy");
+  clickOn("copy flags");
+  EXPECT_EQ(clipboard, "--set aircraft.mass=900.1 --set aircraft.smoke=false");
+  clickOn("copy pose");
+  EXPECT_EQ(clipboard, "--pose=1,2,3,4,5,6");
 }
 
 TEST_F(MenuTest, integersFlagsAndChoicesAreEdited) {

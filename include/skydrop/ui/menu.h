@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/ui/imgui_context.h"
+#include "skydrop/ui/undo_history.h"
 
 namespace skydrop::ui {
 
@@ -23,17 +25,38 @@ struct MenuSection {
   bool open = false;  // at first
 };
 
+// A preset as the menu lists it.
+struct PresetEntry {
+  std::string name;
+  std::string holds;  // which groups, in words; of a broken one why it cannot be used
+  bool usable = true;
+};
+
 struct MenuContent {
   const core::SettingsTable& table;  // edited
   std::span<const MenuSection> sections;
   const core::FrameStatistics* statistics =
-      nullptr;             // shown as what accuracy costs in time; null: no section
-  std::string_view error;  // of the last reload; empty: none
+      nullptr;                           // shown as what accuracy costs in time; null: no section
+  std::string_view error = {};           // of the last reload, or of a preset; empty: none
+  std::span<const double> frameMs = {};  // times of the last frames, the newest last
+  // What a run without flags starts from: flags are copied for what differs from it. Null: none are.
+  const core::SettingsTable* base = nullptr;
+  std::string_view pose = {};  // of the present view, "--pose=..."; empty: none
+  // The player's presets; nullopt where they have no place.
+  std::optional<std::span<const PresetEntry>> presets = std::nullopt;
+};
+
+struct PresetRequest {
+  enum class Kind { save, load, remove };
+  Kind kind = Kind::save;
+  std::string name;   // save: as typed, to be judged by the caller
+  std::string group;  // save: what it holds, a section's group; empty: every setting
 };
 
 struct MenuResult {
   bool closed = false;                    // the cross was clicked
   std::vector<std::string> changedPaths;  // set in this frame, each once
+  std::optional<PresetRequest> preset;
 };
 
 // Rows of one frame: where the mouse finds them.
@@ -42,33 +65,49 @@ struct MenuRowPlace {
   std::optional<ScreenRect> reset;  // shown while the value is not the default
 };
 
+// What the menu remembers between flights.
+struct MenuState {
+  std::optional<ScreenRect>
+      place;  // as shares of the window's width and height; nullopt: beside the aircraft
+  std::map<std::string, bool> open;  // sections by group; one that is not named is as its MenuSection says
+};
+
 class ConfigurationMenu {
  public:
+  ConfigurationMenu();
+  ~ConfigurationMenu();
+  ConfigurationMenu(const ConfigurationMenu&) = delete;
+  ConfigurationMenu& operator=(const ConfigurationMenu&) = delete;
+
   // Live fields are set while a slider moves; fields that take effect by a variant, a rebuild or a restart
-  // when it is released. Values typed (Ctrl and a click on a slider) are clamped to the range.
+  // when it is released. A value that is typed (Ctrl and a click, a double click, or the right button, on a
+  // slider; or PATH=VALUE and Enter in the search field) is taken as it stands or refused with a line. Every
+  // change can be undone; a drag is one step.
   MenuResult draw(const Interface& context, const MenuContent& content);
 
+  // Sets values from outside (a preset) as one step that can be undone. Returns the paths that changed.
+  // Unknown paths and values out of range throw core::RangeError; then nothing has changed.
+  std::vector<std::string> change(const core::SettingsTable& table, std::span<const SettingValue> values);
+
+  const MenuState& state() const;
+  void setState(MenuState state);
+
+  // Whether the costs are open: then somebody looks at the times.
+  bool showsCosts() const;
+
   // Rows drawn in the last frame, by path; rows scrolled out of sight included.
-  const std::map<std::string, MenuRowPlace>& places() const { return places_; }
-  const ScreenRect& resetAllPlace() const { return resetAllPlace_; }
+  const std::map<std::string, MenuRowPlace>& places() const;
+  // Where the last frame drew what is no row: "search", "changed only", "undo", "redo", "reset all", "section
+  // GROUP", "reset GROUP", "costs", "presets", "preset name", "save preset", "load NAME", "delete NAME",
+  // "copy", "copy flags", "copy pose". Null: not drawn.
+  const ScreenRect* place(std::string_view what) const;
   // The whole window in the last frame that drew it, and the cross in its title bar.
-  const ScreenRect& place() const { return place_; }
+  const ScreenRect& place() const;
   ScreenRect crossPlace() const;
 
  private:
-  void drawRow(const core::Field& field, MenuResult& result);
-  bool editValue(const core::Field& field, double& value);
-  void commit(const core::Field& field, double value, MenuResult& result);
-
-  struct PendingEdit {
-    std::string path;
-    double value;
-  };
-  std::optional<PendingEdit> pending_;  // of a slider that is held
-  std::map<std::string, MenuRowPlace> places_;
-  ScreenRect place_, resetAllPlace_;
-  float titleHeight_ = 0;
-  int placedWidth_ = 0, placedHeight_ = 0;  // the window size that the menu was last placed in
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 enum class EscapeAction { none, resume, help, quit };

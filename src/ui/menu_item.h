@@ -1,0 +1,30 @@
+// Small pieces that the sections of the menu share.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "skydrop/ui/imgui_context.h"
+
+namespace skydrop::ui {
+
+// Where a frame drew its items, by name.
+using ItemPlaces = std::map<std::string, ScreenRect, std::less<>>;
+
+ScreenRect lastItemRect();
+
+// A text beside the mouse while it is over the last item.
+void tooltip(std::string_view text);
+
+// A button that keeps its place in `places` under its label or another name. While not `enabled` it cannot be
+// pressed.
+bool placedButton(const char* label, const std::string& name, ItemPlaces& places, bool enabled = true);
+
+// `text`, or its beginning and an ellipsis where it is wider than that many pixels.
+std::string fittingText(std::string text, float width);
+
+// A line that says what went wrong, in as many rows as it needs.
+void drawRefusal(std::string_view text);
+
+}  // namespace skydrop::ui
