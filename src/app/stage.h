@@ -42,6 +42,7 @@ class Stage {
   // Lets the free camera begin where the last frame was seen from.
   void freeCamera();
   render::Renderer& renderer() { return renderer_; }
+  const terrain::EndlessTerrain* land() const { return land_.get(); }  // null without terrain
 
   // Takes the settings over for the next frame.
   void apply(const Settings& settings);

@@ -1,0 +1,47 @@
+#include "bench/bench_game.h"
+
+#include <chrono>
+#include <glm/trigonometric.hpp>
+
+#include "app/key_map.h"
+#include "app/open_context.h"
+
+namespace skydrop::bench {
+namespace {
+
+app::CommandLine commandLine() {
+  app::CommandLine line;
+  line.verb = app::Verb::render;
+  return line;
+}
+
+}  // namespace
+
+BenchGame::BenchGame(bool measuring, std::optional<int> workers)
+    : run_(app::prepareRun(commandLine())),
+      context_(app::openContext(std::nullopt, kFrameSize)),
+      simulation_(run_->setup, run_->settings, run_->table),
+      stage_(*context_, {simulation_.effects(), simulation_.ground(), workers, measuring}, run_->settings),
+      overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::defaultKeyMap())) {
+  stage_.addOverlay();
+  stage_.camera().setMode(render::CameraMode::free);
+}
+
+double BenchGame::draw(const app::Pose& pose) {
+  const auto begin = std::chrono::steady_clock::now();
+  stage_.camera().setPose(pose.position, glm::radians(pose.yawDegrees), glm::radians(pose.pitchDegrees),
+                          glm::radians(pose.rollDegrees));
+  const game::Snapshot& snapshot = simulation_.world().now();
+  if (overlay_.build({snapshot, kFrameSize, 1.0 / 60, run_->table}).fontsChanged) stage_.uploadFonts();
+  stage_.draw(snapshot, kFrameSize, app::Streaming::asItComes);
+  stage_.renderer().finish();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void BenchGame::settle(const app::Pose& pose) {
+  do {
+    draw(pose);
+  } while (!land().isSettled());
+}
+
+}  // namespace skydrop::bench

@@ -1,0 +1,40 @@
+// The game as the program runs it, without a window: scene, land, passes and HUD of the shipped scene, drawn
+// headless from a camera that the benchmark moves. A frame ends when the renderer has finished it.
+#pragma once
+
+#include <memory>
+
+#include "app/overlay.h"
+#include "app/prepare.h"
+#include "app/stage.h"
+#include "skydrop/render/gl/context.h"
+
+namespace skydrop::bench {
+
+inline constexpr app::Size kFrameSize{640, 360};
+
+class BenchGame {
+ public:
+  // measuring: times of the passes are asked for, which slows a software renderer down.
+  explicit BenchGame(bool measuring = false, std::optional<int> workers = std::nullopt);
+
+  const terrain::HeightSource& ground() const { return *simulation_.ground(); }
+  app::Stage& stage() { return stage_; }
+  const terrain::EndlessTerrain& land() const { return *stage_.land(); }
+  std::string renderer() const { return context_->renderer(); }
+
+  // One frame from there, in ms. Metres; degrees as in app::Pose.
+  double draw(const app::Pose& pose);
+
+  // Draws until all land that the pose shows is there.
+  void settle(const app::Pose& pose);
+
+ private:
+  std::unique_ptr<app::Run> run_;
+  std::unique_ptr<render::gl::Context> context_;
+  app::Simulation simulation_;
+  app::Stage stage_;
+  app::Overlay overlay_;
+};
+
+}  // namespace skydrop::bench

@@ -1,0 +1,28 @@
+// Runs the benchmarks; the exit code is 1 when a promise was not kept (expectation.h).
+#include <benchmark/benchmark.h>
+
+#include "bench/expectation.h"
+
+namespace skydrop::bench {
+namespace {
+
+bool kept = true;
+
+}  // namespace
+
+void expect(benchmark::State& state, bool keeps, const char* promise) {
+  if (keeps) return;
+  kept = false;
+  state.SkipWithError(promise);
+}
+
+bool allPromisesKept() { return kept; }
+
+}  // namespace skydrop::bench
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return skydrop::bench::allPromisesKept() ? 0 : 1;
+}
