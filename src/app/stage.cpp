@@ -81,6 +81,24 @@ void Stage::draw(const game::Snapshot& snapshot, Size size, Streaming streaming)
   renderer_.draw({snapshot, view, frameFeatures(setup_.effects)});
 }
 
+void Stage::warmUp(const game::Snapshot& snapshot, Size size) {
+  const glm::dvec3 eye = snapshot.aircraft.position + glm::dvec3(0, 20, 0);
+  render::Camera camera;
+  camera.setMode(render::CameraMode::free);
+  camera.setPose(eye, 0, 0, 0);  // along +x
+  game::Snapshot everything = snapshot;
+  everything.aircraft.position = eye + glm::dvec3(15, -2, 0);
+  game::PackageSnapshot package;
+  package.position = eye + glm::dvec3(30, -2, 5);
+  package.parachuteOpen = 1;
+  everything.packages = {package};
+  everything.target = {.present = true, .position = eye + glm::dvec3(300, -60, 0), .radius = 50};
+  const render::View view = camera.view(everything, settings_.render.camera, size.width, size.height);
+  if (land_) landPass_->take(land_->update(render::viewVolume(view)));
+  renderer_.draw({everything, view, frameFeatures(setup_.effects)});
+  renderer_.clearTimes();
+}
+
 std::vector<std::string> Stage::takeMessages() {
   std::vector<std::string> messages = renderer_.reloadShaders().errors;
   if (land_) {

@@ -58,6 +58,10 @@ class Stage {
   // One frame of the size into the renderer's output.
   void draw(const game::Snapshot& snapshot, Size size, Streaming streaming);
 
+  // Draws a frame around this place into the output with an aircraft, a package and a target in it, so that
+  // no later frame has to wait until a shader is compiled for something that it shows for the first time.
+  void warmUp(const game::Snapshot& snapshot, Size size);
+
   // Milliseconds that the last draw() spent in waiting for land.
   double settleMs() const { return settleMs_; }
 

@@ -75,6 +75,7 @@ void WindowGame::buildScene() {
       window_, Stage::Setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value()},
       run_->settings);
   stage_->addOverlay();
+  stage_->warmUp(simulation_->world().now(), {window_.width(), window_.height()});
   if (effects.contains(Effect::sound)) {
     if (!audio_) {
       audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);

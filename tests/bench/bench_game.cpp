@@ -24,6 +24,7 @@ BenchGame::BenchGame(bool measuring, std::optional<int> workers)
       stage_(*context_, {simulation_.effects(), simulation_.ground(), workers, measuring}, run_->settings),
       overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::defaultKeyMap())) {
   stage_.addOverlay();
+  stage_.warmUp(simulation_.world().now(), kFrameSize);
   stage_.camera().setMode(render::CameraMode::free);
 }
 
