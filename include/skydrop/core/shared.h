@@ -40,6 +40,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/water.glsl"
 #include "shared/marker.glsl"
 #include "shared/cloud_noise.glsl"
+#include "shared/cloud_medium.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -68,6 +69,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/water.glsl"
 #include "shared/marker.glsl"
 #include "shared/cloud_noise.glsl"
+#include "shared/cloud_medium.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

@@ -1,0 +1,56 @@
+// The density of a cloud layer at any place, on the processor: what the compute shader marches through, for
+// the game and for the reference. Immutable but for apply() and drift(); const functions may run on any
+// thread.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/core/dds.h"
+
+namespace skydrop::clouds {
+
+// The noise textures as the medium reads them: channels that are only ever used together folded into one, as
+// floats.
+struct FoldedNoise {
+  int shapeSide = 0, detailSide = 0, weatherSide = 0;  // texels
+  std::vector<float> base;                             // cloudBase() of the shape texture, x fastest
+  std::vector<float> detail;                           // cloudDetail() of the detail texture
+  std::vector<glm::vec3> weather;                      // coverage, precipitation, type
+};
+
+// rgba8 cubes and a square map, sides powers of two, as clouds::makeNoise() makes them; anything else (read
+// from a foreign file) throws core::RangeError.
+FoldedNoise foldNoise(const core::TextureData& shape, const core::TextureData& detail,
+                      const core::TextureData& weather);
+
+class CloudField {
+ public:
+  CloudField(std::shared_ptr<const FoldedNoise> noise, const CloudSettings& settings);
+
+  void apply(const CloudSettings& settings) { settings_ = settings; }
+  const CloudSettings& settings() const { return settings_; }
+
+  // How far the wind has carried the field after so many seconds, metres in x and z; the field repeats, so
+  // this is wrapped to its periods where it is used.
+  static glm::dvec2 drift(const CloudSettings& settings, double seconds);
+  void setDrift(glm::dvec2 metres) { drift_ = metres; }
+
+  // In [0, 1]; exact at any distance from the origin that doubles resolve. Trilinear between texels.
+  double density(const glm::dvec3& position) const;
+  // The same in 32-bit arithmetic from the wrapped position on: what a shader computes.
+  float densityInFloat(const glm::dvec3& position) const;
+
+ private:
+  template <class Shared>
+  typename Shared::Real densityAs(const glm::dvec3& position) const;
+
+  std::shared_ptr<const FoldedNoise> noise_;
+  CloudSettings settings_;
+  glm::dvec2 drift_{0};
+};
+
+}  // namespace skydrop::clouds

@@ -1,0 +1,163 @@
+#include "skydrop/clouds/cloud_field.h"
+
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
+#include <string>
+
+#include "skydrop/core/error.h"
+#include "skydrop/core/shared.h"
+
+namespace skydrop::clouds {
+namespace {
+
+namespace f32 = core::shared::f32;
+namespace f64 = core::shared::f64;
+
+void requireNoise(const core::TextureData& texture, std::string_view name, bool isVolume) {
+  const bool isCube = texture.isVolume() == isVolume && texture.width == texture.height &&
+                      (!isVolume || texture.depth == texture.width);
+  if (isCube && texture.format == core::TexelFormat::rgba8 &&
+      std::has_single_bit(static_cast<unsigned>(texture.width))) {
+    return;
+  }
+  throw core::RangeError("the " + std::string(name) + " noise has to be " +
+                         (isVolume ? "a cube" : "a square map") +
+                         " of rgba8 texels whose side is a power of two");
+}
+
+glm::vec4 texelOf(const core::TextureData& texture, std::size_t index) {
+  const auto channel = [&](std::size_t c) {
+    return static_cast<float>(std::to_integer<int>(texture.texels[index * 4 + c])) / 255.0f;
+  };
+  return {channel(0), channel(1), channel(2), channel(3)};
+}
+
+// The density's functions in one precision.
+struct InFloat {
+  using Real = float;
+  using Vec2 = f32::Vec2;
+  using Vec3 = f32::Vec3;
+  using Vec4 = f32::Vec4;
+  static Real density(const CloudSettings& s, Real height, Vec4 weather, Real base, Real detail) {
+    const f32::CloudMedium medium{static_cast<Real>(s.densityThreshold), static_cast<Real>(s.coverage),
+                                  static_cast<Real>(s.typeShift), static_cast<Real>(s.erosion)};
+    return f32::cloudDensity(medium, height, weather, base, detail);
+  }
+};
+
+struct InDouble {
+  using Real = double;
+  using Vec2 = f64::Vec2;
+  using Vec3 = f64::Vec3;
+  using Vec4 = f64::Vec4;
+  static Real density(const CloudSettings& s, Real height, Vec4 weather, Real base, Real detail) {
+    return f64::cloudDensity({s.densityThreshold, s.coverage, s.typeShift, s.erosion}, height, weather, base,
+                             detail);
+  }
+};
+
+// The two texels around a place in periods along one axis, and the way from the first to the second.
+template <class Real>
+struct Between {
+  std::size_t first, second;
+  Real share;
+
+  Between(Real place, int side) {
+    const Real at = place * static_cast<Real>(side) - Real(0.5);
+    const Real whole = std::floor(at);
+    const auto wrap = static_cast<std::int64_t>(side) - 1;
+    first = static_cast<std::size_t>(static_cast<std::int64_t>(whole) & wrap);
+    second = (first + 1) & static_cast<std::size_t>(wrap);
+    share = at - whole;
+  }
+};
+
+template <class Real>
+Real mixed(Real a, Real b, Real share) {
+  return a + (b - a) * share;
+}
+
+template <class Real, class Vec3>
+Real volumeAt(const std::vector<float>& volume, int side, const Vec3& place) {
+  const Between<Real> x(place.x, side), y(place.y, side), z(place.z, side);
+  const auto n = static_cast<std::size_t>(side);
+  const auto row = [&](std::size_t layer, std::size_t line) {
+    const float* texels = volume.data() + (layer * n + line) * n;
+    return mixed<Real>(texels[x.first], texels[x.second], x.share);
+  };
+  const auto layer = [&](std::size_t k) { return mixed(row(k, y.first), row(k, y.second), y.share); };
+  return mixed(layer(z.first), layer(z.second), z.share);
+}
+
+template <class Shared>
+typename Shared::Vec4 mapAt(const std::vector<glm::vec3>& map, int side, const typename Shared::Vec2& place) {
+  using Real = typename Shared::Real;
+  using Vec3 = typename Shared::Vec3;
+  const Between<Real> x(place.x, side), y(place.y, side);
+  const auto texel = [&](std::size_t i, std::size_t j) {
+    return Vec3(map[j * static_cast<std::size_t>(side) + i]);
+  };
+  const auto row = [&](std::size_t j) { return glm::mix(texel(x.first, j), texel(x.second, j), x.share); };
+  return {glm::mix(row(y.first), row(y.second), y.share), Real(1)};
+}
+
+// A place in periods, [0, 1): wrapped in double before anything is rounded.
+double inPeriods(double metres, double period) {
+  const double periods = metres / period;
+  return periods - std::floor(periods);
+}
+
+}  // namespace
+
+FoldedNoise foldNoise(const core::TextureData& shape, const core::TextureData& detail,
+                      const core::TextureData& weather) {
+  requireNoise(shape, "shape", true);
+  requireNoise(detail, "detail", true);
+  requireNoise(weather, "weather", false);
+  FoldedNoise folded;
+  folded.shapeSide = shape.width;
+  folded.detailSide = detail.width;
+  folded.weatherSide = weather.width;
+  folded.base.resize(shape.texels.size() / 4);
+  for (std::size_t i = 0; i < folded.base.size(); ++i) folded.base[i] = f32::cloudBase(texelOf(shape, i));
+  folded.detail.resize(detail.texels.size() / 4);
+  for (std::size_t i = 0; i < folded.detail.size(); ++i)
+    folded.detail[i] = f32::cloudDetail(texelOf(detail, i));
+  folded.weather.resize(weather.texels.size() / 4);
+  for (std::size_t i = 0; i < folded.weather.size(); ++i) folded.weather[i] = glm::vec3(texelOf(weather, i));
+  return folded;
+}
+
+CloudField::CloudField(std::shared_ptr<const FoldedNoise> noise, const CloudSettings& settings)
+    : noise_(std::move(noise)), settings_(settings) {}
+
+glm::dvec2 CloudField::drift(const CloudSettings& settings, double seconds) {
+  const double from = settings.windDirection * std::numbers::pi / 180;  // compass: 0 = -z, 90 = +x
+  return glm::dvec2(-std::sin(from), std::cos(from)) * (settings.windSpeed * seconds);
+}
+
+template <class Shared>
+typename Shared::Real CloudField::densityAs(const glm::dvec3& position) const {
+  using Real = typename Shared::Real;
+  using Vec2 = typename Shared::Vec2;
+  using Vec3 = typename Shared::Vec3;
+  const double height = (position.y - settings_.cloudHeight) / settings_.thickness;
+  if (!(height > 0 && height < 1)) return 0;
+  const glm::dvec3 carried = position - glm::dvec3(drift_.x, 0, drift_.y);
+  const auto placeIn = [&](double period) {
+    return Vec3(inPeriods(carried.x, period), inPeriods(carried.y, period), inPeriods(carried.z, period));
+  };
+  const Vec3 inMap = placeIn(weatherPeriod(settings_));
+  return Shared::density(
+      settings_, static_cast<Real>(height),
+      mapAt<Shared>(noise_->weather, noise_->weatherSide, Vec2(inMap.x, inMap.z)),
+      volumeAt<Real>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(settings_))),
+      volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(settings_))));
+}
+
+double CloudField::density(const glm::dvec3& position) const { return densityAs<InDouble>(position); }
+float CloudField::densityInFloat(const glm::dvec3& position) const { return densityAs<InFloat>(position); }
+
+}  // namespace skydrop::clouds

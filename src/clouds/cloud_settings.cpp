@@ -1,0 +1,47 @@
+#include "skydrop/clouds/cloud_settings.h"
+
+#include <algorithm>
+
+namespace skydrop::clouds {
+namespace {
+
+// What a scale of 1 means, metres. The thesis's units are 10 m; these make its defaults cumulus of a real
+// size: billows of 250 m to 1 km, detail of 25 to 200 m, weather that changes over kilometres.
+constexpr double kShapePeriodAtOne = 2400, kDetailPeriodAtOne = 8000, kWeatherPeriodAtOne = 1000;
+
+}  // namespace
+
+void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
+  const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
+                          std::string_view help, bool logarithmic = false) {
+    visitor.number(name, value, {unit, min, max, help, core::TakesEffect::live, logarithmic});
+  };
+  number("densityThreshold", s.densityThreshold, "1", 0, 0.95,
+         "Least density of the noise that is drawn; more leaves smaller, sparser clouds.");
+  number("scale", s.scale, "1", 0.1, 4, "Of the billows; less makes bigger, fluffier clouds.", true);
+  number("anisotropy", s.anisotropy, "1", -0.9, 0.95,
+         "Henyey-Greenstein's mean cosine; more sends light onward and lights edges against the sun.");
+  number("extinction", s.extinction, "1/m", 0, 1,
+         "Of the densest cloud (the thesis's SIGMA); more makes it opaque.");
+  number("higherScale", s.higherScale, "1", 2, 80, "Of the detail on the edges; more makes it finer.", true);
+  number("weatherScale", s.weatherScale, "1/km", 0.005, 0.1,
+         "Of the weather map; more brings different weather nearer together.", true);
+  number("cloudHeight", s.cloudHeight, "m", 100, 8000, "Height of the base above the sea.");
+  number("thickness", s.thickness, "m", 50, 6000, "From base to top.");
+  number("coverage", s.coverage, "1", 0, 1,
+         "Share of the sky; 0 leaves it clear, more joins clouds to a deck.");
+  number("typeShift", s.typeShift, "1", -1, 1,
+         "From the weather map's types towards stratus (-1) or cumulus (1).");
+  number("erosion", s.erosion, "1", 0, 0.9, "How much of the edges detail takes away.");
+  number("fadeDistance", s.fadeDistance, "m", 1000, 60000, "Where clouds have faded out.");
+  number("windSpeed", s.windSpeed, "m/s", 0, 60, "How fast the clouds drift.");
+  number("windDirection", s.windDirection, "deg", 0, 360, "Compass direction from which the wind blows.");
+}
+
+double shapePeriod(const CloudSettings& settings) { return kShapePeriodAtOne / settings.scale; }
+double detailPeriod(const CloudSettings& settings) { return kDetailPeriodAtOne / settings.higherScale; }
+double weatherPeriod(const CloudSettings& settings) {
+  return std::max(kWeatherPeriodAtOne / settings.weatherScale, 2 * settings.fadeDistance);
+}
+
+}  // namespace skydrop::clouds
