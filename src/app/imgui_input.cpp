@@ -4,7 +4,7 @@
 
 #include <cfloat>
 
-#include "app/key_map.h"
+#include "app/input_code.h"
 
 namespace skydrop::app {
 namespace {
@@ -102,10 +102,37 @@ void addScroll(ImGuiIO& io, float x, float y) {
 
 }  // namespace
 
-ImGuiInput::ImGuiInput() {
+ImGuiInput::ImGuiInput(Clipboard* clipboard) {
   prepare(ImGui::GetIO());
   setMousePosition(ImGui::GetIO(), -FLT_MAX, -FLT_MAX);  // nowhere yet
+  if (!clipboard) return;
+  pasteboard_ = std::make_unique<Pasteboard>(Pasteboard{*clipboard, {}});
+  static constexpr auto kGet = [](void* user) {
+    auto& pasteboard = *static_cast<Pasteboard*>(user);
+    pasteboard.pasted = pasteboard.clipboard.text();
+    return pasteboard.pasted.c_str();
+  };
+  static constexpr auto kSet = [](void* user, const char* text) {
+    static_cast<Pasteboard*>(user)->clipboard.setText(text);
+  };
+#if IMGUI_VERSION_NUM >= 19110
+  ImGuiPlatformIO& io = ImGui::GetPlatformIO();
+  io.Platform_ClipboardUserData = pasteboard_.get();
+  io.Platform_GetClipboardTextFn = [](ImGuiContext*) {
+    return kGet(ImGui::GetPlatformIO().Platform_ClipboardUserData);
+  };
+  io.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
+    kSet(ImGui::GetPlatformIO().Platform_ClipboardUserData, text);
+  };
+#else
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = pasteboard_.get();
+  io.GetClipboardTextFn = [](void* user) { return kGet(user); };
+  io.SetClipboardTextFn = [](void* user, const char* text) { kSet(user, text); };
+#endif
 }
+
+ImGuiInput::~ImGuiInput() = default;
 
 void ImGuiInput::handle(const WindowEvent& event, double pixelsPerUnit) {
   if (event.kind == Kind::resize || event.repeated) return;  // Dear ImGui repeats keys by itself

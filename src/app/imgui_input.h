@@ -4,16 +4,30 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <set>
+#include <string>
 
 #include "skydrop/render/gl/window_context.h"
 
 namespace skydrop::app {
 
+// What is cut, copied and pasted in text fields: the window's, or a test's. UTF-8.
+class Clipboard {
+ public:
+  virtual ~Clipboard() = default;
+  virtual std::string text() = 0;
+  virtual void setText(const std::string& text) = 0;
+};
+
 class ImGuiInput {
  public:
-  // For the current Dear ImGui context, which must exist (ui::Interface).
-  ImGuiInput();
+  // For the current Dear ImGui context, which must exist (ui::Interface) and outlive this, as must the
+  // clipboard. Without one, Dear ImGui keeps a clipboard of its own.
+  explicit ImGuiInput(Clipboard* clipboard = nullptr);
+  ~ImGuiInput();
+  ImGuiInput(const ImGuiInput&) = delete;
+  ImGuiInput& operator=(const ImGuiInput&) = delete;
 
   // pixelsPerUnit: pixels of the frame buffer in a window coordinate, 1 except on some high-density screens.
   void handle(const render::gl::WindowEvent& event, double pixelsPerUnit = 1);
@@ -29,6 +43,12 @@ class ImGuiInput {
  private:
   bool apply(const render::gl::WindowEvent& event);
   void releaseEverything();
+
+  struct Pasteboard {
+    Clipboard& clipboard;
+    std::string pasted;  // Dear ImGui keeps a pointer into it
+  };
+  std::unique_ptr<Pasteboard> pasteboard_;
 
   std::deque<render::gl::WindowEvent> queue_;  // mouse positions already in pixels
   std::set<int> heldKeys_;

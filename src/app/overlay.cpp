@@ -1,6 +1,7 @@
 #include "app/overlay.h"
 
 #include <optional>
+#include <utility>
 
 #include "app/parts.h"
 
@@ -12,11 +13,18 @@ Overlay::Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::Hel
       sections_(menuSections(effects)),
       interface_(size.width, size.height) {}
 
+void Overlay::showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys) {
+  help_ = std::move(help);
+  keys_ = std::move(keys);
+}
+
 OverlayResult Overlay::build(const OverlayFrame& frame) {
   OverlayResult result;
   result.fontsChanged = interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds);
   if (menuOpen) {
-    result.menu = menu_.draw(interface_, {frame.table, sections_, frame.statistics, frame.error});
+    ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error};
+    content.bindings = frame.bindings;
+    result.menu = menu_.draw(interface_, content);
     if (result.menu.closed) menuOpen = false;
   }
   if (escapeOpen) {
@@ -26,6 +34,7 @@ OverlayResult Overlay::build(const OverlayFrame& frame) {
   }
   if (drawsHud_ && hudShown) {
     ui::HudData data = ui::makeHudData(frame.snapshot);
+    data.keys = keys_;
     if (escapeOpen) data.paused = false;  // the small menu stands in that place and says so itself
     const std::vector<ui::HelpRow> none;
     const auto menu = menuOpen ? std::optional(menu_.place()) : std::nullopt;

@@ -23,7 +23,8 @@ struct OverlayFrame {
   double seconds = 0;  // since the last frame
   const core::SettingsTable& table;
   const core::FrameStatistics* statistics = nullptr;
-  std::string_view error = {};  // of the last reload
+  std::string_view error = {};                    // of the last reload
+  const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
 };
 
 struct OverlayResult {
@@ -41,6 +42,9 @@ class Overlay {
   bool escapeOpen = false;
   bool hudShown = true;
 
+  // What the help lists, and the keys that the display names.
+  void showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys);
+
   // Builds the draw data of this frame (ImGui::GetDrawData). The cross of the menu has closed it when this
   // returns.
   OverlayResult build(const OverlayFrame& frame);
@@ -48,6 +52,7 @@ class Overlay {
  private:
   bool drawsHud_;
   std::vector<ui::HelpRow> help_;
+  ui::HudKeys keys_;
   std::vector<ui::MenuSection> sections_;
   ui::Interface interface_;
   ui::ConfigurationMenu menu_;

@@ -46,7 +46,9 @@ const std::vector<Part>& parts() {
       {Effect::terrain,
        addLand,
        nullptr,
-       {{"render.land", "Views of the land"}, {"streaming", "Detail of the land"}, {"terrain", "Shape of the land"}}},
+       {{"render.land", "Views of the land"},
+        {"streaming", "Detail of the land"},
+        {"terrain", "Shape of the land"}}},
       {Effect::sky, addSky, nullptr, {{"render.sun", "Sun"}}},
       {Effect::haze, nullptr, addHaze, {{"render.atmosphere", "Air"}}},
       {Effect::sound, nullptr, nullptr, {{"audio", "Sound"}}},
@@ -61,7 +63,10 @@ std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects) {
     if (!effects.contains(part.effect)) continue;
     sections.insert(sections.end(), part.menuSections.begin(), part.menuSections.end());
   }
-  sections.insert(sections.end(), {{"render.picture", "Picture"}, {"render.camera", "Cameras"}, {"view", "View"}});
+  sections.insert(sections.end(), {{"render.picture", "Picture"},
+                                   {"render.camera", "Cameras"},
+                                   {"view", "View"},
+                                   {"input.gamepad", "Gamepad"}});
   return sections;
 }
 

@@ -1,12 +1,15 @@
-// What the player does with the keyboard, as controls of the simulation and as actions of the program. Keys
-// are on or off, a stick is not: levels rise and fall by a fixed share in every simulation step, so the same
-// keys at the same steps give the same flight at any frame rate. Main thread.
+// What the player does with keyboard and gamepad, as controls of the simulation and as actions of the
+// program. Keys and buttons are on or off, a stick is not: levels rise and fall by a fixed share in every
+// simulation step, so the same keys at the same steps give the same flight at any frame rate. Sticks and
+// triggers are taken as they are. Both devices fly at once: their levels are added and held to the range, and
+// a stick at rest adds nothing, so neither has to be chosen. Main thread.
 #pragma once
 
 #include <set>
 #include <vector>
 
-#include "app/key_map.h"
+#include "app/bindings.h"
+#include "app/gamepad.h"
 #include "skydrop/game/controls.h"
 #include "skydrop/render/gl/window_context.h"
 
@@ -15,15 +18,39 @@ namespace skydrop::app {
 // Steps of 1/120 s from centre to full deflection: 0.15 s. Shorter is twitchy, longer is felt as lag.
 inline constexpr int kRampSteps = 18;
 
+// Where an axis counts as pressed when it is bound to something that is on or off, and as free again: apart,
+// so that a hand that trembles presses once.
+inline constexpr double kAxisPressed = 0.5, kAxisFree = 0.3;
+
+// The buttons and directions that are pressed, from frame to frame.
+class GamepadPresses {
+ public:
+  struct Changes {
+    std::vector<InputCode> pressed, freed;
+  };
+  Changes update(const GamepadReading& reading);
+
+ private:
+  std::set<InputCode> down_;
+};
+
 class PlayerInput {
  public:
-  explicit PlayerInput(KeyMap keys = defaultKeyMap());
+  explicit PlayerInput(Bindings bindings = {});
 
-  const KeyMap& keys() const { return keys_; }
+  const Bindings& bindings() const { return bindings_; }
+  // Everything that is held is let go.
+  void setBindings(const Bindings& bindings);
 
   // `typing`: a text field takes the keyboard (ImGuiInput::wantsText); presses are then not ours, releases
-  // are. All keys are released when the window loses the focus, whose key events stay away.
+  // are. Everything is released when the window loses the focus: key events stay away then, and a gamepad,
+  // which tells its state to any window, flies on only with the focus.
   void handle(const render::gl::WindowEvent& event, bool typing = false);
+
+  // The gamepad in this frame; without one a reading at rest. `taken`: a menu has it; what is pressed then is
+  // returned instead of done, and is not held afterwards.
+  std::vector<InputCode> handle(const GamepadReading& reading, const GamepadSettings& settings,
+                                bool taken = false);
 
   // The controls of the next simulation step; once a step. A drop or reset that was pressed and released
   // between two steps is on for one.
@@ -32,14 +59,23 @@ class PlayerInput {
   // Forgets drops and resets that were pressed while no step ran (pause).
   void forgetTaps();
 
+  // As if the action's key had been pressed.
+  void act(Action action) { actions_.push_back(action); }
   // Actions of the program since the last call, in order.
   std::vector<Action> takeActions();
 
  private:
+  void press(InputCode input);
   bool isHeld(Action action) const;
+  double pushed(Action action) const;
+  double pushed(Action negative, Action positive, bool inverted) const;
 
-  KeyMap keys_;
-  std::set<int> heldKeys_;
+  Bindings bindings_;
+  std::set<InputCode> held_;
+  GamepadPresses gamepadPresses_;
+  GamepadReading gamepad_;
+  GamepadSettings gamepadSettings_;
+  bool focused_ = true;
   std::vector<Action> actions_;
   bool dropTapped_ = false, resetTapped_ = false;
   int thrust_ = 0, brake_ = 0, pitch_ = 0, roll_ = 0, yaw_ = 0;  // -kRampSteps .. kRampSteps

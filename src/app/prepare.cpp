@@ -39,7 +39,7 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line) {
   applyScene(run->table, setup.scene);
   run->base = run->settings;
   run->userFolder = userFolder(line);
-  if (run->userFolder) run->warning = loadUserSettings(run->table, *run->userFolder);
+  if (run->userFolder) run->warning = loadUserSettings(run->table, run->bindings, *run->userFolder);
   run->player = run->settings;
   if (setup.replay) applyLogged(run->table, setup.replay->settings, setup.replayFile);
   applyOverrides(run->table, line.set);
@@ -69,7 +69,7 @@ void reloadScene(Run& run, const CommandLine& line) {
 std::vector<std::string> reloadPlayer(Run& run, const CommandLine& line) {
   Settings player = run.base;
   const core::SettingsTable playerTable(player);
-  readUserSettings(playerTable, *run.userFolder);
+  readUserSettings(playerTable, run.bindings, *run.userFolder);
   Settings before = run.settings;
   run.player = player;
   run.settings = player;
@@ -78,7 +78,8 @@ std::vector<std::string> reloadPlayer(Run& run, const CommandLine& line) {
   const core::SettingsTable beforeTable(before);
   std::vector<std::string> changed;
   for (std::size_t i = 0; i < run.table.fields().size(); ++i) {
-    if (run.table.fields()[i].get() != beforeTable.fields()[i].get()) changed.push_back(run.table.fields()[i].path);
+    if (run.table.fields()[i].get() != beforeTable.fields()[i].get())
+      changed.push_back(run.table.fields()[i].path);
   }
   return changed;
 }

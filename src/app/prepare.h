@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bindings.h"
 #include "app/command_line.h"
 #include "app/settings.h"
 #include "app/simulation.h"
@@ -24,6 +25,7 @@ struct Run {
   core::SettingsTable baseTable;
   Settings player;  // base, the player's file and the menu, without --set: saved is what differs from base
   core::SettingsTable playerTable;
+  Bindings bindings;  // the player's
   SimulationSetup setup;
   std::optional<std::filesystem::path> userFolder;  // where the player's settings are kept
   std::optional<std::string> warning;               // a broken settings file, to be said once
@@ -32,8 +34,8 @@ struct Run {
 // Throws core::UsageError, core::DataError.
 std::unique_ptr<Run> prepareRun(const CommandLine& line);
 
-// Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays. All
-// or nothing: throws core::DataError and changes nothing.
+// Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays.
+// All or nothing: throws core::DataError and changes nothing.
 void reloadScene(Run& run, const CommandLine& line);
 
 // The same for the player's file, which now says all that the player wants: what the menu changed since is

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <glm/trigonometric.hpp>
 
+#include "app/bindings.h"
 #include "app/frame_times.h"
-#include "app/key_map.h"
 #include "app/open_context.h"
 #include "app/overlay.h"
 #include "app/prepare.h"
@@ -60,7 +60,7 @@ int render(const CommandLine& line) {
   if (line.pose) place(stage.camera(), *line.pose);
   std::unique_ptr<Overlay> overlay;
   if (simulation.effects().contains(scene::Effect::hud) || line.menu) {
-    overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(defaultKeyMap()));
+    overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()));
     overlay->menuOpen = line.menu;
     overlay->hudShown = run->settings.view.hud;
     stage.addOverlay();
@@ -90,7 +90,8 @@ int render(const CommandLine& line) {
     statistics.other["png"] += writing.ms();
     std::printf("%s\n", framePath(line.out, frame).c_str());
   }
-  for (const std::string& message : stage.takeMessages()) std::fprintf(stderr, "skydrop: %s\n", message.c_str());
+  for (const std::string& message : stage.takeMessages())
+    std::fprintf(stderr, "skydrop: %s\n", message.c_str());
 
   if (line.stats) {
     times.writeTo(statistics);

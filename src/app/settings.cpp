@@ -34,6 +34,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("render", settings.render, "Sun, air, cameras and exposure.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("view", settings.view, "How the game is looked at.");
+  visitor.group("input", settings.input, "How the game is steered.");
 }
 
 void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {

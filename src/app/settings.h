@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/gamepad.h"
 #include "skydrop/audio/audio_settings.h"
 #include "skydrop/core/settings.h"
 #include "skydrop/core/settings_table.h"
@@ -39,6 +40,7 @@ struct Settings {
   render::RenderSettings render;
   audio::AudioSettings audio;
   ViewSettings view;
+  InputSettings input;
 };
 
 void describe(core::SettingsVisitor& visitor, ViewSettings& settings);

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/settings.h"
 #include "skydrop/core/error.h"
@@ -10,8 +11,11 @@
 namespace skydrop::app {
 namespace {
 
-void applyFile(const core::SettingsTable& table, const std::filesystem::path& file) {
-  core::applyJson(table, core::readSettingsFile(file)["settings"], file.string());
+void applyFile(const core::SettingsTable& table, Bindings& bindings, const std::filesystem::path& file) {
+  const nlohmann::json json = core::readSettingsFile(file);
+  Bindings changed = Bindings::fromJson(json.value("bindings", nlohmann::json::object()), file.string());
+  core::applyJson(table, json["settings"], file.string());
+  bindings = std::move(changed);
 }
 
 }  // namespace
@@ -20,8 +24,9 @@ std::filesystem::path userSettingsFile(const std::filesystem::path& folder) {
   return folder / "settings.json";
 }
 
-void readUserSettings(const core::SettingsTable& table, const std::filesystem::path& folder) {
-  applyFile(table, userSettingsFile(folder));
+void readUserSettings(const core::SettingsTable& table, Bindings& bindings,
+                      const std::filesystem::path& folder) {
+  applyFile(table, bindings, userSettingsFile(folder));
 }
 
 std::filesystem::path defaultUserFolder() {
@@ -34,13 +39,13 @@ std::filesystem::path defaultUserFolder() {
   return {};
 }
 
-std::optional<std::string> loadUserSettings(const core::SettingsTable& table,
+std::optional<std::string> loadUserSettings(const core::SettingsTable& table, Bindings& bindings,
                                             const std::filesystem::path& folder) {
   const std::filesystem::path file = userSettingsFile(folder);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
   try {
-    applyFile(table, file);
+    applyFile(table, bindings, file);
     return std::nullopt;
   } catch (const core::DataError& refusal) {
     const std::filesystem::path aside = file.string() + ".bad";
@@ -51,7 +56,7 @@ std::optional<std::string> loadUserSettings(const core::SettingsTable& table,
 }
 
 void saveUserSettings(const core::SettingsTable& table, const core::SettingsTable& base,
-                      const std::filesystem::path& folder) {
+                      const Bindings& bindings, const std::filesystem::path& folder) {
   nlohmann::json changed = nlohmann::json::object();
   const nlohmann::json all = core::toJson(table);
   for (std::size_t i = 0; i < table.fields().size(); ++i) {
@@ -63,7 +68,11 @@ void saveUserSettings(const core::SettingsTable& table, const core::SettingsTabl
     const nlohmann::json::json_pointer place(pointer);
     changed[place] = all[place];
   }
-  core::writeSettingsFile(userSettingsFile(folder), {{"settings", changed}});
+  nlohmann::json json = {{"settings", changed}};
+  if (const nlohmann::json changedBindings = bindings.toJson(); !changedBindings.empty()) {
+    json["bindings"] = changedBindings;
+  }
+  core::writeSettingsFile(userSettingsFile(folder), std::move(json));
 }
 
 }  // namespace skydrop::app

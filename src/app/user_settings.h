@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/bindings.h"
 #include "skydrop/core/settings_table.h"
 
 namespace skydrop::app {
@@ -15,16 +16,20 @@ std::filesystem::path userSettingsFile(const std::filesystem::path& folder);
 // $XDG_CONFIG_HOME/skydrop, or ~/.config/skydrop; empty where neither variable is set.
 std::filesystem::path defaultUserFolder();
 
-// Applies settings.json of the folder, if there is one. A broken file is the one exception of the failure
-// policy: it is renamed to settings.json.bad, nothing of it is applied, and the line to say so comes back.
-std::optional<std::string> loadUserSettings(const core::SettingsTable& table, const std::filesystem::path& folder);
+// Applies settings.json of the folder, if there is one: settings, and the bindings that it changes. A broken
+// file is the one exception of the failure policy: it is renamed to settings.json.bad, nothing of it is
+// applied, and the line to say so comes back.
+std::optional<std::string> loadUserSettings(const core::SettingsTable& table, Bindings& bindings,
+                                            const std::filesystem::path& folder);
 
-// Applies the file as it stands now: after it was edited while flying. All or nothing: throws core::DataError.
-void readUserSettings(const core::SettingsTable& table, const std::filesystem::path& folder);
-
-// Writes what differs from `base` (the values before the player's file and the menu came in). Makes the folder.
-// Throws core::DataError.
-void saveUserSettings(const core::SettingsTable& table, const core::SettingsTable& base,
+// Applies the file as it stands now: after it was edited while flying. All or nothing: throws
+// core::DataError.
+void readUserSettings(const core::SettingsTable& table, Bindings& bindings,
                       const std::filesystem::path& folder);
+
+// Writes what differs from `base` (the values before the player's file and the menu came in) and from the
+// default bindings. Makes the folder. Throws core::DataError.
+void saveUserSettings(const core::SettingsTable& table, const core::SettingsTable& base,
+                      const Bindings& bindings, const std::filesystem::path& folder);
 
 }  // namespace skydrop::app

@@ -44,14 +44,34 @@ std::string timeStamp() {
   return text;
 }
 
+class WindowClipboard final : public Clipboard {
+ public:
+  explicit WindowClipboard(render::gl::WindowContext& window) : window_(window) {}
+  std::string text() override { return window_.clipboardText(); }
+  void setText(const std::string& text) override { window_.setClipboardText(text); }
+
+ private:
+  render::gl::WindowContext& window_;
+};
+
+std::filesystem::path gamepadMappings(const Run& run) {
+  return run.userFolder ? *run.userFolder / "gamecontrollerdb.txt" : std::filesystem::path();
+}
+
 }  // namespace
 
 WindowGame::WindowGame(const CommandLine& line)
-    : line_(line), run_(prepareRun(line)), window_(windowSettings(line)) {
+    : line_(line),
+      run_(prepareRun(line)),
+      window_(windowSettings(line)),
+      clipboard_(std::make_unique<WindowClipboard>(window_)),
+      joysticks_(gamepadMappings(*run_)),
+      controls_(run_->bindings, run_->settings.input.gamepad, joysticks_) {
   window_.setVsync(true);
   overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene),
-                                       Size{window_.width(), window_.height()}, helpRows(input_.keys()));
-  imguiInput_.emplace();
+                                       Size{window_.width(), window_.height()}, controls_.help());
+  imguiInput_.emplace(clipboard_.get());
+  controls_.setKeyLabels(keyboardLabels());
   buildScene();
   sceneWritten_ = timeOf(run_->setup.scene.file);
   if (run_->userFolder) playerWritten_ = timeOf(userSettingsFile(*run_->userFolder));
@@ -104,16 +124,31 @@ void WindowGame::run() {
 }
 
 void WindowGame::handleEvents() {
+  using Kind = render::gl::WindowEvent::Kind;
   bool lostFocus = false;
   for (const render::gl::WindowEvent& event : window_.pollEvents()) {
-    imguiInput_->handle(event);
-    input_.handle(event, ImGuiInput::wantsText());
-    if (event.kind == render::gl::WindowEvent::Kind::focus) lostFocus = !event.pressed;
+    if (event.kind == Kind::focus) lostFocus = !event.pressed;
+    if (event.kind == Kind::mouseMove) pointerMoved_ = true;
+    if (controls_.handle(event, ImGuiInput::wantsText())) continue;
+    imguiInput_->handle(event, window_.pixelsPerUnit());
   }
+  for (const render::gl::WindowEvent& event : controls_.pollGamepad(overlay_->escapeOpen))
+    imguiInput_->handle(event);
   // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and
   // come.
   if (lostFocus) paused_ = true;
-  for (const Action action : input_.takeActions()) handleAction(action);
+  for (const Action action : controls_.input().takeActions()) handleAction(action);
+  showControls();
+}
+
+// What the player steers with, wherever it is told.
+void WindowGame::showControls() {
+  for (const GamepadMessage& message : controls_.takeMessages()) {
+    std::fprintf(stderr, "skydrop: %s\n", message.text.c_str());
+    if (message.isNews) notice(message.text);
+  }
+  if (!overlay_->menuOpen) controls_.stopWaiting();
+  if (controls_.takeChange()) overlay_->showKeys(controls_.help(), controls_.hudKeys());
 }
 
 void WindowGame::handleAction(Action action) {
@@ -179,11 +214,11 @@ void WindowGame::advance(double seconds) {
   std::erase_if(notices_, [](const game::Message& message) { return message.secondsLeft <= 0; });
   if (isPaused()) {
     clock_.discardPending();
-    input_.forgetTaps();
+    controls_.input().forgetTaps();
     return;
   }
   for (int due = clock_.advance(seconds); due > 0; --due) {
-    game::Controls controls = input_.step();
+    game::Controls controls = controls_.input().step();
     if (stage_->camera().mode() == render::CameraMode::free) {
       moveFreeCamera(controls);
       controls = {};
@@ -231,8 +266,11 @@ void WindowGame::drawFrame(double seconds) {
 
   imguiInput_->beginFrame();
   overlay_->hudShown = run_->settings.view.hud;
+  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen;
+  window_.setPointerVisible(pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
+  const ui::BindingsContent bindings = controls_.menuContent();
   const OverlayResult result =
-      overlay_->build({snapshot, size, seconds, run_->table, &shownStatistics_, error_});
+      overlay_->build({snapshot, size, seconds, run_->table, &shownStatistics_, error_, &bindings});
   if (result.fontsChanged) stage_->uploadFonts();
   stage_->draw(snapshot, size, Streaming::asItComes);
   if (screenshotWanted_) saveScreenshot();
@@ -243,6 +281,7 @@ void WindowGame::drawFrame(double seconds) {
     if (line_.stats) writeStatistics(*line_.stats, statistics());
   }
   // What the player did in this frame takes effect after it was drawn.
+  controls_.apply(result.menu.binding);
   if (!result.menu.changedPaths.empty()) applyMenuChanges(result.menu.changedPaths);
   switch (result.escape) {
     case ui::EscapeAction::none:
@@ -308,6 +347,7 @@ void WindowGame::reloadSceneFile() {
 void WindowGame::reloadPlayerFile() {
   const std::vector<std::string> changed = reloadPlayer(*run_, line_);
   error_.clear();
+  controls_.bindingsWereReplaced();
   applyAll(changed);
   notice("The settings were loaded anew");
 }
@@ -353,7 +393,8 @@ void WindowGame::finish() {
   stage_->renderer().finish();
   if (line_.stats) writeStatistics(*line_.stats, statistics());
   if (line_.record) game::writeInputLog(*line_.record, simulation_->recording());
-  if (run_->userFolder) saveUserSettings(run_->playerTable, run_->baseTable, *run_->userFolder);
+  if (run_->userFolder)
+    saveUserSettings(run_->playerTable, run_->baseTable, run_->bindings, *run_->userFolder);
 }
 
 }  // namespace skydrop::app

@@ -11,9 +11,11 @@
 
 #include "app/command_line.h"
 #include "app/frame_times.h"
+#include "app/glfw_joysticks.h"
 #include "app/imgui_input.h"
 #include "app/overlay.h"
-#include "app/player_input.h"
+#include "app/player_controls.h"
+#include "app/pointer_rest.h"
 #include "app/prepare.h"
 #include "app/stage.h"
 #include "skydrop/audio/audio_manager.h"
@@ -39,6 +41,7 @@ class WindowGame {
   void handleAction(Action action);
   void toggle(const std::string& path);
   void freezeOrGoOn();
+  void showControls();
   void advance(double seconds);
   void moveFreeCamera(const game::Controls& controls);
   void drawFrame(double seconds);
@@ -65,8 +68,12 @@ class WindowGame {
   std::unique_ptr<Stage> stage_;
   std::unique_ptr<audio::AudioManager> audio_;  // with sound only
   std::unique_ptr<audio::SoundScene> sound_;
-  PlayerInput input_;
+  std::unique_ptr<Clipboard> clipboard_;
   std::optional<ImGuiInput> imguiInput_;  // for the overlay's context
+  GlfwJoysticks joysticks_;
+  PlayerControls controls_;
+  PointerRest pointer_;
+  bool pointerMoved_ = false;
   core::FixedStep clock_;
 
   bool paused_ = false;

@@ -52,6 +52,7 @@ struct ConfigurationMenu::Parts {
   std::map<std::string, MenuRowPlace> places;
   ItemPlaces items;
   std::vector<const Field*> typedRows;  // numbers, in their order, for Tab
+  BindingsPlaces bindings;
   ScreenRect window;
   float titleHeight = 0;
   int placedWidth = 0, placedHeight = 0;  // the window size that the menu was last placed in
@@ -294,6 +295,9 @@ void ConfigurationMenu::Parts::drawTop(const MenuContent& content, MenuResult& r
 }
 
 void ConfigurationMenu::Parts::drawTools(const MenuContent& content, MenuResult& result) {
+  if (content.bindings && section("controls", "#controls", "Controls", false)) {
+    result.binding = drawBindings(*content.bindings, bindings);
+  }
   if (content.statistics && section("costs", "#costs", "What accuracy costs", false)) {
     drawStatistics(*content.statistics, content.frameMs, content.table);
   }
@@ -351,6 +355,7 @@ MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& 
   MenuResult result;
   parts.places.clear();
   parts.items.clear();
+  parts.bindings = {};
   parts.held = false;
   const float line = context.text().pixels;
   const bool placed = parts.placedWidth != context.width() || parts.placedHeight != context.height();
@@ -416,6 +421,7 @@ bool ConfigurationMenu::showsCosts() const {
 }
 
 const std::map<std::string, MenuRowPlace>& ConfigurationMenu::places() const { return parts_->places; }
+const BindingsPlaces& ConfigurationMenu::bindingPlaces() const { return parts_->bindings; }
 const ScreenRect& ConfigurationMenu::place() const { return parts_->window; }
 
 const ScreenRect* ConfigurationMenu::place(std::string_view what) const {

@@ -34,6 +34,8 @@ std::string distanceText(double metres) {
   return metres < 1000 ? text("%.0f m", metres) : text("%.2f km", metres / 1000);
 }
 
+std::string resumeText(const HudKeys& keys) { return keys.pause.empty() ? "" : keys.pause + " resumes"; }
+
 // Places the items of one window size.
 class Layouter {
  public:
@@ -197,16 +199,17 @@ class Layouter {
       layout_.items.push_back(
           block("drop", dropTop,
                 {centred("DROP", dropTop + tight_, Tone::accent, true, opacity),
-                 centred("Space", dropTop + tight_ + 2 * line_, Tone::accent, false, opacity)},
+                 centred(data.keys.drop, dropTop + tight_ + 2 * line_, Tone::accent, false, opacity)},
                 0));
     }
     if (data.paused) {
       const float above = dropTop + blockHeight + gap_;
       const float pauseTop = std::floor(std::max(above, std::min(height_ / 2, bottom - blockHeight)));
-      layout_.items.push_back(block("pause", pauseTop,
-                                    {centred("PAUSED", pauseTop + tight_, Tone::normal, true),
-                                     centred("P resumes", pauseTop + tight_ + 2 * line_, Tone::dim, false)},
-                                    kPlate));
+      layout_.items.push_back(
+          block("pause", pauseTop,
+                {centred("PAUSED", pauseTop + tight_, Tone::normal, true),
+                 centred(resumeText(data.keys), pauseTop + tight_ + 2 * line_, Tone::dim, false)},
+                kPlate));
     }
     std::string warning;
     Tone tone = Tone::warning;
@@ -215,8 +218,8 @@ class Layouter {
       warning = text("Crashed: back in %.1f s", *data.respawnSeconds);
     } else if (data.stalled) {
       warning = "STALL";
-    } else if (data.hintOpacity > 0) {
-      warning = "H: controls";
+    } else if (data.hintOpacity > 0 && !data.keys.help.empty()) {
+      warning = data.keys.help + ": controls";
       tone = Tone::normal;
       opacity = data.hintOpacity;
     }

@@ -150,14 +150,44 @@ TEST(UserSettings, whatWasChangedComesBackAndNothingElseIsWritten) {
   Settings base, player;
   const core::SettingsTable baseTable(base), table(player);
   core::setField(table, "aircraft.rollSpeed=40");
-  saveUserSettings(table, baseTable, folder.path() / "new");
+  Bindings bindings;
+  saveUserSettings(table, baseTable, bindings, folder.path() / "new");
   Settings back;
   const core::SettingsTable backTable(back);
-  EXPECT_EQ(loadUserSettings(backTable, folder.path() / "new"), std::nullopt);
+  EXPECT_EQ(loadUserSettings(backTable, bindings, folder.path() / "new"), std::nullopt);
   EXPECT_EQ(back.aircraft.rollSpeed, 40);
   const auto json = nlohmann::json::parse(core::readTextFile(folder.path() / "new/settings.json"));
   EXPECT_EQ(json["settings"].size(), 1u);
   EXPECT_EQ(json["settings"]["aircraft"].size(), 1u);
+  EXPECT_FALSE(json.contains("bindings"));
+}
+
+TEST(UserSettings, boundKeysComeBack) {
+  // They stand beside the settings; an edit of the file is taken up whole or not at all.
+  const test::TemporaryFolder folder;
+  Settings settings;
+  const core::SettingsTable table(settings);
+  Bindings bindings;
+  bindings.bind(Action::drop, keyInput('W'));
+  saveUserSettings(table, table, bindings, folder.path());
+  Bindings back;
+  EXPECT_EQ(loadUserSettings(table, back, folder.path()), std::nullopt);
+  EXPECT_EQ(back, bindings);
+
+  CommandLine line;
+  line.verb = Verb::simulate;
+  line.userDir = folder.path();
+  const auto run = prepareRun(line);
+  EXPECT_EQ(run->bindings, bindings);
+  folder.write("settings.json",
+               R"({"schema": 1, "bindings": {"camera": ["V"]}, "settings": {"aircraft": {"mass": -1}}})");
+  EXPECT_THROW(reloadPlayer(*run, line), core::DataError);
+  EXPECT_EQ(run->bindings, bindings);
+  folder.write("settings.json", R"({"schema": 1, "bindings": {"camera": ["V"]}})");
+  reloadPlayer(*run, line);
+  EXPECT_EQ(run->bindings.actionOf(keyInput('V')), Action::camera);
+  EXPECT_EQ(run->bindings.actionOf(keyInput('W')), Action::thrust)
+      << "what the file no longer changes is at its default";
 }
 
 TEST(UserSettings, aFlightNeverStartsFrozenBecauseTheLastOneWas) {
@@ -165,9 +195,10 @@ TEST(UserSettings, aFlightNeverStartsFrozenBecauseTheLastOneWas) {
   Settings base, player;
   const core::SettingsTable baseTable(base), table(player);
   core::setField(table, "view.freezeTime=true");
-  saveUserSettings(table, baseTable, folder.path());
+  Bindings bindings;
+  saveUserSettings(table, baseTable, bindings, folder.path());
   Settings back;
-  EXPECT_EQ(loadUserSettings(core::SettingsTable(back), folder.path()), std::nullopt);
+  EXPECT_EQ(loadUserSettings(core::SettingsTable(back), bindings, folder.path()), std::nullopt);
   EXPECT_FALSE(back.view.freezeTime);
 }
 
@@ -175,17 +206,21 @@ TEST(UserSettings, aBrokenFileIsReportedKeptAsideAndReplacedByDefaults) {
   const test::TemporaryFolder folder;
   for (const char* broken :
        {"{", "[]", R"({"schema": 2})", R"({"schema": 1, "settings": {"aircraft": {"mass": "x"}}})",
-        R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40, "mass": -1}}})"}) {
+        R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40, "mass": -1}}})",
+        R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40}}, "bindings": {"fly": []}})",
+        R"({"schema": 1, "bindings": {"drop": ["V"], "camera": ["ANY"]}})"}) {
     folder.write("settings.json", broken);
     Settings settings;
     const core::SettingsTable table(settings);
-    const std::optional<std::string> warning = loadUserSettings(table, folder.path());
+    Bindings bindings;
+    const std::optional<std::string> warning = loadUserSettings(table, bindings, folder.path());
     ASSERT_TRUE(warning) << broken;
     EXPECT_NE(warning->find("settings.json"), std::string::npos);
     EXPECT_EQ(warning->find('\n'), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "settings.json"));
     EXPECT_EQ(core::readTextFile(folder.path() / "settings.json.bad"), broken);
     EXPECT_EQ(core::toJson(table, true), nlohmann::json::object()) << broken;
+    EXPECT_EQ(bindings, Bindings()) << broken;
   }
 }
 

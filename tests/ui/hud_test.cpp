@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/key_map.h"
+#include "app/bindings.h"
 
 namespace skydrop::ui {
 namespace {
@@ -142,7 +142,7 @@ TEST(Hud, ordinaryValuesAreShownInFullAtEverySize) {
   for (const auto& [width, height] : kSizes) {
     const Interface context(width, height);
     for (const bool help : {false, true}) {
-      const auto rows = help ? app::helpRows(app::defaultKeyMap()) : std::vector<HelpRow>();
+      const auto rows = help ? app::helpRows(app::Bindings()) : std::vector<HelpRow>();
       for (const HudItem& item : layoutHud(context, data, rows).items) {
         for (const HudText& text : item.texts) {
           EXPECT_EQ(text.text.find("\u2026"), std::string::npos)

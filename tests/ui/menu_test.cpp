@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/key_map.h"
+#include "app/bindings.h"
 #include "skydrop/core/error.h"
 #include "ui/field_label.h"
 #include "ui/interface_driver.h"

@@ -51,9 +51,9 @@ TEST(PlayerInput, everyFlightKeyMovesItsControlToTheEnd) {
   for (const auto& [code, controls] : expected) {
     PlayerInput input;
     input.handle(keyEvent(code, true));
-    EXPECT_EQ(settled(input), controls) << keyName(code);
+    EXPECT_EQ(settled(input), controls) << inputLabel(keyInput(code));
     input.handle(keyEvent(code, false));
-    EXPECT_EQ(settled(input), game::Controls()) << keyName(code);
+    EXPECT_EQ(settled(input), game::Controls()) << inputLabel(keyInput(code));
     EXPECT_TRUE(input.takeActions().empty());
   }
 }
@@ -145,17 +145,126 @@ TEST(PlayerInput, theSameKeysAtTheSameStepsGiveTheSameControls) {
   EXPECT_EQ(fly(1), fly(8));
 }
 
-TEST(KeyMap, noKeyStandsInTwoBindingsAndEveryActionHasAHelpRow) {
-  const KeyMap map = defaultKeyMap();
-  std::map<int, int> uses;
-  std::string helpKeys;
-  for (const ui::HelpRow& row : helpRows(map)) helpKeys += " " + row.keys + " ";
-  for (const KeyBinding& binding : map.bindings()) {
-    for (const int code : binding.keys) {
-      EXPECT_EQ(++uses[code], 1) << keyName(code);
-      EXPECT_NE(helpKeys.find(" " + keyName(code) + " "), std::string::npos) << keyName(code);
-    }
+// A gamepad with some axes moved.
+GamepadReading pushed(std::map<int, double> axes) {
+  GamepadReading reading;
+  for (const auto& [axis, value] : axes) reading.axes[static_cast<std::size_t>(axis)] = value;
+  return reading;
+}
+
+GamepadReading pressed(int button) {
+  GamepadReading reading;
+  reading.buttons[static_cast<std::size_t>(button)] = true;
+  return reading;
+}
+
+const GamepadSettings kPad;
+
+TEST(PlayerInput, sticksAndTriggersFlyAtOnceAndInProportion) {
+  // Left stick rolls and pitches (back lifts the nose), right stick yaws, triggers pull the throttle.
+  PlayerInput input;
+  input.handle(
+      pushed({{pad::kLeftX, 0.25}, {pad::kLeftY, -0.5}, {pad::kRightX, -0.75}, {pad::kRightTrigger, 0.6}}),
+      kPad);
+  EXPECT_EQ(input.step(), (game::Controls{.thrust = 0.6, .pitch = -0.5, .roll = 0.25, .yaw = -0.75}));
+  input.handle(pushed({{pad::kLeftX, -1}, {pad::kLeftY, 1}, {pad::kLeftTrigger, 1}}), kPad);
+  EXPECT_EQ(input.step(), (game::Controls{.brake = 1, .pitch = 1, .roll = -1}));
+  input.handle(GamepadReading(), kPad);
+  EXPECT_EQ(input.step(), game::Controls()) << "no ramp: the hand has one";
+}
+
+TEST(PlayerInput, eachInversionTurnsItsOwnControl) {
+  PlayerInput input;
+  const GamepadReading reading = pushed({{pad::kLeftX, 0.25}, {pad::kLeftY, 0.5}, {pad::kRightX, 0.75}});
+  for (int which = 0; which < 3; ++which) {
+    GamepadSettings settings;
+    settings.invertPitch = which == 0;
+    settings.invertRoll = which == 1;
+    settings.invertYaw = which == 2;
+    input.handle(reading, settings);
+    const game::Controls controls = input.step();
+    EXPECT_EQ(controls.pitch, which == 0 ? -0.5 : 0.5);
+    EXPECT_EQ(controls.roll, which == 1 ? -0.25 : 0.25);
+    EXPECT_EQ(controls.yaw, which == 2 ? -0.75 : 0.75);
   }
+}
+
+TEST(PlayerInput, keysAndGamepadAddUpToTheEnd) {
+  // Neither takes the other's control away, whichever was used last.
+  PlayerInput input;
+  input.handle(keyEvent('D', true));
+  settled(input);
+  input.handle(pushed({{pad::kLeftX, 0.5}}), kPad);
+  EXPECT_EQ(input.step().roll, 1) << "held to the range";
+  input.handle(pushed({{pad::kLeftX, -0.25}}), kPad);
+  EXPECT_EQ(input.step().roll, 0.75);
+  input.handle(GamepadReading(), kPad);
+  EXPECT_EQ(input.step().roll, 1) << "a gamepad at rest changes nothing";
+}
+
+TEST(PlayerInput, buttonsAreKeys) {
+  // Bumpers yaw by the ramp, A drops once a press, and those of the program act once a press.
+  PlayerInput input;
+  input.handle(pressed(pad::kLeftBumper), kPad);
+  EXPECT_DOUBLE_EQ(input.step().yaw, -1.0 / kRampSteps);
+  EXPECT_EQ(settled(input).yaw, -1);
+  input.handle(pressed(pad::kA), kPad);
+  EXPECT_TRUE(input.step().drop);
+  input.handle(GamepadReading(), kPad);
+  EXPECT_FALSE(input.step().drop);
+  for (const int button : {int{pad::kY}, int{pad::kY}, int{pad::kStart}}) input.handle(pressed(button), kPad);
+  EXPECT_THAT(input.takeActions(), ::testing::ElementsAre(Action::camera, Action::escape));
+}
+
+TEST(PlayerInput, anAxisThatTremblesPressesOnce) {
+  // Bound to something that is on or off, it counts from half way and until it is well back.
+  Bindings bindings;
+  bindings.bind(Action::camera, axisInput(pad::kRightY, true));
+  PlayerInput input(bindings);
+  for (const double at : {0.45, 0.55, 0.45, 0.55, 0.35, 0.6})
+    input.handle(pushed({{pad::kRightY, at}}), kPad);
+  EXPECT_EQ(input.takeActions().size(), 1u);
+  input.handle(pushed({{pad::kRightY, 0.2}}), kPad);
+  input.handle(pushed({{pad::kRightY, 0.6}}), kPad);
+  EXPECT_EQ(input.takeActions().size(), 1u);
+}
+
+TEST(PlayerInput, aGamepadFliesOnlyWithTheFocus) {
+  // It tells its state to every window.
+  PlayerInput input;
+  input.handle(pushed({{pad::kLeftX, 1}}), kPad);
+  input.handle(focusEvent(false));
+  GamepadReading both = pushed({{pad::kLeftX, 1}});
+  both.buttons[pad::kA] = true;
+  input.handle(both, kPad);
+  EXPECT_EQ(settled(input), game::Controls());
+  input.handle(focusEvent(true));
+  input.handle(both, kPad);
+  EXPECT_EQ(settled(input), (game::Controls{.roll = 1})) << "A was pressed elsewhere";
+}
+
+TEST(PlayerInput, whatAMenuTookDoesNotFlyWhenItCloses) {
+  // A on Resume must not drop a package.
+  PlayerInput input;
+  EXPECT_THAT(input.handle(pressed(pad::kA), kPad, true), ::testing::ElementsAre(buttonInput(pad::kA)));
+  EXPECT_TRUE(input.handle(pressed(pad::kA), kPad, true).empty()) << "once a press";
+  EXPECT_TRUE(input.handle(pressed(pad::kA), kPad).empty());
+  EXPECT_EQ(input.step(), game::Controls());
+  input.handle(GamepadReading(), kPad);
+  input.handle(pressed(pad::kA), kPad);
+  EXPECT_TRUE(input.step().drop);
+}
+
+TEST(PlayerInput, newBindingsLetGoOfWhatIsHeld) {
+  PlayerInput input;
+  input.handle(keyEvent('D', true));
+  settled(input);
+  Bindings bindings;
+  bindings.bind(Action::rollLeft, keyInput('D'));
+  input.setBindings(bindings);
+  EXPECT_EQ(settled(input).roll, 0);
+  input.handle(keyEvent('D', true));
+  EXPECT_EQ(settled(input).roll, -1);
 }
 
 }  // namespace

@@ -33,7 +33,11 @@ std::set<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
 
 }  // namespace
 
-FlownGame::FlownGame(std::vector<std::string> words) {
+FlownGame::FlownGame(std::vector<std::string> words, const std::string& userSettings) {
+  if (!userSettings.empty()) {
+    std::filesystem::create_directories(userFolder());
+    std::ofstream(userFolder() / "settings.json") << userSettings;
+  }
   const std::string log = (folder_.path() / "log").string();
   display_ = std::make_unique<VirtualDisplay>(kDisplayWidth, kDisplayHeight, log);
   const std::vector<std::string> usual = {SKYDROP_PROGRAM,

@@ -20,8 +20,9 @@ class FlownGame {
   static constexpr int kDisplayWidth = 800, kDisplayHeight = 600;
   static constexpr int kWidth = 640, kHeight = 360;
 
-  // Starts it and waits until it has drawn and has the keyboard. Throws std::runtime_error.
-  explicit FlownGame(std::vector<std::string> words = {});
+  // Starts it and waits until it has drawn and has the keyboard. `userSettings`: the player's file, none if
+  // empty. Throws std::runtime_error.
+  explicit FlownGame(std::vector<std::string> words = {}, const std::string& userSettings = {});
 
   using Condition = std::function<bool(const nlohmann::json&)>;
   // Waits until the statistics fulfil it; false after 20 seconds.

@@ -5,11 +5,13 @@
 #include <fstream>
 #include <string>
 
+#include "app/binding_editor.h"
 #include "app/parts.h"
 #include "app/settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/ui/menu.h"
 #include "support/process.h"
+#include "ui/interface_driver.h"
 #include "window/flown_game.h"
 
 namespace skydrop::test {
@@ -236,11 +238,15 @@ struct MenuPlaces {
     const core::FrameStatistics statistics;  // every section that the game shows above the rows
     for (int i = 0; i < 2; ++i) {
       static_cast<void>(interface.beginFrame(FlownGame::kWidth, FlownGame::kHeight, 0));
-      menu.draw(interface, {table, sections, &statistics});
+      ui::MenuContent content{table, sections, &statistics};
+      content.bindings = &bindings;
+      menu.draw(interface, content);
       escape.draw(interface);
       interface.endFrame();
     }
   }
+  app::Bindings defaults;
+  const ui::BindingsContent bindings = app::BindingEditor(defaults).content({}, "");
   ui::ConfigurationMenu menu;
   ui::EscapeMenu escape;
 };
@@ -303,6 +309,67 @@ TEST(Window, theMouseMovesASliderResetsItAndClosesTheMenuByItsCross) {
   const std::string kept((std::istreambuf_iterator<char>(file)), {});
   EXPECT_NE(kept.find("rollFactor"), std::string::npos) << kept;
   EXPECT_EQ(kept.find("pitchSpeed"), std::string::npos) << kept;
+}
+
+// Clicks and keys that went in before have been handled.
+void waitForFrames(FlownGame& flown, int frames) {
+  const auto count = [](const json& s) { return s.at("frame").at("count").get<int>(); };
+  const int wanted = count(flown.statistics()) + frames;
+  ASSERT_TRUE(flown.waitFor([&](const json& s) { return count(s) > wanted; }));
+}
+
+json readJson(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return json::parse(file, nullptr, false);
+}
+
+TEST(Window, keysDoWhatThePlayersFileSays) {
+  // Bound anew: the new key acts, the old one does not. What the file does not name stays.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown({}, R"({"schema": 1, "bindings": {"camera": ["V"], "thrust": ["J", "KP_ADD"]}})");
+  flown.press("c");
+  flown.press("v");
+  EXPECT_TRUE(flown.waitFor([](const json& s) { return s.at("window").at("camera") == "cockpit"; }));
+  EXPECT_TRUE(whileHeld(flown, "j", [](const json& s) { return game(s, "throttle") > 0.9; }));
+  EXPECT_TRUE(whileHeld(flown, "s", [](const json& s) { return game(s, "throttle") < 0.3; }));
+  EXPECT_TRUE(whileHeld(flown, "KP_Add", [](const json& s) { return game(s, "throttle") > 0.9; }));
+  EXPECT_EQ(flown.window().at("camera"), "cockpit") << "C is free";
+}
+
+TEST(Window, aKeyBoundInTheMenuFliesAndIsKept) {
+  // Click on W, press X: X pulls the throttle, and the file says so after the flight.
+  SKIP_WITHOUT_DISPLAY();
+  app::Bindings bindings;
+  const ui::BindingsContent content = app::BindingEditor(bindings).content({}, "");
+  app::Settings settings;
+  const core::SettingsTable table(settings);
+  const auto sections = app::menuSections(scene::requiredEffects(scene::loadScene("terrain")));
+  const core::FrameStatistics statistics;
+  ui::ConfigurationMenu menu;
+  InterfaceDriver twin(FlownGame::kWidth, FlownGame::kHeight, [&](const ui::Interface& interface) {
+    ui::MenuContent shown{table, sections, &statistics};
+    shown.bindings = &content;
+    menu.draw(interface, shown);
+  });
+  FlownGame flown;
+  flown.press("F1");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "menuOpen"); }));
+  const auto click = [&](const ui::ScreenRect& rect) {
+    flown.moveMouse((rect.left + rect.right) / 2, (rect.top + rect.bottom) / 2);
+    flown.clickMouse("click");
+  };
+  const ui::ScreenRect header = *menu.place("controls");
+  click(header);
+  twin.click(header);
+  click(menu.bindingPlaces().rows.at("thrust").inputs.at(0));
+  waitForFrames(flown, 5);
+  flown.press("x");
+  waitForFrames(flown, 5);
+  EXPECT_TRUE(whileHeld(flown, "x", [](const json& s) { return game(s, "throttle") > 0.9; }));
+  flown.process().askToEnd();
+  EXPECT_EQ(flown.process().wait(20), 0) << flown.log();
+  const json kept = readJson(flown.userFolder() / "settings.json");
+  EXPECT_EQ(kept.at("bindings"), json({{"thrust", {"X", "GAMEPAD_AXIS_RIGHT_TRIGGER+"}}})) << kept.dump();
 }
 
 TEST(Window, theEscapeMenuResumesAndQuits) {

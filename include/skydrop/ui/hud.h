@@ -42,7 +42,13 @@ struct HudMessage {
   double opacity = 1;  // falls to 0 in the last half second
 };
 
+// What stands on the keys that the display names; empty: none does it.
+struct HudKeys {
+  std::string drop = "Space", pause = "P", help = "H";
+};
+
 struct HudData {
+  HudKeys keys;
   bool aircraft = false;  // without one: score, messages and notes alone
   double airspeedMps = 0;
   double altitudeM = 0;           // above the sea

@@ -13,6 +13,7 @@
 
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/settings_table.h"
+#include "skydrop/ui/bindings_view.h"
 #include "skydrop/ui/imgui_context.h"
 #include "skydrop/ui/undo_history.h"
 
@@ -44,6 +45,7 @@ struct MenuContent {
   std::string_view pose = {};  // of the present view, "--pose=..."; empty: none
   // The player's presets; nullopt where they have no place.
   std::optional<std::span<const PresetEntry>> presets = std::nullopt;
+  const BindingsContent* bindings = nullptr;  // null: no section
 };
 
 struct PresetRequest {
@@ -57,6 +59,7 @@ struct MenuResult {
   bool closed = false;                    // the cross was clicked
   std::vector<std::string> changedPaths;  // set in this frame, each once
   std::optional<PresetRequest> preset;
+  BindingWish binding;
 };
 
 // Rows of one frame: where the mouse finds them.
@@ -97,9 +100,10 @@ class ConfigurationMenu {
 
   // Rows drawn in the last frame, by path; rows scrolled out of sight included.
   const std::map<std::string, MenuRowPlace>& places() const;
+  const BindingsPlaces& bindingPlaces() const;
   // Where the last frame drew what is no row: "search", "changed only", "undo", "redo", "reset all", "section
-  // GROUP", "reset GROUP", "costs", "presets", "preset name", "save preset", "load NAME", "delete NAME",
-  // "copy", "copy flags", "copy pose". Null: not drawn.
+  // GROUP", "reset GROUP", "controls", "costs", "presets", "preset name", "save preset", "load NAME", "delete
+  // NAME", "copy", "copy flags", "copy pose". Null: not drawn.
   const ScreenRect* place(std::string_view what) const;
   // The whole window in the last frame that drew it, and the cross in its title bar.
   const ScreenRect& place() const;

@@ -162,6 +162,12 @@ int WindowContext::height() const {
   return std::max(height, 1);
 }
 
+double WindowContext::pixelsPerUnit() const {
+  int width = 0, height = 0;
+  glfwGetWindowSize(impl_->window, &width, &height);
+  return width > 0 ? static_cast<double>(this->width()) / width : 1;  // 0 while it is minimised
+}
+
 bool WindowContext::shouldClose() const { return glfwWindowShouldClose(impl_->window); }
 
 void WindowContext::setShouldClose(bool close) { glfwSetWindowShouldClose(impl_->window, close); }
@@ -193,6 +199,19 @@ void WindowContext::setFullScreen(bool on) {
 
 bool WindowContext::isFocused() const {
   return glfwGetWindowAttrib(impl_->window, GLFW_FOCUSED) == GLFW_TRUE;
+}
+
+void WindowContext::setPointerVisible(bool visible) {
+  glfwSetInputMode(impl_->window, GLFW_CURSOR, visible ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
+}
+
+std::string WindowContext::clipboardText() const {
+  const char* text = glfwGetClipboardString(impl_->window);
+  return text ? text : "";
+}
+
+void WindowContext::setClipboardText(const std::string& text) {
+  glfwSetClipboardString(impl_->window, text.c_str());
 }
 
 std::vector<WindowEvent> WindowContext::pollEvents() {

@@ -42,6 +42,9 @@ class WindowContext final : public Context {
   int width() const;
   int height() const;
 
+  // Pixels in a window coordinate, in which the mouse is told: 1, more on some high-density screens.
+  double pixelsPerUnit() const;
+
   bool shouldClose() const;
   void setShouldClose(bool close);
   void swap();
@@ -50,6 +53,11 @@ class WindowContext final : public Context {
   // Full screen on the monitor that holds the window's centre; back to the old place and size.
   void setFullScreen(bool on);
   bool isFocused() const;
+  void setPointerVisible(bool visible);
+
+  // The system's clipboard, UTF-8; empty where it holds no text.
+  std::string clipboardText() const;
+  void setClipboardText(const std::string& text);
 
   // Handles what has arrived and returns it in order.
   std::vector<WindowEvent> pollEvents();

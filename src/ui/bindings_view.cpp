@@ -1,0 +1,127 @@
+#include "skydrop/ui/bindings_view.h"
+
+#include <imgui.h>
+
+namespace skydrop::ui {
+namespace {
+
+using Kind = BindingWish::Kind;
+
+constexpr const char* kHowTo =
+    "Click, then press a key or a button or push a stick. A click with the right button takes it away.";
+constexpr const char* kWaiting = "Press a key or a button, or push a stick. Esc leaves it as it was.";
+
+ScreenRect itemRect() {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  return {low.x, low.y, high.x, high.y};
+}
+
+void tooltip(const char* text) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void wrapped(const std::string& text) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+// Buttons side by side, on a new line where the next one has no room.
+class Flow {
+ public:
+  Flow() : left_(ImGui::GetCursorPosX()), right_(left_ + ImGui::GetContentRegionAvail().x) {}
+
+  bool button(const std::string& label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2 * style.FramePadding.x;
+    if (next_ > left_ && next_ + width <= right_) ImGui::SameLine(0, style.ItemInnerSpacing.x);
+    const float start = next_ > left_ && next_ + width <= right_ ? next_ : left_;
+    next_ = start + width + style.ItemInnerSpacing.x;
+    return ImGui::Button(label.c_str());
+  }
+
+ private:
+  float left_, right_;
+  float next_ = 0;
+};
+
+class Section {
+ public:
+  Section(const BindingsContent& content, BindingsPlaces& places) : content_(content), places_(places) {}
+
+  BindingWish draw() {
+    wrapped(content_.gamepad.empty() ? "No gamepad." : "Gamepad: " + content_.gamepad);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    wrapped(content_.waiting ? kWaiting : content_.note.empty() ? " " : content_.note);
+    ImGui::PopStyleColor();
+    if (ImGui::Button("Reset all controls")) wish_.kind = Kind::resetAll;
+    places_.resetAll = itemRect();
+    if (ImGui::BeginTable("bindings", 3, ImGuiTableFlags_SizingStretchProp)) {
+      ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.36f);
+      ImGui::TableSetupColumn("inputs", ImGuiTableColumnFlags_WidthStretch, 0.64f);
+      ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed,
+                              ImGui::CalcTextSize("Reset").x + ImGui::GetFontSize());
+      for (std::size_t row = 0; row < content_.rows.size(); ++row) drawRow(row);
+      ImGui::EndTable();
+    }
+    return wish_;
+  }
+
+ private:
+  void drawRow(std::size_t index) {
+    const BindingRow& row = content_.rows[index];
+    BindingsPlaces::Row& place = places_.rows[row.name];
+    ImGui::PushID(row.name.c_str());
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(row.meaning.c_str());
+    tooltip(kHowTo);
+    ImGui::TableNextColumn();
+    Flow flow;
+    for (std::size_t slot = 0; slot < row.inputs.size(); ++slot) {
+      drawInput(flow, {index, slot}, row.inputs[slot], kHowTo);
+      place.inputs.push_back(itemRect());
+    }
+    if (row.canAdd) {
+      drawInput(flow, {index, row.inputs.size()}, "+", "Adds a key, a button or a stick.");
+      place.add = itemRect();
+    }
+    ImGui::TableNextColumn();
+    if (!row.isDefault) {
+      if (ImGui::Button("Reset")) wish_ = {Kind::reset, {index, 0}};
+      place.reset = itemRect();
+    }
+    ImGui::PopID();
+  }
+
+  void drawInput(Flow& flow, BindingSlot at, const std::string& label, const char* help) {
+    const bool waiting = content_.waiting == at;
+    if (waiting) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const std::string id = "###" + std::to_string(at.slot);
+    if (flow.button((waiting ? "press \u2026" : label) + id))
+      wish_ = {waiting ? Kind::cancel : Kind::capture, at};
+    if (waiting) ImGui::PopStyleColor();
+    const bool isThere = at.slot < content_.rows[at.row].inputs.size();
+    if (isThere && ImGui::IsItemClicked(ImGuiMouseButton_Right)) wish_ = {Kind::remove, at};
+    if (!content_.waiting) tooltip(help);
+  }
+
+  const BindingsContent& content_;
+  BindingsPlaces& places_;
+  BindingWish wish_;
+};
+
+}  // namespace
+
+BindingWish drawBindings(const BindingsContent& content, BindingsPlaces& places) {
+  places = {};
+  return Section(content, places).draw();
+}
+
+}  // namespace skydrop::ui

@@ -1,0 +1,101 @@
+#include "app/imgui_input.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <cstdio>
+#include <string>
+
+#include "app/input_code.h"
+#include "app/pointer_rest.h"
+#include "skydrop/ui/imgui_context.h"
+
+namespace skydrop::app {
+namespace {
+
+using render::gl::WindowEvent;
+
+class FakeClipboard : public Clipboard {
+ public:
+  std::string text() override { return kept; }
+  void setText(const std::string& text) override { kept = text; }
+  std::string kept;
+};
+
+class ImGuiInputTest : public ::testing::Test {
+ protected:
+  void frame(bool focusField = false) {
+    input.beginFrame();
+    static_cast<void>(interface.beginFrame(640, 360, 1.0 / 60));
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::Begin("Window");
+    if (focusField) ImGui::SetKeyboardFocusHere();
+    ImGui::InputText("field", field, sizeof field);
+    ImGui::End();
+    interface.endFrame();
+  }
+  void withControl(int code) {
+    for (const auto& [key, pressed] : {std::pair(int{key::kLeftControl}, true), std::pair(code, true),
+                                       std::pair(code, false), std::pair(int{key::kLeftControl}, false)}) {
+      WindowEvent event{WindowEvent::Kind::key};
+      event.code = key;
+      event.pressed = pressed;
+      input.handle(event);
+      frame();
+      frame();
+    }
+  }
+
+  FakeClipboard clipboard;
+  ui::Interface interface { 640, 360 };
+  ImGuiInput input{&clipboard};
+  char field[64] = "aircraft";
+};
+
+TEST_F(ImGuiInputTest, textIsCutCopiedAndPastedByTheWindowsClipboard) {
+  frame(true);
+  frame();
+  withControl('A');
+  withControl('C');
+  EXPECT_EQ(clipboard.kept, "aircraft");
+  clipboard.kept = "render.sun \u2191";
+  withControl('A');
+  withControl('V');
+  EXPECT_STREQ(field, "render.sun \u2191");
+  withControl('A');
+  withControl('X');
+  EXPECT_STREQ(field, "");
+  EXPECT_EQ(clipboard.kept, "render.sun \u2191");
+  ImGui::SetClipboardText("--set");
+  EXPECT_EQ(clipboard.kept, "--set");
+}
+
+TEST_F(ImGuiInputTest, positionsArriveInPixelsOfTheFrame) {
+  // A window of 320 x 180 coordinates on a screen with twice as many pixels.
+  WindowEvent event{WindowEvent::Kind::mouseMove};
+  event.x = 100;
+  event.y = 50.5;
+  input.handle(event, 2);
+  frame();
+  EXPECT_EQ(ImGui::GetIO().MousePos.x, 200);
+  EXPECT_EQ(ImGui::GetIO().MousePos.y, 101);
+  event.kind = WindowEvent::Kind::scroll;
+  event.x = 0;
+  event.y = 1;
+  input.handle(event, 2);
+  input.beginFrame();
+  EXPECT_EQ(ImGui::GetIO().MousePos.x, 200) << "a turn of the wheel is no position";
+}
+
+TEST(PointerRest, aPointerAtRestHidesUnlessAMenuNeedsIt) {
+  PointerRest pointer;
+  EXPECT_TRUE(pointer.isShown(0.5 * kPointerRestSeconds, false, false));
+  EXPECT_FALSE(pointer.isShown(0.6 * kPointerRestSeconds, false, false));
+  EXPECT_TRUE(pointer.isShown(1, true, false)) << "moved";
+  EXPECT_FALSE(pointer.isShown(kPointerRestSeconds, false, false));
+  EXPECT_TRUE(pointer.isShown(10, false, true)) << "a menu is open";
+  EXPECT_TRUE(pointer.isShown(0.5, false, false)) << "and stays a little when it closes";
+}
+
+}  // namespace
+}  // namespace skydrop::app
