@@ -15,7 +15,7 @@ namespace {
 // So that a busy queue does not take the processor from the thread that draws. Best effort.
 void lowerOwnPriority() {
 #if defined(__linux__)
-  constexpr int kNice = 10;
+  constexpr int kNice = 3;  // with 10, a drawing software renderer held a chunk up for five frames
   setpriority(PRIO_PROCESS, 0, kNice);  // on Linux 0 means the calling thread, not the process
 #elif defined(_WIN32)
   SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL);

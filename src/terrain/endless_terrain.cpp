@@ -303,6 +303,7 @@ const TerrainFrame& EndlessTerrain::settle(const ViewVolume& view, std::chrono::
   return state_->frame;
 }
 
+const TerrainFrame& EndlessTerrain::frame() const { return state_->frame; }
 bool EndlessTerrain::isSettled() const { return state_->settled; }
 const StreamingStatistics& EndlessTerrain::statistics() const { return state_->statistics; }
 std::vector<std::string> EndlessTerrain::takeMessages() { return std::exchange(state_->messages, {}); }

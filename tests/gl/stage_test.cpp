@@ -46,5 +46,20 @@ TEST_F(StageGLTest, afterWarmingUpNoFrameCompilesAShader) {
   EXPECT_EQ(context().ledger().live(render::gl::ObjectKind::program), warm);
 }
 
+TEST_F(StageGLTest, theGpusMemoryIsWithinItsBudget) {
+  // All textures and buffers of the shipped scene at 640 x 360, those of the land's chunks above all: at most
+  // 128 MiB.
+  CommandLine line;
+  line.verb = Verb::render;
+  const auto run = prepareRun(line);
+  Simulation simulation(run->setup, run->settings, run->table);
+  Stage stage(context(), {simulation.effects(), simulation.ground(), 1, false}, run->settings);
+  stage.draw(simulation.world().now(), {640, 360}, Streaming::asItComes);
+  core::FrameStatistics statistics;
+  stage.writeTo(statistics);
+  EXPECT_GT(statistics.gl.bytes, 32 << 20);
+  EXPECT_LE(statistics.gl.bytes, 128 << 20);
+}
+
 }  // namespace
 }  // namespace skydrop::app

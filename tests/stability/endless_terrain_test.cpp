@@ -221,6 +221,26 @@ TEST(Stability, T11_standingStillMakesNothingAgainAndABudgetTooSmallFallsToCoars
   }
 }
 
+TEST(Stability, T11_theDefaultBudgetsHoldTheViewAndAreNeverExceeded) {
+  // The shipped settings (10 km) at 1920 x 1080: what a view wants fits into both budgets, of 128 MiB at most
+  // each; and after leaps over more land than either can hold, neither holds more. 4 bytes a sample.
+  const TerrainStreamingSettings settings;
+  constexpr std::size_t kMostBytes = std::size_t{128} << 20;
+  constexpr std::size_t kSamples = kChunkSamples * kChunkSamples;
+  core::JobPool pool(2);
+  EndlessTerrain terrain(std::make_shared<WatchedSource>(), pool, settings);
+  for (int leap = 0; leap < 10; ++leap) {
+    const TerrainFrame& frame = terrain.settle(lookingAlong({3e4 * leap, 900, 0}, leap, -0.15, 1920, 1080));
+    const StreamingStatistics& now = terrain.statistics();
+    EXPECT_EQ(now.overBudget, 0u);
+    EXPECT_LE(now.bytes, kMostBytes);
+    EXPECT_LE(static_cast<std::size_t>(frame.slotCount) * 4 * kSamples, kMostBytes);
+    for (const ResidentChunk& chunk : frame.chunks) EXPECT_LT(chunk.slot, frame.slotCount);
+  }
+  EXPECT_GT(terrain.statistics().generated * 4 * kSamples, kMostBytes) << "more than can be held at once";
+  EXPECT_GT(terrain.statistics().bytes, kMostBytes / 2);
+}
+
 TEST(Stability, T12_aFastFlightKeepsTheQueueBoundedAndTheChunkBelowComesFirst) {
   // 700 m/s and 30 km/s for 10 s at 60 frames a second (a tenth of the frames unless long tests are asked
   // for), with one worker that can never keep up; then a stop. What is no longer wanted is cancelled, so that

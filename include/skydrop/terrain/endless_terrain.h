@@ -57,6 +57,9 @@ class EndlessTerrain {
   const TerrainFrame& settle(const ViewVolume& view,
                              std::chrono::milliseconds limit = std::chrono::minutes(2));
 
+  // What the last update() or settle() returned.
+  const TerrainFrame& frame() const;
+
   // True when the last frame had all that its view wants (what was given up counts as had).
   bool isSettled() const;
 
