@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "terrain/lod_error.h"
-
 namespace skydrop::terrain {
 
 glm::dvec3 normalOf(const HeightSample& sample) {
@@ -63,7 +61,6 @@ ChunkData makeChunk(const HeightSource& source, const ChunkKey& key, std::stop_t
   }
   const auto [lowest, highest] = std::minmax_element(chunk.heights.begin(), chunk.heights.end());
   chunk.bounds = {decodeHeight(*lowest), decodeHeight(*highest)};
-  chunk.lodError = lodErrors(chunk.heights);
   return chunk;
 }
 

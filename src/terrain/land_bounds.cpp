@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
+
+#include "terrain/land_point.h"
 
 namespace skydrop::terrain {
 namespace {
@@ -33,24 +36,59 @@ Interval sumWithin(const std::vector<Lattice>& lattices, glm::dvec2 middle, glm:
   return total;
 }
 
+struct Rectangle {
+  glm::dvec2 middle, half;
+};
+
+LandState<Interval> uncarvedWithin(const LandShape<double>& shape, const LandOctaves& octaves,
+                                   const Rectangle& r) {
+  LandFields<Interval> fields{sumWithin(octaves.continent, r.middle, r.half),
+                              sumWithin(octaves.range, r.middle, r.half),
+                              sumWithin(octaves.crest, r.middle, r.half),
+                              sumWithin(octaves.valley, r.middle, r.half),
+                              {}};
+  for (std::size_t i = 0; i < kHillOctaves; ++i)
+    fields.hills[i] = noiseWithin(octaves.hills[i], r.middle, r.half);
+  return shape.begin(fields);
+}
+
+Interval gullyWithin(const LandShape<double>& shape, const LandOctaves& octaves, std::size_t octave,
+                     const Rectangle& r) {
+  const Lattice& lattice = octaves.gullies[octave];
+  const glm::dvec2 offset{lattice.offsetX, lattice.offsetZ};
+  const glm::dvec2 middle = r.middle / lattice.cell + offset, half = r.half / lattice.cell;
+  const glm::dvec2 first = glm::floor(middle - half), last = glm::floor(middle + half) + 1.0;
+  constexpr double kNodesAtATime = 12;
+  double most = 0;
+  if ((last.x - first.x + 1) * (last.y - first.y + 1) > kNodesAtATime) {
+    // Too many to ask: the strength at any of them.
+    const Rectangle around{r.middle, r.half + glm::dvec2(lattice.cell)};
+    most = kGullyDepth * std::max(0.0, uncarvedWithin(shape, octaves, around).strength.hi);
+  } else {
+    for (double j = first.y; j <= last.y; ++j) {
+      for (double i = first.x; i <= last.x; ++i) {
+        most = std::max(most, gullyNodeAt(shape, octaves, octave, static_cast<std::int64_t>(i),
+                                          static_cast<std::int64_t>(j))
+                                  .amplitude);
+      }
+    }
+  }
+  return Interval{-1, kGullyCrest} * (most * kGullies[octave].metres);
+}
+
 }  // namespace
 
-HeightBounds landBounds(const TerrainSettings& settings, const LandShape<double>& shape,
-                        const LandOctaves& octaves, glm::dvec2 lo, glm::dvec2 hi) {
+HeightBounds landBounds(const LandShape<double>& shape, const LandOctaves& octaves, glm::dvec2 lo,
+                        glm::dvec2 hi) {
   HeightBounds bounds{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
   const glm::dvec2 part = (hi - lo) / static_cast<double>(kBoundsParts);
-  const glm::dvec2 half = part * 0.5;
   for (int row = 0; row < kBoundsParts; ++row) {
     for (int column = 0; column < kBoundsParts; ++column) {
-      const glm::dvec2 middle = lo + part * glm::dvec2(column + 0.5, row + 0.5);
-      LandState<Interval> state = shape.begin(LandFields<Interval>{sumWithin(octaves.continent, middle, half),
-                                                                   sumWithin(octaves.range, middle, half),
-                                                                   sumWithin(octaves.valley, middle, half)});
-      for (std::size_t i = 0; i < octaves.relief.size(); ++i) {
-        const int index = static_cast<int>(i);
-        shape.octave(noiseWithin(octaves.relief[i], middle, half), ridgeShare(settings, index),
-                     detailShare(settings, index), state);
-      }
+      const Rectangle r{lo + part * glm::dvec2(column + 0.5, row + 0.5), part * 0.5};
+      LandState<Interval> state = uncarvedWithin(shape, octaves, r);
+      for (std::size_t octave = 0; octave < kGullies.size(); ++octave)
+        state.height = state.height + gullyWithin(shape, octaves, octave, r);
+      state.detail = sumWithin(octaves.details, r.middle, r.half);
       const Interval height = shape.finish(state);
       bounds.lowest = std::min(bounds.lowest, height.lo - kRounding);
       bounds.highest = std::max(bounds.highest, height.hi + kRounding);

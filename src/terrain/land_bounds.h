@@ -13,7 +13,7 @@ namespace skydrop::terrain {
 // some 100 m.
 inline constexpr int kBoundsParts = 4;
 
-HeightBounds landBounds(const TerrainSettings& settings, const LandShape<double>& shape,
-                        const LandOctaves& octaves, glm::dvec2 lo, glm::dvec2 hi);
+HeightBounds landBounds(const LandShape<double>& shape, const LandOctaves& octaves, glm::dvec2 lo,
+                        glm::dvec2 hi);
 
 }  // namespace skydrop::terrain

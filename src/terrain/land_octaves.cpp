@@ -1,7 +1,9 @@
 #include "terrain/land_octaves.h"
 
+#include <atomic>
 #include <cmath>
 
+#include "terrain/land_gully.h"
 #include "terrain/land_point.h"
 
 namespace skydrop::terrain {
@@ -27,8 +29,13 @@ LandOctaves makeWorld(const TerrainSettings& s, std::uint64_t seed) {
   LandOctaves octaves;
   octaves.continent = chain(s.continentWavelength, roundToPowerOfTwo(s.continentWavelength) / 8);
   octaves.range = chain(s.rangeWavelength, roundToPowerOfTwo(s.rangeWavelength) / 2);
+  octaves.crest = chain(2 * roundToPowerOfTwo(s.rangeWavelength), roundToPowerOfTwo(s.rangeWavelength) / 2);
   octaves.valley = chain(s.valleyWavelength, roundToPowerOfTwo(s.valleyWavelength) / 4);
-  octaves.relief = chain(s.mountainWavelength, roundToPowerOfTwo(s.finestWavelength));
+  octaves.hills = chain(s.mountainWavelength, roundToPowerOfTwo(s.mountainWavelength) / 8);
+  octaves.details = chain(octaves.hills.back().cell / 2, roundToPowerOfTwo(s.finestWavelength));
+  octaves.gullies = chain(kGullies.front().cell, kGullies.back().cell);
+  static std::atomic<std::uint64_t> made{0};
+  octaves.id = ++made;
   return octaves;
 }
 
@@ -36,12 +43,12 @@ constexpr int kWorldsPerSeed = 100;  // about one in six will do
 
 bool flightMayBeginAtOrigin(const TerrainSettings& settings, const LandOctaves& octaves) {
   const LandShape<double> shape(settings);
-  const Jet<double> origin = landAt(settings, shape, octaves, {0, 0});
+  const Jet<double> origin = landAt(shape, octaves, {0, 0});
   if (origin.v < 5 || origin.v > 250 || origin.x * origin.x + origin.z * origin.z > 0.04) return false;
   int dry = 0, high = 0;
   for (int row = -3; row <= 3; ++row) {
     for (int column = -3; column <= 3; ++column) {
-      const double height = landAt(settings, shape, octaves, glm::dvec2(column, row) * 2000.0).v;
+      const double height = landAt(shape, octaves, glm::dvec2(column, row) * 2000.0).v;
       dry += height > 0;
       high += height > 500;
     }

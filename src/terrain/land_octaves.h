@@ -9,9 +9,11 @@
 
 namespace skydrop::terrain {
 
-// Chains of octaves, the coarsest first; each cell is half the one before, each amplitude too.
+// Chains of octaves, the coarsest first; each cell is half the one before, each amplitude too. Hills are
+// kHillOctaves, gullies one for each of kGullies; details go on where the hills end.
 struct LandOctaves {
-  std::vector<Lattice> continent, range, valley, relief;
+  std::vector<Lattice> continent, range, crest, valley, hills, details, gullies;
+  std::uint64_t id = 0;  // differs from that of any other octaves made by this process
 };
 
 // Of the worlds that a seed numbers, the first whose origin is a good place to begin a flight: plain land,

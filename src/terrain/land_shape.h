@@ -1,10 +1,11 @@
 // The shape of the land: how octaves of noise become continents, ranges, valleys and plains. Written once
 // over a number type N: Jet<float> in the row kernels, Jet<double> at a point, Interval in bounds().
-// docs/terrain-noise.md explains each step with pictures; the ridged sum is Musgrave's multifractal
-// (Ebert, Musgrave, Peachey, Perlin, Worley: Texturing and Modeling, 2003, chapter 16).
+// docs/terrain-noise.md explains each step; what water carves into the slopes is land_gully.h.
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 #include "skydrop/terrain/terrain_settings.h"
 #include "terrain/jet.h"
@@ -68,77 +69,95 @@ struct SoftLimit {
   }
 };
 
-// The amplitude of octave `index` (0 is the coarsest) of the relief, in the ridged and in the smooth sum. The
-// coarsest ridges are the mountains themselves; roughness is what stands on them.
-inline constexpr double kDetailMetres = 40;  // height of the hills of the coarsest octave
-inline double ridgeShare(const TerrainSettings& s, int index) {
-  return index == 0 ? 1.0 : s.roughness / static_cast<double>(1 << index);
-}
-inline double detailShare(const TerrainSettings& s, int index) {
-  return kDetailMetres * s.plainRoughness / static_cast<double>(1 << index);
-}
-
-// The sums of octaves that the shape starts from, each in about [-1, 1].
-template <class N>
-struct LandFields {
-  N continent, range, valley;
+// 1 - 1 / (1 + |x| / w)^2 with a rounded foot: 0 on the crest line of a range, 1 far from it. Steep beside
+// the crest and ever gentler below, as slopes of carved land are.
+template <class R>
+struct FallFromCrest {
+  RoundedAbs<R> distance;
+  R perWidth;  // 1 / w
+  SKYDROP_INLINE Slope<R> operator()(R x) const {
+    const Slope<R> d = distance(x);
+    const R q = R(1) / (R(1) + d.value * perWidth);
+    return {R(1) - q * q, R(2) * q * q * q * perWidth * d.slope};
+  }
 };
 
-// What the octaves of the relief modulate and add to.
+inline constexpr std::size_t kHillOctaves = 4;
+
+// The sums of octaves that the shape starts from, each in about [-1, 1]; of the hills every octave by itself,
+// because they also bend the coast, the crests and the valleys.
+template <class N>
+struct LandFields {
+  N continent, range, crest, valley;
+  std::array<N, kHillOctaves> hills;
+};
+
 template <class N>
 struct LandState {
-  N base;      // the land without relief, metres
-  N mountain;  // how mountainous: 0 on plains and at sea, 1 inside a range
-  N relief;    // the ridged sum so far, in about [0, 2]
-  N weight;    // what the next octave of the ridged sum may add
-  N detail;    // the smooth sum so far, metres
+  N height;    // metres, without what is still to come
+  N strength;  // how deep water carves here: 0 at sea, about 1 high in a range
+  N detail;    // sum of the octaves below the hills, in about [-1, 1]
 };
 
 // R is the scalar that the constants are kept in; N is Jet<R>, or Interval with R = double.
 template <class R>
 struct LandShape {
-  R landBias, seaDepth, plainHeight, mountainHeight, valleyWidth2;  // mountainHeight is per unit of relief
-  SmoothStep<R> rangeStep, inlandStep;
+  R landBias, seaDepth, plainHeight, mountainHeight, hillHeight, carving, plainDetail, rockDetail;
+  SmoothStep<R> rangeStep;
+  Trough<R> river, pass;
   SoftLimit<R> limit;
 
   explicit LandShape(const TerrainSettings& s)
       : landBias(static_cast<R>(s.landBias)),
-        seaDepth(static_cast<R>(s.seaDepth)),
+        seaDepth(static_cast<R>(1.1 * s.seaDepth)),
         plainHeight(static_cast<R>(s.plainHeight)),
-        mountainHeight(static_cast<R>(0.7 * s.mountainHeight)),
-        valleyWidth2(static_cast<R>(s.valleyWidth * s.valleyWidth)),
-        rangeStep{static_cast<R>(0.3 - s.rangeShare), R(2)},
-        inlandStep{R(0.02), R(3)},
+        mountainHeight(static_cast<R>(s.mountainHeight)),
+        hillHeight(static_cast<R>(80 * s.plainRoughness)),
+        carving(static_cast<R>(s.roughness)),
+        plainDetail(static_cast<R>(2.5 * s.plainRoughness)),
+        rockDetail(static_cast<R>(8 * s.roughness)),
+        rangeStep{static_cast<R>(0.1 - s.rangeShare), R(1.6)},
+        river{static_cast<R>(s.valleyWidth * s.valleyWidth)},
+        pass{static_cast<R>(4 * s.valleyWidth * s.valleyWidth)},
         limit{R(-200), R(1500), R(56), R(290)} {}
 
   template <class N>
   SKYDROP_INLINE LandState<N> begin(const LandFields<N>& f) const {
-    const N land = f.continent + landBias;
-    const N shore = rising(land, SmoothRamp<R>{R(0.1)}) * plainHeight;
-    const N shelf = rising(land * R(-1), SmoothRamp<R>{R(0.1)}) * seaDepth;
-    const N trough = even(f.valley, Trough<R>{valleyWidth2});
+    const N &h0 = f.hills[0], &h1 = f.hills[1], &h2 = f.hills[2], &h3 = f.hills[3];
+    const N land = f.continent + h0 * R(0.06) + h1 * R(0.035) + h2 * R(0.02) + landBias;
+    const N inland = rising(land, SmoothStep<R>{R(0), R(1 / 0.35)});
+    const N shore = rising(land, SmoothRamp<R>{R(0.02)}) * (R(0.5) * plainHeight);
+    const N shelf = rising(land * R(-1), SmoothRamp<R>{R(0.03)}) * seaDepth;
+
+    const N valley = f.valley + h1 * R(0.1) + h2 * R(0.05);
+    const N bank = even(valley, river);
+    const N mountains = rising(f.range + h0 * R(0.1), rangeStep) * inland;
+
+    // Hills stand on plains that the rivers cut down to their own height.
+    const N rolling = rising(f.range, SmoothStep<R>{R(-0.8), R(0.9)}) * R(0.8) + R(0.2);
+    const N dry = rising(land, SmoothStep<R>{R(-0.02), R(5)});
+    const N hills = (h0 * R(0.25) + h1 * R(0.5) + h2 * R(0.4) + h3 * R(0.18) + R(0.35)) * rolling * dry;
+    const N plain = (shore + hills * hillHeight) * (bank * R(0.9) + R(0.1)) + (bank + R(-1)) * R(8);
+
+    // A crest line along the range, lower ridges across it, passes where valleys cross.
+    const N crest = even(f.crest + h0 * R(0.2) + h1 * R(0.09) + h2 * R(0.03),
+                         FallFromCrest<R>{{R(0.03), R(1 / 0.03)}, R(1 / 0.32)}) *
+                        R(-1) +
+                    R(1);
+    const N spine = even(h0 * R(0.7) + h1 * R(0.5), RoundedAbs<R>{R(0.08), R(1 / 0.08)}) * R(-1) + R(1);
+    const N massif = mountains * (even(valley, pass) * R(0.6) + R(0.4));
+    const N rise = massif * (crest * (spine * R(0.45) + R(0.5)) + spine * R(0.12));
+
     LandState<N> state;
-    state.base = shore - shelf;
-    state.mountain = rising(f.range, rangeStep) * rising(land, inlandStep) * trough;
-    state.relief = N{};
-    state.weight = N{} + R(1);
+    state.height = plain - shelf + rise * mountainHeight * R(1.25);
+    state.strength = (massif * (crest * R(0.9) + R(0.2)) + rolling * dry * R(0.25)) * carving;
     state.detail = N{};
     return state;
   }
 
-  // One octave of the relief; its amplitudes in the ridged and in the smooth sum.
-  template <class N>
-  SKYDROP_INLINE void octave(const N& noise, R ridgeShare, R detailShare, LandState<N>& state) const {
-    const N ridge = even(noise, RoundedAbs<R>{R(0.06), R(1 / 0.06)}) * R(-1) + R(1);
-    state.weight = ridge * ridge * state.weight;
-    state.relief = state.relief + state.weight * ridgeShare;
-    state.detail = state.detail + noise * detailShare;
-  }
-
   template <class N>
   SKYDROP_INLINE N finish(const LandState<N>& state) const {
-    const N height = state.base + state.detail + state.mountain * state.relief * mountainHeight;
-    return rising(height, limit);
+    return rising(state.height + state.detail * (state.strength * rockDetail + plainDetail), limit);
   }
 };
 

@@ -9,9 +9,9 @@
 
 namespace skydrop::terrain {
 
-// HeightSource::fillChunk for the land of these shares and octaves. `shape` and `octaves` belong together.
-bool fillNoiseChunk(const TerrainSettings& settings, const LandShape<float>& shape,
-                    const LandOctaves& octaves, const RowKernels& kernels, const ChunkKey& key,
-                    const std::stop_token& stop, ChunkData& out);
+// HeightSource::fillChunk for the land of this shape and these octaves. `shape` and `octaves` belong
+// together.
+bool fillNoiseChunk(const LandShape<float>& shape, const LandOctaves& octaves, const RowKernels& kernels,
+                    const ChunkKey& key, const std::stop_token& stop, ChunkData& out);
 
 }  // namespace skydrop::terrain

@@ -22,28 +22,23 @@ glm::dvec2 insideWorld(glm::dvec2 xz) { return {insideWorld(xz.x), insideWorld(x
 class NoiseHeightSource final : public HeightSource {
  public:
   NoiseHeightSource(const TerrainSettings& settings, std::uint64_t seed, const RowKernels& kernels)
-      : settings_(settings),
-        shape_(settings),
-        rowShape_(settings),
-        octaves_(makeLandOctaves(settings, seed)),
-        kernels_(kernels) {}
+      : shape_(settings), rowShape_(settings), octaves_(makeLandOctaves(settings, seed)), kernels_(kernels) {}
 
   HeightSample sample(glm::dvec2 position) const override {
-    const Jet<double> height = landAt(settings_, shape_, octaves_, insideWorld(position));
+    const Jet<double> height = landAt(shape_, octaves_, insideWorld(position));
     return {height.v, {height.x, height.z}};
   }
 
   HeightBounds bounds(glm::dvec2 lo, glm::dvec2 hi) const override {
-    return landBounds(settings_, shape_, octaves_, insideWorld(lo), insideWorld(hi));
+    return landBounds(shape_, octaves_, insideWorld(lo), insideWorld(hi));
   }
   HeightBounds range() const override { return {kLowestHeight, kHighestHeight}; }
 
   bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const override {
-    return fillNoiseChunk(settings_, rowShape_, octaves_, kernels_, key, stop, out);
+    return fillNoiseChunk(rowShape_, octaves_, kernels_, key, stop, out);
   }
 
  private:
-  TerrainSettings settings_;
   LandShape<double> shape_;
   LandShape<float> rowShape_;
   LandOctaves octaves_;

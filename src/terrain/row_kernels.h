@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "skydrop/terrain/chunk_key.h"
+#include "terrain/land_gully.h"
 #include "terrain/land_shape.h"
 
 namespace skydrop::terrain {
@@ -33,7 +34,6 @@ struct JetRow {
 struct RowState {
   LandFields<JetRow> fields;
   LandState<JetRow> land;
-  JetRow noise;
 };
 
 // Gradients of lattice nodes along a lattice row.
@@ -60,21 +60,41 @@ struct OctaveRow {
   bool carriesGradient = true;             // false: the gradient counts as 0 (docs/terrain-noise.md)
 };
 
+// Nodes of gullies along a lattice row.
+struct GullyNodeRow {
+  std::array<float, kRowSize + 8> turnsX{}, turnsZ{}, phase{}, amplitude{};
+};
+
+// One octave of gullies over one row of samples; as in OctaveRow. Node c and the next are west and east of
+// cell c.
+struct GullyRow {
+  int perCell = 1;
+  int phase = 0;
+  int cells = 0;
+  const float *u = nullptr, *fade = nullptr, *fadeSlope = nullptr;
+  const GullyNodeRow *north = nullptr, *south = nullptr;
+  int firstNode = 0;  // index of cell 0's western nodes in north and south
+  float w = 0, fadeZ = 0, fadeSlopeZ = 0;
+  float metres = 1;
+  float perMetre = 1;
+  bool carriesGradient = true;
+};
+
 struct RowKernels {
   // Gradients of `count` nodes first, first + stride, ... of a lattice row.
   void (*nodes)(std::uint64_t rowSeed, std::int64_t first, std::int64_t stride, int count, NodeRow& out);
   // The octave's noise, stored to `out` or added to it.
   void (*storeNoise)(const OctaveRow& octave, JetRow& out);
   void (*addNoise)(const OctaveRow& octave, JetRow& out);
-  // The steps of LandShape: state.fields to state.land, state.noise into state.land, state.land to codes of
-  // heights and normals (kChunkSamples each; chunk_data.h).
+  // The steps of LandShape: state.fields to state.land; gullies onto state.land.height; state.land to codes
+  // of heights and normals (kChunkSamples each; chunk_data.h).
   void (*begin)(const LandShape<float>& shape, RowState& state);
-  void (*octave)(const LandShape<float>& shape, float ridgeShare, float detailShare, RowState& state);
+  void (*gully)(const GullyRow& octave, RowState& state);
   void (*finish)(const LandShape<float>& shape, const RowState& state, std::uint16_t* heights,
                  std::uint16_t* normals);
-  // Of kChunkSamples^2 height codes: for each LOD the largest distance to its mesh (ChunkData::lodError) in
-  // height steps, times its skip.
-  void (*lodErrors)(const std::uint16_t* heights, int* worst);
+  // The nodes first, first + 1, ... of a row of gullies that stand on the samples of state.land.
+  void (*gullyNodes)(std::uint64_t rowSeed, std::int64_t first, int count, const RowState& state,
+                     GullyNodeRow& out);
 };
 
 enum class InstructionSet { baseline, sse41, avx2, avx512 };

@@ -129,7 +129,7 @@ SKYDROP_INLINE void noise(const OctaveRow& o, JetRow& out) {
   for (int c = 0; c < o.cells; ++c) {
     const int first = c * o.perCell - p;
     const int from = first < 0 ? 0 : first;
-    const int to = first + o.perCell < kChunkSamples ? first + o.perCell : kChunkSamples;
+    const int to = first + o.perCell < kRowSize ? first + o.perCell : kRowSize;
     for (int s = from; s < to; ++s) {
       sampleAt<kAdd>(cells, c, o.u[s - first], o.fade[s - first], o.fadeSlope[s - first], perMetre, v[s],
                      x[s], z[s]);
@@ -152,27 +152,75 @@ SKYDROP_INLINE void store(JetRow& row, int s, Jet<float> value) {
 void begin(const LandShape<float>& shapeOfCaller, RowState& state) {
   const LandShape<float> shape = shapeOfCaller;
   for (int s = 0; s < kRowSize; ++s) {
-    const LandState<Jet<float>> land = shape.begin(LandFields<Jet<float>>{
-        load(state.fields.continent, s), load(state.fields.range, s), load(state.fields.valley, s)});
-    store(state.land.base, s, land.base);
-    store(state.land.mountain, s, land.mountain);
-    store(state.land.relief, s, land.relief);
-    store(state.land.weight, s, land.weight);
+    LandFields<Jet<float>> fields{load(state.fields.continent, s),
+                                  load(state.fields.range, s),
+                                  load(state.fields.crest, s),
+                                  load(state.fields.valley, s),
+                                  {load(state.fields.hills[0], s), load(state.fields.hills[1], s),
+                                   load(state.fields.hills[2], s), load(state.fields.hills[3], s)}};
+    const LandState<Jet<float>> land = shape.begin(fields);
+    store(state.land.height, s, land.height);
+    store(state.land.strength, s, land.strength);
     store(state.land.detail, s, land.detail);
   }
 }
 
-void octave(const LandShape<float>& shapeOfCaller, float ridgeShare, float detailShare, RowState& state) {
-  const LandShape<float> shape = shapeOfCaller;
-  for (int s = 0; s < kRowSize; ++s) {
-    LandState<Jet<float>> land;
-    land.relief = load(state.land.relief, s);
-    land.weight = load(state.land.weight, s);
-    land.detail = load(state.land.detail, s);
-    shape.octave(load(state.noise, s), ridgeShare, detailShare, land);
-    store(state.land.relief, s, land.relief);
-    store(state.land.weight, s, land.weight);
-    store(state.land.detail, s, land.detail);
+// What a row's z leaves of the nodes of gullies: of each cell, its four corners.
+struct alignas(64) GullyCellRow {
+  GullyCorner<float> corners[4][kMaxCells];
+};
+
+void foldGullies(const GullyRow& o, GullyCellRow& out) {
+  for (int corner = 0; corner < 4; ++corner) {
+    const bool east = corner % 2 != 0, south = corner >= 2;
+    const GullyNodeRow& nodes = south ? *o.south : *o.north;
+    const int first = o.firstNode + (east ? 1 : 0);
+    for (int c = 0; c < o.cells; ++c) {
+      const auto n = static_cast<std::size_t>(first + c);
+      out.corners[corner][c] =
+          gullyCorner(GullyNode<float>{nodes.turnsX[n], nodes.turnsZ[n], nodes.phase[n], nodes.amplitude[n]},
+                      east, south, o.w);
+    }
+  }
+}
+
+void gully(const GullyRow& octave, RowState& state) {
+  const GullyRow o = octave;
+  GullyCellRow cells;
+  foldGullies(o, cells);
+  const float perMetre = o.carriesGradient ? o.metres * o.perMetre : 0.0f;
+  float* __restrict v = state.land.height.v.samples();
+  float* __restrict x = state.land.height.x.samples();
+  float* __restrict z = state.land.height.z.samples();
+  const FadePlace<float> place{o.w, o.fadeZ, o.fadeSlopeZ};
+  for (int c = 0; c < o.cells; ++c) {
+    const GullyCorner<float> northWest = cells.corners[0][c], northEast = cells.corners[1][c];
+    const GullyCorner<float> southWest = cells.corners[2][c], southEast = cells.corners[3][c];
+    const int first = c * o.perCell - o.phase;
+    const int from = first < 0 ? 0 : first;
+    const int to = first + o.perCell < kRowSize ? first + o.perCell : kRowSize;
+    for (int s = from; s < to; ++s) {
+      const int k = s - first;
+      const Jet<float> blend = gullyBlend(northWest, northEast, southWest, southEast,
+                                          FadePlace<float>{o.u[k], o.fade[k], o.fadeSlope[k]}, place);
+      v[s] = v[s] + blend.v * o.metres;
+      x[s] = x[s] + blend.x * perMetre;
+      z[s] = z[s] + blend.z * perMetre;
+    }
+  }
+}
+
+void gullyNodes(std::uint64_t rowSeed, std::int64_t first, int count, const RowState& state,
+                GullyNodeRow& out) {
+  for (int n = 0; n < count; ++n) {
+    const auto i = static_cast<std::size_t>(n);
+    const GullyNode<float> node =
+        gullyNode(nodeBits(rowSeed, first + n), state.land.height.x.samples()[n],
+                  state.land.height.z.samples()[n], state.land.strength.v.samples()[n]);
+    out.turnsX[i] = node.turnsX;
+    out.turnsZ[i] = node.turnsZ;
+    out.phase[i] = node.phase;
+    out.amplitude[i] = node.amplitude;
   }
 }
 
@@ -182,9 +230,8 @@ void finish(const LandShape<float>& shapeOfCaller, const RowState& state, std::u
   const LandShape<float> shape = shapeOfCaller;
   for (int s = 0; s < kChunkSamples; ++s) {
     LandState<Jet<float>> land;
-    land.base = load(state.land.base, s);
-    land.mountain = load(state.land.mountain, s);
-    land.relief = load(state.land.relief, s);
+    land.height = load(state.land.height, s);
+    land.strength = load(state.land.strength, s);
     land.detail = load(state.land.detail, s);
     const Jet<float> height = shape.finish(land);
 
@@ -203,57 +250,9 @@ void finish(const LandShape<float>& shapeOfCaller, const RowState& state, std::u
   }
 }
 
-// The worst error of the samples dz rows below the corners of a row of quads, in height steps times kSkip:
-// whole numbers, so the result is exact. A quad's two triangles are planes in x; its east edge belongs to the
-// next quad, except at the end of the row.
-template <int kSkip>
-SKYDROP_INLINE int lodErrorOfRow(const std::uint16_t* north, const std::uint16_t* south, int dz,
-                                 const std::uint16_t* row) {
-  int worst = 0;
-  for (int c = 0; c < kChunkCells / kSkip; ++c) {
-    const int first = c * kSkip;
-    const int h00 = north[first], h10 = north[first + kSkip], h01 = south[first], h11 = south[first + kSkip];
-    const int west = h00 * kSkip + (h01 - h00) * dz, northSlope = h10 - h00;
-    const int diagonal = h01 * kSkip + (h10 - h11) * (kSkip - dz), southSlope = h11 - h01;
-#pragma GCC unroll 4
-    for (int x = 0; x < kSkip; ++x) {
-      const int plane = x + dz <= kSkip ? west + northSlope * x : diagonal + southSlope * x;
-      const int off = row[first + x] * kSkip - plane;
-      const int error = off < 0 ? -off : off;
-      worst = error > worst ? error : worst;
-    }
-  }
-  const int off = row[kChunkCells] * kSkip - (north[kChunkCells] * (kSkip - dz) + south[kChunkCells] * dz);
-  const int error = off < 0 ? -off : off;
-  return error > worst ? error : worst;
-}
-
-template <int kSkip>
-SKYDROP_INLINE int lodErrorOf(const std::uint16_t* heights) {
-  int worst = 0;
-  for (int z = 0; z < kChunkSamples; ++z) {
-    const int top = z < kChunkCells ? z / kSkip * kSkip : kChunkCells - kSkip;
-    const std::uint16_t* const north = heights + top * kChunkSamples;
-    const int error =
-        lodErrorOfRow<kSkip>(north, north + kSkip * kChunkSamples, z - top, heights + z * kChunkSamples);
-    worst = error > worst ? error : worst;
-  }
-  return worst;
-}
-
-void lodErrors(const std::uint16_t* heights, int* worst) {
-  static_assert(kLodCount == 5 && kLodSkips[1] == 2 && kLodSkips[2] == 4 && kLodSkips[3] == 8 &&
-                kLodSkips[4] == 16);
-  worst[0] = 0;
-  worst[1] = lodErrorOf<2>(heights);
-  worst[2] = lodErrorOf<4>(heights);
-  worst[3] = lodErrorOf<8>(heights);
-  worst[4] = lodErrorOf<16>(heights);
-}
-
 }  // namespace
 
 extern const RowKernels SKYDROP_ROW_KERNELS;
-const RowKernels SKYDROP_ROW_KERNELS{nodes, storeNoise, addNoise, begin, octave, finish, lodErrors};
+const RowKernels SKYDROP_ROW_KERNELS{nodes, storeNoise, addNoise, begin, gully, finish, gullyNodes};
 
 }  // namespace skydrop::terrain

@@ -1,4 +1,4 @@
-// What land costs: chunks by each instruction set, LOD errors, single points, bounds. The yardstick is the
+// What land costs: chunks by each instruction set, single points, bounds. The yardstick is the
 // plain loop that asks for one sample after the other. Left out: the cache, the queue and the upload.
 #include <benchmark/benchmark.h>
 
@@ -6,7 +6,6 @@
 #include <ctime>
 
 #include "skydrop/terrain/chunk_data.h"
-#include "terrain/lod_error.h"
 #include "terrain/noise_source.h"
 
 namespace skydrop::terrain {
@@ -23,7 +22,7 @@ ChunkData emptyChunk(const ChunkKey& key) {
   return chunk;
 }
 
-// Heights and normals of a chunk, 18 octaves, on one thread.
+// Heights and normals of a chunk of the game, on one thread.
 void chunkByInstructionSet(benchmark::State& state) {
   const auto set = static_cast<InstructionSet>(state.range(0));
   state.SetLabel(kSetNames[state.range(0)]);
@@ -45,18 +44,12 @@ void chunkPointByPoint(benchmark::State& state) {
 }
 BENCHMARK(chunkPointByPoint)->Unit(benchmark::kMillisecond);
 
-// All that a job does: samples, bounds and LOD errors.
+// All that a job does: samples and bounds.
 void wholeChunk(benchmark::State& state) {
   const auto land = makeNoiseHeightSource({}, 1);
   for (auto _ : state) benchmark::DoNotOptimize(makeChunk(*land, kKey));
 }
 BENCHMARK(wholeChunk)->Unit(benchmark::kMillisecond);
-
-void lodErrorsOfChunk(benchmark::State& state) {
-  const ChunkData chunk = makeChunk(*makeNoiseHeightSource({}, 1), kKey);
-  for (auto _ : state) benchmark::DoNotOptimize(lodErrors(chunk.heights));
-}
-BENCHMARK(lodErrorsOfChunk)->Unit(benchmark::kMillisecond);
 
 void onePointOfLand(benchmark::State& state) {
   const auto land = makeNoiseHeightSource({}, 1);

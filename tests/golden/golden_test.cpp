@@ -38,12 +38,12 @@ const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all = {
       {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
       {"takeoff", {"--time", "1"}},
-      {"mountainsAtNoon", withoutHud({"--pose", "-1000,1150,-1500,180,-6,0", "--set", "render.sun.elevationDegrees=60"})},
-      {"coast", withoutHud({"--pose", "6500,260,-5200,15,-8,0"})},
-      {"steepBankOverValley", withoutHud({"--pose", "-2300,1000,-5200,165,-10,50"})},
-      {"straightDown", withoutHud({"--pose", "6900,1500,-5600,0,-90,0"})},
+      {"mountainsAtNoon", withoutHud({"--pose", "6500,1000,-1800,340,-6,0", "--set", "render.sun.elevationDegrees=60"})},
+      {"coast", withoutHud({"--pose", "5000,700,6000,220,-10,0"})},
+      {"steepBankOverValley", withoutHud({"--pose", "8000,1100,-7500,200,-10,50"})},
+      {"straightDown", withoutHud({"--pose", "3600,1500,4600,0,-90,0"})},
       {"menuOpen", {"--time", "1", "--menu"}},
-      {"dropText", {"--autopilot", "--time", "69.6"}},
+      {"dropText", {"--autopilot", "--time", "66.6"}},
   };
   return all;
 }

@@ -41,11 +41,6 @@ struct ChunkData {
   std::vector<std::uint16_t> normals;  // the same order
   HeightBounds bounds;                 // exact for the stored (decoded) heights
 
-  // Largest vertical distance, metres, between the stored samples and the mesh of every kLodSkips[i]-th
-  // sample whose quads are cut by the diagonal from (x + skip, z) to (x, z + skip). Exact up to float
-  // rounding (1e-4 m); lodError[0] is 0.
-  std::array<float, kLodCount> lodError{};
-
   bool empty() const { return heights.empty(); }
 };
 

@@ -19,7 +19,8 @@ inline constexpr int kChunkCells = 240;                // cells along a side
 inline constexpr int kChunkSamples = kChunkCells + 1;  // samples along a side
 inline constexpr double kCellMetres = 4.0;             // sample distance at level 0
 inline constexpr double kChunkMetres = kCellMetres * kChunkCells;
-inline constexpr std::int32_t kMaxChunkLevel = 10;   // cells of 4096 m: nothing but continents is left
+inline constexpr std::int32_t kMaxChunkLevel =
+    6;  // cells of 256 m: those of the finest gullies (land_gully.h)
 inline constexpr double kWorldLimitMetres = 0x1p50;  // 1.1e15 m: beyond it, doubles are 0.25 m apart
 
 // A chunk's mesh at LOD i uses every kLodSkips[i]-th sample. Each skip divides the chunk and the next skip,
