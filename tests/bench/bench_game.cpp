@@ -3,7 +3,7 @@
 #include <chrono>
 #include <glm/trigonometric.hpp>
 
-#include "app/key_map.h"
+#include "app/bindings.h"
 #include "app/open_context.h"
 
 namespace skydrop::bench {
@@ -22,7 +22,7 @@ BenchGame::BenchGame(bool measuring, std::optional<int> workers)
       context_(app::openContext(std::nullopt, kFrameSize)),
       simulation_(run_->setup, run_->settings, run_->table),
       stage_(*context_, {simulation_.effects(), simulation_.ground(), workers, measuring}, run_->settings),
-      overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::defaultKeyMap())) {
+      overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::Bindings())) {
   stage_.addOverlay();
   stage_.warmUp(simulation_.world().now(), kFrameSize);
   stage_.camera().setMode(render::CameraMode::free);
