@@ -118,8 +118,16 @@ def crash(rng):
     return faded(boom + debris + ring, .003)
 
 
+def stall(rng):
+    """A loop of whole periods: the reed of a stall horn, a buzz of 400 Hz and its odd partials, a little rough."""
+    t = seconds(.5)
+    reed = sum(np.cos(2 * np.pi * 400 * k * t + k) / k for k in (1, 2, 3, 5, 7, 9))
+    return reed * (1 + .25 * np.cos(2 * np.pi * 36 * t))
+
+
 SOUNDS = {"engine": (engine, .8), "drop": (drop, .7), "parachute": (parachute, .7), "landing": (landing, .8),
-          "splash": (splash, .7), "score": (score, .55), "miss": (miss, .5), "crash": (crash, .9)}
+          "splash": (splash, .7), "score": (score, .55), "miss": (miss, .5), "crash": (crash, .9),
+          "stall": (stall, .4)}
 
 
 def write_wav(path, signal, peak):

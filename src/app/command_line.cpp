@@ -215,6 +215,7 @@ class Parser {
   }
 
   void addSimulate(CLI::App& verb) {
+    path(verb, "--trace", "FILE.csv", "write every step of the flight as a row of numbers", line_.trace);
     text(verb, "--seconds", "S", "how long (60)",
          [this](const std::string& t) { line_.seconds = number("--seconds", t, 0, kMaxSeconds); });
     text(verb, "--fps", "N", "the drawing rate that is imitated (60)",

@@ -64,6 +64,7 @@ struct CommandLine {
 
   // simulate
   double seconds = 60;
+  std::optional<std::filesystem::path> trace;
 
   NoiseRequest noise;
 

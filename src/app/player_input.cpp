@@ -8,12 +8,6 @@ namespace {
 
 using render::gl::WindowEvent;
 
-// One step towards -kRampSteps, 0 or kRampSteps; returns the level as a share.
-double ramp(int& level, int direction) {
-  level += std::clamp(direction * kRampSteps - level, -1, 1);
-  return static_cast<double>(level) / kRampSteps;
-}
-
 // Keys and gamepad fly together.
 double together(double keys, double gamepad) { return std::clamp(keys + gamepad, -1.0, 1.0); }
 
@@ -108,13 +102,13 @@ game::Controls PlayerInput::step() {
   };
   const GamepadSettings& pad = gamepadSettings_;
   game::Controls controls;
-  controls.thrust = together(ramp(thrust_, isHeld(Action::thrust) ? 1 : 0), pushed(Action::thrust));
-  controls.brake = together(ramp(brake_, isHeld(Action::brake) ? 1 : 0), pushed(Action::brake));
-  controls.pitch = together(ramp(pitch_, axis(Action::noseDown, Action::noseUp)),
+  controls.thrust = together(thrust_.step(isHeld(Action::thrust) ? 1 : 0), pushed(Action::thrust));
+  controls.brake = together(brake_.step(isHeld(Action::brake) ? 1 : 0), pushed(Action::brake));
+  controls.pitch = together(pitch_.step(axis(Action::noseDown, Action::noseUp)),
                             pushed(Action::noseDown, Action::noseUp, pad.invertPitch));
-  controls.roll = together(ramp(roll_, axis(Action::rollLeft, Action::rollRight)),
+  controls.roll = together(roll_.step(axis(Action::rollLeft, Action::rollRight)),
                            pushed(Action::rollLeft, Action::rollRight, pad.invertRoll));
-  controls.yaw = together(ramp(yaw_, axis(Action::yawLeft, Action::yawRight)),
+  controls.yaw = together(yaw_.step(axis(Action::yawLeft, Action::yawRight)),
                           pushed(Action::yawLeft, Action::yawRight, pad.invertYaw));
   controls.drop = std::exchange(dropTapped_, false) || isHeld(Action::drop);
   controls.reset = std::exchange(resetTapped_, false) || isHeld(Action::reset);

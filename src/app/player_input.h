@@ -1,8 +1,8 @@
 // What the player does with keyboard and gamepad, as controls of the simulation and as actions of the
-// program. Keys and buttons are on or off, a stick is not: levels rise and fall by a fixed share in every
-// simulation step, so the same keys at the same steps give the same flight at any frame rate. Sticks and
-// triggers are taken as they are. Both devices fly at once: their levels are added and held to the range, and
-// a stick at rest adds nothing, so neither has to be chosen. Main thread.
+// program. Keys and buttons are on or off, a stick is not: the levers that they move (KeyStick) go
+// a fixed way in every simulation step, so the same keys at the same steps give the same flight at any rate.
+// Sticks and triggers are taken as they are. Both devices fly at once: their levels are added and held to the
+// range, and a stick at rest adds nothing, so neither has to be chosen. Main thread.
 #pragma once
 
 #include <set>
@@ -10,13 +10,17 @@
 
 #include "app/bindings.h"
 #include "app/gamepad.h"
+#include "app/key_stick.h"
 #include "skydrop/game/controls.h"
 #include "skydrop/render/gl/window_context.h"
 
 namespace skydrop::app {
 
-// Steps of 1/120 s from centre to full deflection: 0.15 s. Shorter is twitchy, longer is felt as lag.
-inline constexpr int kRampSteps = 18;
+// How keys move the controls. Pitch is the slowest: a full pull is 4 g, and it builds up over .8 s instead of
+// hitting. Shorter is twitchy, longer is felt as lag.
+inline constexpr KeyStickShape kPitchKeys{48, 24}, kRollKeys{30, 24}, kYawKeys{36, 24}, kThrottleKeys{18, 18};
+// No key takes more steps than this to full deflection.
+inline constexpr int kRampSteps = 48;
 
 // Where an axis counts as pressed when it is bound to something that is on or off, and as free again: apart,
 // so that a hand that trembles presses once.
@@ -78,7 +82,8 @@ class PlayerInput {
   bool focused_ = true;
   std::vector<Action> actions_;
   bool dropTapped_ = false, resetTapped_ = false;
-  int thrust_ = 0, brake_ = 0, pitch_ = 0, roll_ = 0, yaw_ = 0;  // -kRampSteps .. kRampSteps
+  KeyStick thrust_{kThrottleKeys}, brake_{kThrottleKeys}, pitch_{kPitchKeys}, roll_{kRollKeys},
+      yaw_{kYawKeys};
 };
 
 }  // namespace skydrop::app

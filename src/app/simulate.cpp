@@ -1,6 +1,8 @@
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
+#include "app/flight_trace.h"
 #include "app/frame_times.h"
 #include "app/prepare.h"
 #include "app/statistics_json.h"
@@ -13,6 +15,12 @@ int simulate(const CommandLine& line) {
   const std::unique_ptr<Run> run = prepareRun(line);
   Simulation simulation(run->setup, run->settings, run->table);
 
+  std::optional<FlightTrace> trace;
+  if (line.trace) {
+    trace.emplace();
+    trace->append(simulation.world().now());
+  }
+
   // Frames are only imitated: each asks for the steps that are due, as a window would.
   core::FixedStep clock;
   const auto wantedSteps = static_cast<std::uint64_t>(std::llround(line.seconds * core::FixedStep::kStepsPerSecond));
@@ -20,6 +28,7 @@ int simulate(const CommandLine& line) {
     for (int due = clock.advance(1 / line.fps); due > 0 && done < wantedSteps && !simulation.finished(); --due, ++done) {
       simulation.step({});
       simulation.world().takeEvents();
+      if (trace) trace->append(simulation.world().now());
     }
   }
 
@@ -30,6 +39,7 @@ int simulate(const CommandLine& line) {
               static_cast<long long>(now.score), static_cast<long long>(now.drops), static_cast<long long>(now.misses),
               now.aircraft.position.x, now.aircraft.position.y, now.aircraft.position.z,
               static_cast<unsigned long long>(statistics.stateHash));
+  if (trace) trace->write(*line.trace);
   if (line.stats) writeStatistics(*line.stats, statistics);
   return 0;
 }

@@ -65,7 +65,8 @@ void Stage::addOverlay() {
 void Stage::uploadFonts() { overlay_->uploadFonts(); }
 
 void Stage::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
-  const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height);
+  const terrain::HeightSource* ground = land_ ? setup_.ground.get() : nullptr;
+  const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height, ground);
   lastView_ = view;
   settleMs_ = 0;
   if (land_) {

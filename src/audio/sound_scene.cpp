@@ -13,7 +13,7 @@ namespace {
 
 using game::GameEventKind;
 
-constexpr std::string_view kEngine = "engine";
+constexpr std::string_view kEngine = "engine", kStallHorn = "stall";
 constexpr std::array<std::string_view, 7> kEventSounds = {"drop",  "parachute", "landing", "score",
                                                           "miss",  "crash",     "splash"};
 
@@ -37,16 +37,21 @@ std::optional<std::string_view> soundOf(const game::GameEvent& event) {
   return std::nullopt;
 }
 
+constexpr double kStalledPitch = 1.2, kWarningGain = 0.6;  // of the stall horn
 constexpr double kCruiseSpeed = 70;  // m/s, where the airflow leaves the propeller's pitch alone
 
 }  // namespace
 
 SoundScene::SoundScene(AudioManager& audio, const AudioSettings& settings) : audio_(audio), settings_(settings) {
   audio_.load(soundFile(kEngine));
+  audio_.load(soundFile(kStallHorn));
   for (const std::string_view name : kEventSounds) audio_.load(soundFile(name));
 }
 
-SoundScene::~SoundScene() { audio_.stop(engine_); }
+SoundScene::~SoundScene() {
+  audio_.stop(engine_);
+  audio_.stop(stallHorn_);
+}
 
 double SoundScene::enginePitch(double throttle, double airspeed) {
   const double dive = std::clamp((airspeed - kCruiseSpeed) / kCruiseSpeed, -0.5, 1.0);
@@ -65,6 +70,15 @@ void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEve
   }
   audio_.setPitch(engine_, enginePitch(now.aircraft.throttle, now.aircraft.airspeedMps));
   audio_.setGain(engine_, settings_.engineVolume * engineGain(now.aircraft.throttle));
+  if (!running || !now.aircraft.stallWarning) {
+    audio_.stop(stallHorn_);
+    stallHorn_ = 0;
+  } else if (stallHorn_ == 0) {
+    stallHorn_ = audio_.play2d(soundFile(kStallHorn), true);
+  }
+  // Higher and louder in the stall than before it.
+  audio_.setPitch(stallHorn_, now.aircraft.stalled ? kStalledPitch : 1);
+  audio_.setGain(stallHorn_, now.aircraft.stalled ? 1 : kWarningGain);
   for (const game::GameEvent& event : events) {
     if (const auto sound = soundOf(event)) audio_.play2d(soundFile(*sound));
   }

@@ -35,6 +35,13 @@ constexpr double kPathRateSpeed = 10;
 // On the back the sine of the bank vanishes and nothing would right the aircraft: this much of full
 // stabilising is added there, towards the side that already hangs lower (the right one when neither does).
 constexpr double kRightingSine = 0.2;
+// The nose grows heavy over this band of the stall angle, before and past it: hands off a glide settles in
+// it.
+constexpr double kHeavyNoseFrom = 0.85, kHeavyNoseTo = 1.1;
+// The flow separates over this band of the stall angle, and takes so long for it and for its return, s. The
+// difference is what makes a stall a break and not a plateau.
+constexpr double kSeparatesFrom = 1.0, kSeparatesTo = 1.06;
+constexpr double kSeparationSeconds = 0.1, kAttachmentSeconds = 0.7;
 // Drag of a flat plate broadside on; scales the drag at large angles of attack and sideslip.
 constexpr double kBroadsideDrag = 1;
 
@@ -53,14 +60,21 @@ double lifted(double x, double stallAngle) {
   return x / std::sqrt(std::sqrt(1 + r2 * r2));
 }
 
+// 0 below `from`, 1 above `to`, smooth between.
+double smoothStep(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 struct Flow {
   glm::dvec3 velocity{0};  // of the body through the air, body axes
   double speed = 0;
   double liftArgument = 0;  // x of the lift curve, trim included
+  double stallShare = 0;    // the same over the stall angle; negative pushed past zero lift
   double liftCoefficient = 0;
 };
 
-Flow flowOf(const AirplaneSettings& s, const glm::dvec3& wind, const BodyState& state) {
+Flow flowOf(const AirplaneSettings& s, double separation, const glm::dvec3& wind, const BodyState& state) {
   Flow f;
   f.velocity = glm::conjugate(state.orientation) * (state.velocity - wind);
   f.speed = glm::length(f.velocity);
@@ -86,7 +100,8 @@ Flow flowOf(const AirplaneSettings& s, const glm::dvec3& wind, const BodyState& 
   // square of the speed.
   const double inPlane = f.velocity.y * f.velocity.y + f.velocity.z * f.velocity.z;
   f.liftArgument = f.velocity.y * f.velocity.z / (inPlane + 1e-12) + trimArgument;
-  f.liftCoefficient = s.liftSlope * lifted(f.liftArgument, stallAngle);
+  f.stallShare = f.liftArgument / stallAngle;
+  f.liftCoefficient = s.liftSlope * lifted(f.liftArgument, stallAngle) * (1 - s.stallLiftLoss * separation);
   return f;
 }
 
@@ -100,9 +115,11 @@ void requireUsable(const AirplaneSettings& s) {
     }
   }
   for (const double any :
-       {s.rollFactor, s.stabilizingRoll, s.pitchSpeed, s.yawSpeed, s.rollSpeed, s.maxThrottle,
-        s.inducedYawFactor, s.stabilizingPitch, s.inducedPitchFactor, s.rollDamping, s.pitchDamping,
-        s.yawDamping, s.pitchStiffness, s.yawStiffness, s.dragCoefficient, s.inducedDrag, s.sideForceSlope}) {
+       {s.rollFactor,   s.stabilizingRoll,  s.pitchSpeed,       s.yawSpeed,           s.rollSpeed,
+        s.maxThrottle,  s.inducedYawFactor, s.stabilizingPitch, s.inducedPitchFactor, s.rollDamping,
+        s.pitchDamping, s.yawDamping,       s.pitchStiffness,   s.yawStiffness,       s.dragCoefficient,
+        s.inducedDrag,  s.sideForceSlope,   s.pitchFade,        s.stallWarning,       s.stallLiftLoss,
+        s.stallNoseDrop}) {
     if (!std::isfinite(any)) throw core::RangeError("airplane: a setting is not finite");
   }
 }
@@ -118,8 +135,8 @@ RigidBody makeBody(const AirplaneSettings& s, const BodyState& start) {
 }  // namespace
 
 Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, const AirplaneInput& input,
-                      double throttle, const glm::dvec3& wind, const BodyState& state) {
-  const Flow f = flowOf(s, wind, state);
+                      const AirplaneCondition& condition, const glm::dvec3& wind, const BodyState& state) {
+  const Flow f = flowOf(s, condition.separation, wind, state);
   const glm::dvec3& v = f.velocity;
   const double halfDensityArea = 0.5 * kAirDensity * s.wingArea;
 
@@ -132,7 +149,7 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   const double dragCoefficient =
       s.dragCoefficient + s.inducedDrag * cl * cl + kBroadsideDrag * (v.x * v.x + v.y * v.y) * inverseSquare;
   const glm::dvec3 drag = -halfDensityArea * dragCoefficient * f.speed * v;
-  const glm::dvec3 thrust{0, 0, -throttle * maxThrust(s)};  // (3.7)
+  const glm::dvec3 thrust{0, 0, -condition.throttle * maxThrust(s)};  // (3.7)
   Wrench w;
   w.force = state.orientation * (lift + side + drag + thrust) - glm::dvec3(0, body.mass * kGravity, 0);
 
@@ -145,8 +162,8 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   const auto authority = [&](double fullSpeed) {
     return std::min(f.speed * f.speed / (fullSpeed * fullSpeed), 1.0) / kThesisInertia;
   };
-  const double pitchUp = s.pitchSpeed * input.pitch * (1 - std::abs(sinePitch))  // (3.8)
-                         - s.inducedPitchFactor * std::abs(sineBank);            // (3.14)
+  const double pitchUp = s.pitchSpeed * input.pitch * (1 - s.pitchFade * std::abs(sinePitch))  // (3.8)
+                         - s.inducedPitchFactor * std::abs(sineBank);                          // (3.14)
   const double righting = sineBank + std::copysign(kRightingSine * std::max(-up.y, 0.0), sineBank);
   const double rollRight = s.rollSpeed * (s.rollFactor * input.roll         // (3.9)
                                           - s.stabilizingRoll * righting);  // (3.11)
@@ -164,6 +181,11 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   acceleration.x += s.pitchStiffness * stiff * v.y;
   acceleration.y -= s.yawStiffness * stiff * v.x;
 
+  // Near the stall the nose grows heavy, and where the flow has separated it drops.
+  const double heavy = smoothStep(kHeavyNoseFrom, kHeavyNoseTo, std::abs(f.stallShare));
+  acceleration.x -= std::copysign(s.stallNoseDrop * (0.4 * heavy + condition.separation), f.stallShare) *
+                    std::min(f.speed * stiff, 1.0);
+
   // Damping of pitch and yaw is towards the rate at which the flight path itself turns: a turning aircraft is
   // not held back. Roll has no such rate.
   const glm::dvec3 pathRate =
@@ -176,8 +198,9 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   return w;
 }
 
-Airflow airflowOf(const AirplaneSettings& s, const glm::dvec3& wind, const BodyState& state) {
-  const Flow f = flowOf(s, wind, state);
+Airflow airflowOf(const AirplaneSettings& s, double separation, const glm::dvec3& wind,
+                  const BodyState& state) {
+  const Flow f = flowOf(s, separation, wind, state);
   Airflow out;
   out.airspeed = f.speed;
   out.angleOfAttack = f.speed > 0 ? dmath::atan2(-f.velocity.y, -f.velocity.z) : 0;
@@ -185,7 +208,7 @@ Airflow airflowOf(const AirplaneSettings& s, const glm::dvec3& wind, const BodyS
   out.liftCoefficient = f.liftCoefficient;
   out.loadFactor =
       0.5 * kAirDensity * s.wingArea * f.liftCoefficient * f.speed * -f.velocity.z / (s.mass * kGravity);
-  out.stalled = std::abs(f.liftArgument) > s.stallAngleDeg * dmath::kRadPerDeg;
+  out.stallShare = std::abs(f.stallShare);
   return out;
 }
 
@@ -198,24 +221,29 @@ double cruiseThrottle(const AirplaneSettings& s) {
 }
 
 Airplane::Airplane(const AirplaneSettings& settings, const BodyState& start)
-    : settings_(settings), body_(makeBody(settings, start)), throttle_(cruiseThrottle(settings)) {}
+    : settings_(settings), body_(makeBody(settings, start)), condition_{cruiseThrottle(settings), 0} {}
 
 void Airplane::step(const AirplaneInput& input, const glm::dvec3& wind, double dt) {
   if (!std::isfinite(dt) || dt <= 0) return;
   const double cruise = cruiseThrottle(settings_);
   const double wanted = std::clamp(cruise + input.thrust * (1 - cruise) - input.brake * cruise, 0.0, 1.0);
   const double reach = settings_.throttleRate * dt;
-  const double before = throttle_;
-  throttle_ += std::clamp(wanted - throttle_, -reach, reach);
-  const double acting = 0.5 * (before + throttle_);  // the mean of a ramp: second order in the step
+  AirplaneCondition acting = condition_;
+  condition_.throttle += std::clamp(wanted - condition_.throttle, -reach, reach);
+  // The mean of a ramp: second order in the step.
+  acting.throttle = 0.5 * (acting.throttle + condition_.throttle);
   body_.update(dt, [&](const BodyState& at) {
     return airplaneWrench(settings_, body_.properties(), input, acting, wind, at);
   });
+  const Flow flow = flowOf(settings_, condition_.separation, wind, body_.state());
+  const double wantedSeparation = smoothStep(kSeparatesFrom, kSeparatesTo, std::abs(flow.stallShare));
+  const double seconds = wantedSeparation > condition_.separation ? kSeparationSeconds : kAttachmentSeconds;
+  condition_.separation += (wantedSeparation - condition_.separation) * dt / (seconds + dt);
 }
 
 void Airplane::place(const BodyState& state) {
   body_.setState(state);
-  throttle_ = cruiseThrottle(settings_);
+  condition_ = {cruiseThrottle(settings_), 0};
 }
 
 void Airplane::apply(const AirplaneSettings& settings) {

@@ -36,6 +36,13 @@ void describe(core::SettingsVisitor& v, AirplaneSettings& s) {
   v.number(
       "inducedYawFactor", s.inducedYawFactor,
       {.unit = "1", .min = 0, .max = 1, .help = "Yaw into the bank: more swings the nose into the turn."});
+  v.number(
+      "pitchFade", s.pitchFade,
+      {.unit = "1",
+       .min = 0,
+       .max = 1,
+       .help = "How much of the elevator fades with the sine of the pitch: at 1, the thesis's law, a held "
+               "key ends in a climb; less loops."});
   v.number("stabilizingPitch", s.stabilizingPitch,
            {.unit = "1",
             .min = 0,
@@ -89,6 +96,18 @@ void describe(core::SettingsVisitor& v, AirplaneSettings& s) {
             .help = "Lift per angle of attack: more turns the flight path faster."});
   v.number("stallAngleDeg", s.stallAngleDeg,
            {.unit = "deg", .min = 5, .max = 30, .help = "Angle of attack where the lift stops growing."});
+  v.number("stallWarning", s.stallWarning,
+           {.unit = "1",
+            .min = 0.5,
+            .max = 1,
+            .help = "Share of the stall angle from which the stall is announced: less warns earlier."});
+  v.number("stallLiftLoss", s.stallLiftLoss,
+           {.unit = "1", .min = 0, .max = 0.9, .help = "Lift lost in a stall: more drops further."});
+  v.number("stallNoseDrop", s.stallNoseDrop,
+           {.unit = "1/s^2",
+            .min = 0,
+            .max = 60,
+            .help = "How strongly a stall lowers the nose, at 70 m/s: more recovers sooner."});
   v.number(
       "dragCoefficient", s.dragCoefficient,
       {.unit = "1", .min = 0.005, .max = 0.5, .help = "Linear damping: more is slower at the same thrust."});

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include "skydrop/core/deterministic_math.h"
+#include "skydrop/core/fixed_step.h"
 #include "skydrop/flight/environment.h"
 #include "skydrop/game/contact.h"
 #include "skydrop/terrain/height_source.h"
@@ -28,6 +29,8 @@ constexpr double kClimbSpeed = 50;
 // A target nearer than this, in diameters of a full turn, and not ahead is left behind first.
 constexpr double kTurnDiameters = 1.2, kReturnDiameters = 2.0;
 constexpr double kAheadRad = 0.6;
+// Full deflections a second.
+constexpr double kStickPerSecond = 4;
 
 double wrapped(double angle) {  // to (-pi, pi]
   while (angle > dmath::kPi) angle -= dmath::kTwoPi;
@@ -116,9 +119,15 @@ Controls Autopilot::decide(const Snapshot& now) {
   if (speed < kClimbSpeed) climb = std::min(climb, 0.0);
   const double path =
       dmath::atan2(craft.velocity.y, glm::length(glm::dvec2(craft.velocity.x, craft.velocity.z)));
-  const double sine = dmath::sin(climb);
-  const double hold = 0.65 * sine / (1 - std::abs(sine));
+  const double hold = 0.65 * dmath::sin(climb);
   out.pitch = std::clamp(hold + 2 * (climb - path) - 0.8 * craft.angularVelocityBody.x, -1.0, 1.0);
+  // Its hand is no faster than a pilot's.
+  const auto eased = [](double from, double to) {
+    const double reach = kStickPerSecond * core::FixedStep::kStepSeconds;
+    return from + std::clamp(to - from, -reach, reach);
+  };
+  out.roll = eased(craft.controls.roll, out.roll);
+  out.pitch = eased(craft.controls.pitch, out.pitch);
 
   // Speed: full thrust to climb, brake when a descent runs away.
   out.thrust = climb > 0.05 || speed < kClimbSpeed ? 1 : 0;

@@ -24,6 +24,8 @@ constexpr std::uint64_t kSafePlaceSteps = 60;
 constexpr double kSafeSineBank = 0.87, kSafeSinePitch = 0.5, kSafeSpeedShare = 0.6;
 // The respawn clears the ground of this many seconds of flight ahead, asked every 20 m.
 constexpr double kRespawnAheadSeconds = 8, kRespawnAheadMetres = 20;
+// The shaking that announces a stall, of that in it.
+constexpr double kBuffetBeforeStall = 0.3;
 // The propeller turns from 8 to 40 times a second between idle and full.
 constexpr double kIdleTurnsPerS = 8, kThrottleTurnsPerS = 32;
 
@@ -57,6 +59,7 @@ void FlownAircraft::put(const glm::dvec3& position, double headingRad, double pi
   state.orientation = flight::orientationOf({headingRad, pitchRad, bankRad});
   state.velocity = setup_->wind + state.orientation * glm::dvec3(0, 0, -speed);
   airplane_.place(state);
+  trail_.place(state.orientation);
   clearance_ = clearanceAt(*setup_->ground, position);
   crashed_ = false;
   stepsToRespawn_ = 0;
@@ -88,6 +91,7 @@ void FlownAircraft::advance(const Controls& controls, std::uint64_t step) {
     place(setup_->start, step);
     journal_->report(GameEventKind::reset, body().position);
   } else if (crashed_) {
+    trail_.follow(body().orientation);
     if (--stepsToRespawn_ == 0) respawn(step);
   } else {
     fly(step);
@@ -105,6 +109,8 @@ void FlownAircraft::fly(std::uint64_t step) {
   propellerAngleRad_ +=
       dmath::kTwoPi * (kIdleTurnsPerS + kThrottleTurnsPerS * airplane_.throttle()) * FixedStep::kStepSeconds;
   if (propellerAngleRad_ >= dmath::kTwoPi) propellerAngleRad_ -= dmath::kTwoPi;
+
+  trail_.follow(body().orientation);
 
   const glm::dvec3 to = body().position;
   const double clearanceBefore = std::exchange(clearance_, clearanceAt(*setup_->ground, to));
@@ -143,7 +149,8 @@ void FlownAircraft::crash(const Contact& contact) {
 AircraftSnapshot FlownAircraft::snapshot() const {
   AircraftSnapshot a;
   const flight::BodyState& s = body();
-  const flight::Airflow flow = flight::airflowOf(airplane_.settings(), setup_->wind, s);
+  const flight::Airflow flow =
+      flight::airflowOf(airplane_.settings(), airplane_.separation(), setup_->wind, s);
   const flight::Attitude attitude = flight::attitudeOf(s.orientation);
   a.present = true;
   a.position = s.position;
@@ -157,10 +164,19 @@ AircraftSnapshot FlownAircraft::snapshot() const {
   a.headingRad = attitude.headingRad;
   a.pitchRad = attitude.pitchRad;
   a.bankRad = attitude.bankRad;
+  a.trailingOrientation = trail_.orientation();
+  a.angleOfAttackRad = flow.angleOfAttack;
+  a.sideslipRad = flow.sideslip;
   a.loadFactor = flow.loadFactor;
   a.heightAboveGround = clearance_;
   a.groundHeight = s.position.y - clearance_;
-  a.stalled = flow.stalled && !crashed_;
+  if (!crashed_) {
+    const double warning = airplane_.settings().stallWarning;
+    a.stalled = airplane_.separation() >= flight::kStalledSeparation;
+    a.stallWarning = a.stalled || flow.stallShare >= warning;
+    const double near = std::clamp((flow.stallShare - warning) / (1 - warning + 1e-9), 0.0, 1.0);
+    a.buffet = std::max(kBuffetBeforeStall * near, airplane_.separation());
+  }
   a.crashed = crashed_;
   a.secondsToRespawn = secondsOf(stepsToRespawn_);
   a.spawnCount = spawnCount_;
@@ -169,7 +185,7 @@ AircraftSnapshot FlownAircraft::snapshot() const {
 
 void FlownAircraft::addTo(core::StateHasher& h) const {
   game::addTo(h, body());
-  h.add(airplane_.throttle()), h.add(clearance_), h.add(propellerAngleRad_);
+  h.add(airplane_.throttle()), h.add(airplane_.separation()), h.add(clearance_), h.add(propellerAngleRad_);
   h.add(std::uint64_t{controls_.drop}), h.add(std::uint64_t{controls_.reset});
   h.add(std::uint64_t{crashed_}), h.add(stepsToRespawn_), h.add(std::uint64_t{spawnCount_});
   safePlaces_.addTo(h);

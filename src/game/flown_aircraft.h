@@ -5,6 +5,7 @@
 
 #include "game/journal.h"
 #include "game/safe_places.h"
+#include "game/trailing_attitude.h"
 #include "skydrop/flight/airplane.h"
 #include "skydrop/game/contact.h"
 #include "skydrop/game/controls.h"
@@ -54,6 +55,7 @@ class FlownAircraft {
   std::uint64_t stepsToRespawn_ = 0;
   std::uint32_t spawnCount_ = 0;
   SafePlaces safePlaces_;
+  TrailingAttitude trail_;  // derived, for the view
 };
 
 }  // namespace skydrop::game

@@ -24,6 +24,12 @@ Snapshot blended(const Snapshot& a, const Snapshot& now, double share) {
     craft.position = mixed(a.aircraft.position, craft.position);
     craft.orientation = turned(a.aircraft.orientation, craft.orientation);
     craft.velocity = mixed(a.aircraft.velocity, craft.velocity);
+    craft.angularVelocityBody = mixed(a.aircraft.angularVelocityBody, craft.angularVelocityBody);
+    craft.trailingOrientation = turned(a.aircraft.trailingOrientation, craft.trailingOrientation);
+    craft.buffet = between(a.aircraft.buffet, craft.buffet);
+    craft.controls.pitch = between(a.aircraft.controls.pitch, craft.controls.pitch);
+    craft.controls.roll = between(a.aircraft.controls.roll, craft.controls.roll);
+    craft.controls.yaw = between(a.aircraft.controls.yaw, craft.controls.yaw);
     craft.throttle = between(a.aircraft.throttle, craft.throttle);
     double turn = craft.propellerAngleRad - a.aircraft.propellerAngleRad;
     if (turn < 0) turn += dmath::kTwoPi;

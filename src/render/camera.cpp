@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "skydrop/core/error.h"
+#include "skydrop/game/contact.h"
 
 namespace skydrop::render {
 namespace {
@@ -23,13 +24,49 @@ void requireAttitude(const glm::dquat& q) {
     throw core::RangeError("camera: the aircraft's attitude is not a rotation");
 }
 
-// The chase camera hangs back by what the aircraft turned in the last moments. This is a function of the
-// state, not of a history, so the same state gives the same view at any frame rate.
-glm::dquat lagged(const game::AircraftSnapshot& aircraft, double seconds) {
-  const glm::dvec3 turn = aircraft.angularVelocityBody * -seconds;
-  const double angle = glm::length(turn);
-  if (!(angle > 1e-9)) return aircraft.orientation;
-  return glm::normalize(aircraft.orientation * glm::angleAxis(angle, turn / angle));
+// Between the aircraft's attitude and the one that trails behind it.
+glm::dquat followed(const game::AircraftSnapshot& aircraft, double softness) {
+  const glm::dquat& q = aircraft.orientation;
+  const glm::dquat trail = glm::dot(q, aircraft.trailingOrientation) < 0 ? -aircraft.trailingOrientation
+                                                                         : aircraft.trailingOrientation;
+  const double share = std::clamp(softness, 0.0, 1.0);
+  return glm::normalize(q * (1 - share) + trail * share);
+}
+
+// The shaking of a stall: two small swings about pitch and roll, with frequencies (Hz) that do not fall
+// together.
+constexpr double kPitchShakeHz = 11, kRollShakeHz = 7.3;
+
+glm::dquat shake(const game::Snapshot& snapshot, double degrees) {
+  const double angle = glm::radians(degrees) * snapshot.aircraft.buffet;
+  if (!(std::abs(angle) > 0)) return {1, 0, 0, 0};
+  const auto swing = [&](double hertz) {
+    return angle * std::sin(2 * std::numbers::pi * std::fmod(hertz * snapshot.simulatedSeconds, 1.0));
+  };
+  return glm::angleAxis(swing(kPitchShakeHz), glm::dvec3(1, 0, 0)) *
+         glm::angleAxis(swing(kRollShakeHz), glm::dvec3(0, 0, 1));
+}
+
+// How far an eye this much below its least height rises, m: max(0, missing) with its corner rounded over 1 m
+// to both sides, so that a ridge that comes up does not jerk the picture.
+double raiseBy(double missing) {
+  constexpr double kRound = 1;
+  if (missing <= -kRound) return 0;
+  return missing >= kRound ? missing : (missing + kRound) * (missing + kRound) / (4 * kRound);
+}
+
+// Lifts the eye out of the ground and turns the view by as much as the aircraft then moved in it.
+void keepAbove(const terrain::HeightSource& ground, double clearance, const glm::dvec3& aircraft,
+               glm::dvec3& eye, glm::dquat& orientation) {
+  const double least = game::surfaceAt(ground, {eye.x, eye.z}).height + clearance;
+  const double raise = raiseBy(least - eye.y);
+  if (!(raise > 0)) return;
+  const glm::dvec3 before = glm::normalize(aircraft - eye);
+  eye.y += raise;
+  const glm::dvec3 after = glm::normalize(aircraft - eye);
+  const double cosine = glm::dot(before, after);
+  if (cosine < -0.999) return;  // straight above instead of straight below: any way round will do
+  orientation = glm::normalize(glm::dquat(1 + cosine, glm::cross(before, after)) * orientation);
 }
 
 }  // namespace
@@ -106,8 +143,8 @@ glm::dmat4 Camera::getView() const {
   return glm::dmat4(worldToView()) * translation;
 }
 
-View Camera::view(const game::Snapshot& snapshot, const CameraSettings& settings, int width,
-                  int height) const {
+View Camera::view(const game::Snapshot& snapshot, const CameraSettings& settings, int width, int height,
+                  const terrain::HeightSource* ground) const {
   View view;
   view.fovYRad = glm::radians(settings.fovDegrees);
   view.nearM = settings.nearM;
@@ -121,13 +158,19 @@ View Camera::view(const game::Snapshot& snapshot, const CameraSettings& settings
     requireAttitude(aircraft.orientation);
     const glm::dvec3 eye(0, settings.cockpitHeight, -settings.cockpitForward);
     view.position = aircraft.position + aircraft.orientation * eye;
-    view.worldToView = glm::transpose(glm::mat3_cast(glm::normalize(aircraft.orientation)));
+    const glm::dquat orientation =
+        glm::normalize(aircraft.orientation) * shake(snapshot, settings.buffetDegrees);
+    view.worldToView = glm::transpose(glm::mat3_cast(orientation));
   } else {
     requireAttitude(aircraft.orientation);
-    const glm::dquat orientation = lagged(aircraft, settings.chaseLag);
+    requireAttitude(aircraft.trailingOrientation);
+    glm::dquat orientation = followed(aircraft, settings.chaseSoftness);
     const glm::dvec3 eye(0, settings.chaseHeight, settings.chaseDistance);
     view.position = aircraft.position + orientation * eye;
-    view.worldToView = glm::transpose(glm::mat3_cast(glm::normalize(orientation)));
+    if (!isFinite(view.position)) throw core::RangeError("camera: the aircraft's place is not finite");
+    if (ground) keepAbove(*ground, settings.groundClearance, aircraft.position, view.position, orientation);
+    orientation = glm::normalize(orientation * shake(snapshot, settings.buffetDegrees));
+    view.worldToView = glm::transpose(glm::mat3_cast(orientation));
   }
   requireValid(view);
   return view;

@@ -10,9 +10,12 @@ void describe(core::SettingsVisitor& visitor, CameraSettings& s) {
                  {"m", 4, 60, "How far behind the aircraft the chase camera flies."});
   visitor.number("chaseHeight", s.chaseHeight,
                  {"m", 0, 20, "How far above the aircraft the chase camera flies."});
-  visitor.number(
-      "chaseLag", s.chaseLag,
-      {"s", 0, 0.5, "How long the chase camera hangs back in a turn; 0 is bolted to the aircraft."});
+  visitor.number("chaseSoftness", s.chaseSoftness,
+                 {"1", 0, 1, "How far the chase camera hangs back in turns; 0 is bolted to the aircraft."});
+  visitor.number("groundClearance", s.groundClearance,
+                 {"m", 0.5, 50, "The chase camera stays this far above land and sea."});
+  visitor.number("buffetDegrees", s.buffetDegrees,
+                 {"deg", 0, 2, "How much a stall shakes the picture; 0 keeps it still."});
   visitor.number("cockpitForward", s.cockpitForward,
                  {"m", -2, 5, "The pilot's eye ahead of the aircraft's centre."});
   visitor.number("cockpitHeight", s.cockpitHeight,

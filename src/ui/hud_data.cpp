@@ -72,6 +72,7 @@ HudData makeHudData(const game::Snapshot& snapshot) {
   const double hintLeft = kHintSeconds - finiteOr0(snapshot.simulatedSeconds);
   if (!snapshot.autopilot) data.hintOpacity = std::clamp(hintLeft / kFadeSeconds, 0.0, 1.0);
   data.stalled = aircraft.stalled && !aircraft.crashed;
+  data.stallWarning = aircraft.stallWarning && !data.stalled && !aircraft.crashed;
   if (aircraft.crashed) data.respawnSeconds = std::max(finiteOr0(aircraft.secondsToRespawn), 0.0);
   return data;
 }

@@ -217,7 +217,10 @@ class Layouter {
     if (data.respawnSeconds) {
       warning = text("Crashed: back in %.1f s", *data.respawnSeconds);
     } else if (data.stalled) {
-      warning = "STALL";
+      warning = "STALL: nose down";
+    } else if (data.stallWarning) {
+      warning = "Stall warning";
+      tone = Tone::accent;
     } else if (data.hintOpacity > 0 && !data.keys.help.empty()) {
       warning = data.keys.help + ": controls";
       tone = Tone::normal;

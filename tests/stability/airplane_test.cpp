@@ -238,9 +238,9 @@ TEST(Stability, P19_airForcesVanishContinuouslyAndReversedFlowIsFinite) {
     for (const double speed : {0.0, 1e-160, 1e-30, 1e-9, 1e-3, 200.0}) {
       BodyState state;
       state.velocity = way * speed;
-      const Wrench w = airplaneWrench(settings, body, {.pitch = 1, .roll = -1, .yaw = 1}, 0, kCalm, state);
+      const Wrench w = airplaneWrench(settings, body, {.pitch = 1, .roll = -1, .yaw = 1}, {}, kCalm, state);
       EXPECT_TRUE(core::isFinite(w.force) && core::isFinite(w.torque)) << speed;
-      const Airflow flow = airflowOf(settings, kCalm, state);
+      const Airflow flow = airflowOf(settings, 0, kCalm, state);
       EXPECT_TRUE(std::isfinite(flow.angleOfAttack) && std::isfinite(flow.sideslip) &&
                   std::isfinite(flow.loadFactor));
       if (speed <= 1e-3) {

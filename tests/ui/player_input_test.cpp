@@ -58,14 +58,55 @@ TEST(PlayerInput, everyFlightKeyMovesItsControlToTheEnd) {
   }
 }
 
-TEST(PlayerInput, levelsRiseByEqualSharesOfAStep) {
+TEST(PlayerInput, heldKeysMoveTheirLeversSoftlyAndLetGoOnesFaster) {
+  // D held: the lever leaves the centre by less than a hundredth in a step, never moves by more than a fifteenth,
+  // arrives after .25 s and is back .2 s after the release. Pitch takes .4 s.
   PlayerInput input;
   input.handle(keyEvent('D', true));
-  for (int i = 1; i <= kRampSteps; ++i)
-    EXPECT_DOUBLE_EQ(input.step().roll, static_cast<double>(i) / kRampSteps);
-  EXPECT_EQ(input.step().roll, 1);
+  input.handle(keyEvent(key::kDown, true));
+  double last = 0;
+  for (int i = 1; i <= kPitchKeys.attackSteps; ++i) {
+    const game::Controls now = input.step();
+    EXPECT_GE(now.roll, last);
+    EXPECT_LT(now.roll - last, i == 1 ? 0.01 : 1.0 / 15) << i;
+    EXPECT_EQ(now.roll == 1, i >= 30) << i;
+    EXPECT_EQ(now.pitch == 1, i == 48) << i;
+    last = now.roll;
+  }
   input.handle(keyEvent('D', false));
-  EXPECT_LT(input.step().roll, 1);
+  for (int i = 1; i <= 24; ++i) EXPECT_EQ(input.step().roll == 0, i == 24) << i;
+}
+
+TEST(PlayerInput, aTapIsANudge) {
+  // A tenth of a second of the down arrow reaches between a twentieth and a quarter of the elevator.
+  PlayerInput input;
+  input.handle(keyEvent(key::kDown, true));
+  double most = 0;
+  for (int i = 0; i < 12; ++i) most = std::max(most, input.step().pitch);
+  input.handle(keyEvent(key::kDown, false));
+  for (int i = 0; i < 24; ++i) most = std::max(most, input.step().pitch);
+  EXPECT_GT(most, 0.05);
+  EXPECT_LT(most, 0.25);
+  EXPECT_EQ(input.step().pitch, 0);
+}
+
+TEST(PlayerInput, theOtherKeyBringsTheLeverBackFirst) {
+  // From full right, A alone: the lever passes the centre after the release time and is full left the attack
+  // time later, without a jump.
+  PlayerInput input;
+  input.handle(keyEvent('D', true));
+  settled(input);
+  input.handle(keyEvent('D', false));
+  input.handle(keyEvent('A', true));
+  double last = 1;
+  for (int i = 1; i <= 24 + 30; ++i) {
+    const double now = input.step().roll;
+    EXPECT_LT(now, last) << i;
+    EXPECT_GT(now, last - 1.0 / 15) << i;
+    EXPECT_EQ(now <= 0, i >= 24) << i;
+    last = now;
+  }
+  EXPECT_EQ(last, -1);
 }
 
 TEST(PlayerInput, oppositeKeysCancelAndEitherOfTwoKeysHolds) {
@@ -206,7 +247,7 @@ TEST(PlayerInput, buttonsAreKeys) {
   // Bumpers yaw by the ramp, A drops once a press, and those of the program act once a press.
   PlayerInput input;
   input.handle(pressed(pad::kLeftBumper), kPad);
-  EXPECT_DOUBLE_EQ(input.step().yaw, -1.0 / kRampSteps);
+  EXPECT_DOUBLE_EQ(input.step().yaw, KeyStick(kYawKeys).step(-1));
   EXPECT_EQ(settled(input).yaw, -1);
   input.handle(pressed(pad::kA), kPad);
   EXPECT_TRUE(input.step().drop);

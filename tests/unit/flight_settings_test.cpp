@@ -25,7 +25,7 @@ void expectComplete(std::size_t fields) {
 
 TEST(FlightSettings, everyTunedNumberIsDescribedWithUnitRangeAndSentence) {
   // The structs of flight and game: one description for each of their fields, defaults inside the ranges.
-  expectComplete<flight::AirplaneSettings>(24);
+  expectComplete<flight::AirplaneSettings>(28);
   expectComplete<flight::PackageSettings>(6);
   expectComplete<game::GameSettings>(11);
   expectComplete<game::AutopilotSettings>(4);

@@ -1,4 +1,4 @@
-// What is heard of a flight: the engine with the throttle, and the game's events. Built only for scenes that
+// What is heard of a flight: the engine with the throttle, the horn that announces a stall, and the game's events. Built only for scenes that
 // call for sound. Main thread.
 #pragma once
 
@@ -30,7 +30,7 @@ class SoundScene {
  private:
   AudioManager& audio_;
   AudioSettings settings_;
-  Voice engine_ = 0;
+  Voice engine_ = 0, stallHorn_ = 0;
 };
 
 }  // namespace skydrop::audio

@@ -17,6 +17,9 @@ inline constexpr double kThesisInertia = 3;
 // Newtons per unit of maxThrottle: with the default 198 full thrust equals the drag of level flight at 120
 // m/s.
 inline constexpr double kNewtonsPerThrottleUnit = 50.139;
+// From this separation on the aircraft counts as stalled: less than a tenth of a second after the flow
+// leaves.
+inline constexpr double kStalledSeparation = 0.3;
 
 struct AirplaneInput {
   double thrust = 0;  // 0..1
@@ -33,16 +36,23 @@ struct Airflow {
   double sideslip = 0;         // rad, flight path right of the nose positive, [-pi/2, pi/2]
   double liftCoefficient = 0;  // 1
   double loadFactor = 0;       // lift over weight, along the body's up axis
-  bool stalled = false;        // the wing is past the knee of its lift curve
+  double stallShare = 0;       // angle of attack, trim included, over the stall angle; >= 0
+};
+
+// What of the aircraft moves slower than a step but is no part of the body's motion.
+struct AirplaneCondition {
+  double throttle = 0;    // 0 idle .. 1 full
+  double separation = 0;  // of the flow from the wing: 0 attached .. 1 stalled
 };
 
 // The forces of one moment: a pure function of the state, evaluated several times within a step. Finite for
 // every finite state; the aerodynamic part goes to zero continuously with the airspeed.
 Wrench airplaneWrench(const AirplaneSettings& settings, const MassProperties& body,
-                      const AirplaneInput& input, double throttle, const glm::dvec3& wind,
+                      const AirplaneInput& input, const AirplaneCondition& condition, const glm::dvec3& wind,
                       const BodyState& state);
 
-Airflow airflowOf(const AirplaneSettings& settings, const glm::dvec3& wind, const BodyState& state);
+Airflow airflowOf(const AirplaneSettings& settings, double separation, const glm::dvec3& wind,
+                  const BodyState& state);
 
 // The throttle at which level flight at cruise speed is steady, in [0, 1].
 double cruiseThrottle(const AirplaneSettings& settings);
@@ -56,10 +66,14 @@ class Airplane {
   void step(const AirplaneInput& input, const glm::dvec3& wind, double dt);
 
   const RigidBody& body() const { return body_; }
-  double throttle() const { return throttle_; }  // 0 idle .. 1 full
+  double throttle() const { return condition_.throttle; }  // 0 idle .. 1 full
+  // 0 attached .. 1 stalled: grows within a tenth of a second past the stall angle, and heals within a
+  // second.
+  double separation() const { return condition_.separation; }
   const AirplaneSettings& settings() const { return settings_; }
 
-  // Places it anew, at cruise throttle. Throws core::RangeError, and changes nothing, unless finite.
+  // Places it anew, at cruise throttle and with attached flow. Throws core::RangeError, and changes nothing,
+  // unless finite.
   void place(const BodyState& state);
   // The same state, bit for bit, under other numbers. Throws core::RangeError, and changes nothing, when they
   // are unusable.
@@ -68,7 +82,7 @@ class Airplane {
  private:
   AirplaneSettings settings_;
   RigidBody body_;
-  double throttle_ = 0;
+  AirplaneCondition condition_;
 };
 
 }  // namespace skydrop::flight

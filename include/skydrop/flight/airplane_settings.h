@@ -17,19 +17,23 @@ struct AirplaneSettings {
   double maxThrottle = 198;
   double inducedYawFactor = 0.055;
 
+  double pitchFade = 0.5;           // 1: share of the thesis's 1 - abs(sine of pitch) in the pitch torque
   double stabilizingPitch = 0.65;   // 1
   double inducedPitchFactor = 0.1;  // 1
   double mass = 1200;               // kg
   double cruiseSpeed = 70;          // m/s
   double throttleRate = 0.7;        // 1/s
   double rollDamping = 9;           // 1/s
-  double pitchDamping = 3;          // 1/s
+  double pitchDamping = 4;          // 1/s
   double yawDamping = 8;            // 1/s
-  double pitchStiffness = 26;       // rad/s^2 per rad at 70 m/s
+  double pitchStiffness = 28;       // rad/s^2 per rad at 70 m/s
   double yawStiffness = 60;         // rad/s^2 per rad at 70 m/s
   double wingArea = 16;             // m^2
   double liftSlope = 5;             // per rad
   double stallAngleDeg = 16;        // degrees
+  double stallWarning = 0.85;       // of the stall angle
+  double stallLiftLoss = 0.4;       // of the lift
+  double stallNoseDrop = 8;         // rad/s^2 at 70 m/s
   double dragCoefficient = 0.07;    // 1: the linear damping of the body
   double inducedDrag = 0.05;        // 1
   double sideForceSlope = 1;        // per rad

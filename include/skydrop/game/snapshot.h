@@ -20,6 +20,8 @@ struct AircraftSnapshot {
   glm::dquat orientation{1, 0, 0, 0};
   glm::dvec3 velocity{0};
   glm::dvec3 angularVelocityBody{0};  // rad/s about the body's axes
+  // The attitude that trails softly behind `orientation` while it turns (for a camera that follows).
+  glm::dquat trailingOrientation{1, 0, 0, 0};
   double airspeedMps = 0;
   double throttle = 0;           // 0 idle .. 1 full: what the engine does, not what the key asks
   Controls controls;             // of the step that led here
@@ -27,10 +29,14 @@ struct AircraftSnapshot {
   double headingRad = 0;         // compass: 0 north, pi/2 east, in [0, 2 pi)
   double pitchRad = 0;           // nose above the horizon, [-pi/2, pi/2]
   double bankRad = 0;            // right wing down positive, (-pi, pi]
+  double angleOfAttackRad = 0;   // air from below positive
+  double sideslipRad = 0;        // flight path right of the nose positive
   double loadFactor = 1;         // lift over weight, "g"
   double groundHeight = 0;       // of the surface below: land, or the sea at 0
   double heightAboveGround = 0;
-  bool stalled = false;
+  bool stallWarning = false;  // near the stall, or in it
+  bool stalled = false;       // the flow has left the wing: less lift, and the nose drops
+  double buffet = 0;          // shaking by torn flow: 0 none .. 1 in a full stall
   bool crashed = false;  // lies where it struck, until the respawn
   double secondsToRespawn = 0;
   std::uint32_t spawnCount = 0;  // changes when the aircraft is placed anew: do not interpolate across it

@@ -6,6 +6,7 @@
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/render_settings.h"
 #include "skydrop/render/view.h"
+#include "skydrop/terrain/height_source.h"
 
 namespace skydrop::render {
 
@@ -15,7 +16,9 @@ std::string_view cameraModeName(CameraMode mode);
 // From where the game is seen. The free camera looks along <cos yaw cos pitch, sin pitch, sin yaw cos pitch>,
 // with pitch within +-45 degrees; set by pose it takes any attitude, straight up and upside down included.
 // The other two ride the aircraft and roll with it: they take its orientation as it is, so no attitude is
-// singular. A view is a function of camera, settings and snapshot, never of time passed.
+// singular. The chase camera swings round the aircraft's place at the moment that is drawn, by the attitude
+// that trails behind its own (game::AircraftSnapshot): the aircraft stays where it is in the picture and is
+// seen to turn in it. A view is a function of camera, settings, snapshot and land, never of time passed.
 class Camera {
  public:
   CameraMode mode() const { return mode_; }
@@ -43,8 +46,10 @@ class Camera {
   glm::dmat4 getView() const;
 
   // The view of this mode, valid (requireValid). Without an aircraft: the free camera, whatever the mode.
-  // Throws core::RangeError if the aircraft's place or attitude is not finite.
-  View view(const game::Snapshot& snapshot, const CameraSettings& settings, int width, int height) const;
+  // With `ground` the chase camera keeps above it. Throws core::RangeError if the aircraft's place or
+  // attitude is not finite.
+  View view(const game::Snapshot& snapshot, const CameraSettings& settings, int width, int height,
+            const terrain::HeightSource* ground = nullptr) const;
 
  private:
   glm::dmat3 worldToView() const;

@@ -10,7 +10,9 @@ struct CameraSettings {
   double nearM = 0.1;         // m
   double chaseDistance = 15;  // m behind the aircraft
   double chaseHeight = 2.8;   // m above it, in its own axes
-  double chaseLag = 0.12;     // s: by how much of its turning the chase camera hangs back
+  double chaseSoftness = 1;   // 0 bolted to the aircraft .. 1 hangs back in its turns
+  double groundClearance = 2; // m of the chase camera above land and sea, at least
+  double buffetDegrees = 0.35; // by how much a full stall shakes the picture
   double cockpitForward = 0.35; // m ahead of the aircraft's centre
   double cockpitHeight = 0.72;  // m above it
 };

@@ -61,6 +61,7 @@ struct HudData {
   std::optional<double> dropPulse;   // 0..1 while a package dropped now would hit
   double cooldownSeconds = 0;        // until the next drop
   std::vector<HudMessage> messages;  // newest last, at most three
+  bool stallWarning = false;         // near the stall: not yet in it
   bool stalled = false;
   std::optional<double> respawnSeconds;  // after a crash
   double hintOpacity = 0;  // of the line that names the help: in the first seconds, without autopilot
