@@ -245,6 +245,8 @@ class Layouter {
     }
     const float room = (middleRight_ - middleLeft_ - 2 * margin_ - 2 * padding_ - line_) / 2;
     const float column = std::min(keys + line_ + meanings, room);
+    // Many inputs leave half of a narrow column to the meanings.
+    keys = std::min(keys, std::max(column / 2, column - line_ - meanings));
     const float panel = 2 * column + line_ + 2 * padding_;
     const float top = below(topRow());
     // The rows stand closer where the window is low.

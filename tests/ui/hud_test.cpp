@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
@@ -130,7 +131,7 @@ TEST(Hud, textsStayInsideTheirItem) {
 }
 
 TEST(Hud, ordinaryValuesAreShownInFullAtEverySize) {
-  // No ellipsis in a usual flight, the real help included.
+  // No ellipsis in a usual flight, the real help included; that of a gamepad from 640 pixels on.
   HudData data = makeHudData(flying());
   data.autopilot = true;
   data.dropPulse = 1;
@@ -142,7 +143,7 @@ TEST(Hud, ordinaryValuesAreShownInFullAtEverySize) {
   for (const auto& [width, height] : kSizes) {
     const Interface context(width, height);
     for (const bool help : {false, true}) {
-      const auto rows = help ? app::helpRows(app::Bindings()) : std::vector<HelpRow>();
+      const auto rows = help ? app::helpRows(app::Bindings(), width >= 640) : std::vector<HelpRow>();
       for (const HudItem& item : layoutHud(context, data, rows).items) {
         for (const HudText& text : item.texts) {
           EXPECT_EQ(text.text.find("\u2026"), std::string::npos)
@@ -151,6 +152,48 @@ TEST(Hud, ordinaryValuesAreShownInFullAtEverySize) {
       }
     }
   }
+}
+
+TEST(Hud, helpOfAGamepadKeepsItsMeaningsInSmallWindows) {
+  // The inputs are cut first: half of a column is left to what they do.
+  const Interface context(320, 180);
+  HudData data = makeHudData(flying());
+  const auto rows = app::helpRows(app::Bindings(), true);
+  const HudLayout layout = layoutHud(context, data, rows);
+  const auto help = std::ranges::find(layout.items, "help", &HudItem::name);
+  ASSERT_NE(help, layout.items.end());
+  float smallest = 1e9f;
+  for (const HudText& text : help->texts) {
+    if (text.tone != HudText::Tone::dim) continue;
+    smallest = std::min(smallest, help->rect.right - text.position.x);
+  }
+  EXPECT_GT(smallest, (help->rect.right - help->rect.left) / 5);
+}
+
+TEST(Hud, notesNameTheKeysAsTheyAreBound) {
+  // And none that does not exist.
+  const Interface context(1280, 720);
+  HudData data = makeHudData(flying());
+  data.dropPulse = 1;
+  data.paused = true;
+  data.keys = {"X", "Pause", "F2"};
+  const auto shows = [&](const std::string& wanted) {
+    for (const HudItem& item : layoutHud(context, data).items) {
+      for (const HudText& text : item.texts) {
+        if (text.text == wanted) return true;
+      }
+    }
+    return false;
+  };
+  EXPECT_TRUE(shows("X"));
+  EXPECT_TRUE(shows("Pause resumes"));
+  data.paused = false;
+  data.hintOpacity = 1;
+  EXPECT_TRUE(shows("F2: controls"));
+  data.keys = {"", "", ""};
+  EXPECT_FALSE(shows(": controls"));
+  data.paused = true;
+  EXPECT_FALSE(shows(" resumes"));
 }
 
 TEST(Hud, tinyWindowsAreLaidOutWithoutHarm) {
