@@ -146,6 +146,11 @@ class Parser {
 
   void addCommon(CLI::App& verb) {
     text(verb, "--scene", "NAME|FILE", "the scene (terrain)", [this](const std::string& t) { line_.scene = t; });
+    text(verb, "--preset", "NAME|FILE", "a preset that the menu saved, for this run; --set comes after it",
+         [this](const std::string& t) {
+           if (t.empty()) throw UsageError("--preset: the name is empty");
+           line_.preset = t;
+         });
     verb.add_option_function<std::vector<std::string>>(
             "--set", [this](const std::vector<std::string>& all) { line_.set.insert(line_.set.end(), all.begin(), all.end()); },
             "a setting for this run; may stand several times")

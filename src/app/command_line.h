@@ -39,8 +39,9 @@ struct NoiseRequest {
 struct CommandLine {
   Verb verb = Verb::fly;
 
-  std::optional<std::string> scene;  // kDefaultScene unless told; a replay brings its own
-  std::vector<std::string> set;      // PATH=VALUE, in order
+  std::optional<std::string> scene;   // kDefaultScene unless told; a replay brings its own
+  std::optional<std::string> preset;  // a name or a file; below `set`
+  std::vector<std::string> set;       // PATH=VALUE, in order
   std::optional<std::uint64_t> seed;
   std::optional<int> workers;  // 1 .. 64; cores - 1 unless told
   std::optional<std::filesystem::path> userDir, stats, replay;

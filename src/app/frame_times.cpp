@@ -5,6 +5,10 @@
 
 namespace skydrop::app {
 
+std::span<const double> FrameTimes::newest(std::size_t most) const {
+  return std::span(ms_).last(std::min(most, ms_.size()));
+}
+
 double FrameTimes::quantile(double quantile) const {
   if (ms_.empty()) return 0;
   std::vector<double> sorted = ms_;

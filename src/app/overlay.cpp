@@ -22,7 +22,7 @@ OverlayResult Overlay::build(const OverlayFrame& frame) {
   OverlayResult result;
   result.fontsChanged = interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds);
   if (menuOpen) {
-    ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error};
+    ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error, frame.tools};
     content.bindings = frame.bindings;
     result.menu = menu_.draw(interface_, content);
     if (result.menu.closed) menuOpen = false;

@@ -23,7 +23,8 @@ struct OverlayFrame {
   double seconds = 0;  // since the last frame
   const core::SettingsTable& table;
   const core::FrameStatistics* statistics = nullptr;
-  std::string_view error = {};                    // of the last reload
+  std::string_view error = {};  // of the last reload
+  ui::MenuTools tools = {};
   const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
 };
 
@@ -36,6 +37,10 @@ struct OverlayResult {
 class Overlay {
  public:
   Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help);
+
+  ui::ConfigurationMenu& menu() { return menu_; }
+  // Somebody looks at what the passes cost.
+  bool showsCosts() const { return menuOpen && menu_.showsCosts(); }
 
   bool menuOpen = false;
   bool helpOpen = false;

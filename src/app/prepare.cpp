@@ -1,5 +1,6 @@
 #include "app/prepare.h"
 
+#include "app/preset_shelf.h"
 #include "app/user_settings.h"
 #include "skydrop/core/error.h"
 
@@ -23,6 +24,15 @@ void readReplay(const std::filesystem::path& file, SimulationSetup& setup) {
 }
 
 }  // namespace
+
+CommandLine withPreset(CommandLine line) {
+  if (!line.preset) return line;
+  const std::filesystem::path folder = presetFolder(line.userDir.value_or(defaultUserFolder()));
+  const std::vector<std::string> assignments = presetOfCommandLine(*line.preset, folder);
+  line.set.insert(line.set.begin(), assignments.begin(), assignments.end());
+  line.preset.reset();
+  return line;
+}
 
 std::unique_ptr<Run> prepareRun(const CommandLine& line) {
   auto run = std::make_unique<Run>();

@@ -31,6 +31,11 @@ struct Run {
   std::optional<std::string> warning;               // a broken settings file, to be said once
 };
 
+// The line with --preset spelled out as values of --set that come before the others. Names are looked up in
+// the player's folder, whatever the verb: who names a preset means it. Throws core::UsageError,
+// core::DataError.
+CommandLine withPreset(CommandLine line);
+
 // Throws core::UsageError, core::DataError.
 std::unique_ptr<Run> prepareRun(const CommandLine& line);
 

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "app/prepare.h"
 #include "app/verbs.h"
 #include "skydrop/core/error.h"
 
@@ -34,7 +35,7 @@ int runProgram(int argc, const char* const* argv) {
       std::fputs(parsed.answer->c_str(), stdout);
       return 0;
     }
-    return runVerb(parsed.commandLine);
+    return runVerb(withPreset(parsed.commandLine));
   } catch (const core::UsageError& error) {
     return refuse(kUsage, error.what());
   } catch (const core::GraphicsUnavailable& error) {

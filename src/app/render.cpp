@@ -5,6 +5,7 @@
 
 #include "app/bindings.h"
 #include "app/frame_times.h"
+#include "app/menu_desk.h"
 #include "app/open_context.h"
 #include "app/overlay.h"
 #include "app/prepare.h"
@@ -66,15 +67,26 @@ int render(const CommandLine& line) {
     stage.addOverlay();
   }
 
+  MenuDesk desk(run->userFolder);
+  if (overlay) {
+    if (const auto warning = desk.load(overlay->menu()))
+      std::fprintf(stderr, "skydrop: %s\n", warning->c_str());
+  }
+
   FrameTimes times;
-  core::FrameStatistics statistics;
+  core::FrameStatistics statistics, shown;  // the menu of a frame shows what those before it cost
   for (int frame = 0; frame < line.frames; ++frame) {
     while (simulation.world().stepCount() < stepOfFrame(line, frame)) {
       simulation.step({});
       simulation.world().takeEvents();
     }
     const game::Snapshot& now = simulation.world().now();
-    if (overlay) buildTwice(*overlay, {now, size, 0, run->table}, stage);
+    if (overlay) {
+      OverlayFrame content{now, size, 0, run->table};
+      content.statistics = &shown;
+      content.tools = desk.tools(run->baseTable, stage.view(now, size), times.newest(times.count()));
+      buildTwice(*overlay, content, stage);
+    }
     stage.renderer().finish();
     const Stopwatch drawing;
     stage.draw(now, size, Streaming::settled);
@@ -88,6 +100,11 @@ int render(const CommandLine& line) {
     const Stopwatch writing;
     core::writePng(framePath(line.out, frame), image);
     statistics.other["png"] += writing.ms();
+    if (overlay && overlay->showsCosts()) {
+      shown = {};
+      simulation.writeTo(shown);
+      stage.writeTo(shown);
+    }
     std::printf("%s\n", framePath(line.out, frame).c_str());
   }
   for (const std::string& message : stage.takeMessages())

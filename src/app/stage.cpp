@@ -64,9 +64,13 @@ void Stage::addOverlay() {
 
 void Stage::uploadFonts() { overlay_->uploadFonts(); }
 
-void Stage::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
+render::View Stage::view(const game::Snapshot& snapshot, Size size) const {
   const terrain::HeightSource* ground = land_ ? setup_.ground.get() : nullptr;
-  const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height, ground);
+  return camera_.view(snapshot, settings_.render.camera, size.width, size.height, ground);
+}
+
+void Stage::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
+  const render::View view = this->view(snapshot, size);
   lastView_ = view;
   settleMs_ = 0;
   if (land_) {
@@ -109,8 +113,8 @@ std::vector<std::string> Stage::takeMessages() {
   return messages;
 }
 
-void Stage::writeTo(core::FrameStatistics& statistics) {
-  renderer_.fillStatistics(statistics);
+void Stage::writeTo(core::FrameStatistics& statistics, std::size_t frames) {
+  renderer_.fillStatistics(statistics, frames);
   statistics.threads = 1;
   if (!land_) return;
   const terrain::StreamingStatistics& land = land_->statistics();

@@ -55,6 +55,12 @@ class Stage {
   void addOverlay();
   void uploadFonts();  // after the interface changed its fonts
 
+  // Asks for the times of the passes, or no longer: what Setup::measuring says at first.
+  void setMeasuring(bool measuring) { renderer_.setMeasuring(measuring); }
+
+  // From where the snapshot is seen.
+  render::View view(const game::Snapshot& snapshot, Size size) const;
+
   // One frame of the size into the renderer's output.
   void draw(const game::Snapshot& snapshot, Size size, Streaming streaming);
 
@@ -69,7 +75,8 @@ class Stage {
   // of the land that could not be made.
   std::vector<std::string> takeMessages();
 
-  void writeTo(core::FrameStatistics& statistics);
+  // The passes' times are medians over the newest `frames`.
+  void writeTo(core::FrameStatistics& statistics, std::size_t frames = render::Renderer::kKeptTimes);
 
  private:
   Setup setup_;

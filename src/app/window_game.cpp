@@ -20,6 +20,7 @@ constexpr Size kDefaultSize{1280, 720};
 constexpr double kNoticeSeconds = 3;
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
+constexpr std::size_t kShownFrames = 240;                           // in the graph of the menu
 constexpr double kFreeCameraSpeed = 120;                            // m/s
 constexpr double kFreeCameraTurn = 1.2;                             // rad/s
 
@@ -66,7 +67,8 @@ WindowGame::WindowGame(const CommandLine& line)
       window_(windowSettings(line)),
       clipboard_(std::make_unique<WindowClipboard>(window_)),
       joysticks_(gamepadMappings(*run_)),
-      controls_(run_->bindings, run_->settings.input.gamepad, joysticks_) {
+      controls_(run_->bindings, run_->settings.input.gamepad, joysticks_),
+      desk_(run_->userFolder) {
   window_.setVsync(true);
   overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene),
                                        Size{window_.width(), window_.height()}, controls_.help());
@@ -75,6 +77,10 @@ WindowGame::WindowGame(const CommandLine& line)
   buildScene();
   sceneWritten_ = timeOf(run_->setup.scene.file);
   if (run_->userFolder) playerWritten_ = timeOf(userSettingsFile(*run_->userFolder));
+  if (const auto warning = desk_.load(overlay_->menu())) {
+    std::fprintf(stderr, "skydrop: %s\n", warning->c_str());
+    error_ = *warning;
+  }
   if (run_->warning) {
     std::fprintf(stderr, "skydrop: %s\n", run_->warning->c_str());
     error_ = *run_->warning;
@@ -262,15 +268,16 @@ void WindowGame::drawFrame(double seconds) {
     sound_->update(snapshot, events_);
   }
   events_.clear();
-  if (overlay_->menuOpen && Clock::now() >= nextStatistics_) shownStatistics_ = statistics();
+  stage_->setMeasuring(line_.stats.has_value() || overlay_->showsCosts());
+  if (overlay_->showsCosts() && Clock::now() >= nextStatistics_) shownStatistics_ = statistics(kShownFrames);
 
   imguiInput_->beginFrame();
   overlay_->hudShown = run_->settings.view.hud;
   const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen;
   window_.setPointerVisible(pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
   const ui::BindingsContent bindings = controls_.menuContent();
-  const OverlayResult result =
-      overlay_->build({snapshot, size, seconds, run_->table, &shownStatistics_, error_, &bindings});
+  const OverlayResult result = overlay_->build({snapshot, size, seconds, run_->table, &shownStatistics_, error_,
+                                                menuTools(snapshot, size), &bindings});
   if (result.fontsChanged) stage_->uploadFonts();
   stage_->draw(snapshot, size, Streaming::asItComes);
   if (screenshotWanted_) saveScreenshot();
@@ -283,6 +290,7 @@ void WindowGame::drawFrame(double seconds) {
   // What the player did in this frame takes effect after it was drawn.
   controls_.apply(result.menu.binding);
   if (!result.menu.changedPaths.empty()) applyMenuChanges(result.menu.changedPaths);
+  if (result.menu.preset) servePreset(*result.menu.preset);
   switch (result.escape) {
     case ui::EscapeAction::none:
       break;
@@ -295,6 +303,22 @@ void WindowGame::drawFrame(double seconds) {
     case ui::EscapeAction::quit:
       window_.setShouldClose(true);
       break;
+  }
+}
+
+ui::MenuTools WindowGame::menuTools(const game::Snapshot& snapshot, Size size) {
+  if (!overlay_->menuOpen) return {};
+  return desk_.tools(run_->baseTable, stage_->view(snapshot, size), times_.newest(kShownFrames));
+}
+
+void WindowGame::servePreset(const ui::PresetRequest& request) {
+  try {
+    const MenuDesk::Served served = desk_.serve(request, run_->table, overlay_->menu());
+    error_.clear();
+    notice(served.notice);
+    if (!served.changedPaths.empty()) applyMenuChanges(served.changedPaths);
+  } catch (const std::exception& refusal) {
+    error_ = refusal.what();
   }
 }
 
@@ -370,11 +394,11 @@ void WindowGame::saveScreenshot() {
 
 void WindowGame::notice(std::string text) { notices_.push_back({std::move(text), kNoticeSeconds}); }
 
-core::FrameStatistics WindowGame::statistics() {
+core::FrameStatistics WindowGame::statistics(std::size_t frames) {
   core::FrameStatistics statistics;
   times_.writeTo(statistics);
   simulation_->writeTo(statistics);
-  stage_->writeTo(statistics);
+  stage_->writeTo(statistics, frames);
   core::WindowStatistics& window = statistics.window;
   window.width = window_.width();
   window.height = window_.height();
@@ -395,6 +419,7 @@ void WindowGame::finish() {
   if (line_.record) game::writeInputLog(*line_.record, simulation_->recording());
   if (run_->userFolder)
     saveUserSettings(run_->playerTable, run_->baseTable, run_->bindings, *run_->userFolder);
+  desk_.save(overlay_->menu());
 }
 
 }  // namespace skydrop::app

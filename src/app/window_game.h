@@ -13,6 +13,7 @@
 #include "app/frame_times.h"
 #include "app/glfw_joysticks.h"
 #include "app/imgui_input.h"
+#include "app/menu_desk.h"
 #include "app/overlay.h"
 #include "app/player_controls.h"
 #include "app/pointer_rest.h"
@@ -50,10 +51,12 @@ class WindowGame {
   void watchFiles();
   void reloadSceneFile();
   void reloadPlayerFile();
+  void servePreset(const ui::PresetRequest& request);
+  ui::MenuTools menuTools(const game::Snapshot& snapshot, Size size);
   void saveScreenshot();
   void notice(std::string text);
   game::Snapshot snapshotToDraw();
-  core::FrameStatistics statistics();
+  core::FrameStatistics statistics(std::size_t frames = render::Renderer::kKeptTimes);
   void finish();
 
   // A pause holds everything; a freeze holds simulated time, and the keys move the free camera.
@@ -72,6 +75,7 @@ class WindowGame {
   std::optional<ImGuiInput> imguiInput_;  // for the overlay's context
   GlfwJoysticks joysticks_;
   PlayerControls controls_;
+  MenuDesk desk_;
   PointerRest pointer_;
   bool pointerMoved_ = false;
   core::FixedStep clock_;

@@ -22,12 +22,13 @@ std::string shellQuoted(std::string_view word) {
   return quoted + "'";
 }
 
-std::string setFlags(const SettingsTable& table, const SettingsTable& base) {
+std::string setFlags(const SettingsTable& table, std::span<const SettingsTable* const> bases) {
   std::string flags;
   for (std::size_t i = 0; i < table.fields().size(); ++i) {
     const Field& field = table.fields()[i];
     const auto bits = [](const Field& f) { return std::bit_cast<std::uint64_t>(f.get()); };
-    if (bits(field) == bits(base.fields()[i])) continue;
+    const auto isSame = [&](const SettingsTable* base) { return bits(field) == bits(base->fields()[i]); };
+    if (std::ranges::all_of(bases, isSame)) continue;
     flags += (flags.empty() ? "--set " : " --set ") + shellQuoted(field.path + "=" + fieldText(field));
   }
   return flags;

@@ -8,10 +8,9 @@ namespace {
 
 constexpr gl::FrameBufferFormat kSceneFormat{GL_RGBA16F, GL_DEPTH_COMPONENT32F};
 constexpr gl::FrameBufferFormat kOutputFormat{GL_RGBA8, 0};
-// A frame's times are kept for the median; an hour of play must not grow without bound.
-constexpr std::size_t kKeptTimes = 4096;
-
-double median(std::vector<double> values) {
+// Of the newest `count`.
+double median(const std::vector<double>& all, std::size_t count) {
+  std::vector<double> values(all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end());
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -111,7 +110,8 @@ void Renderer::draw(const FrameInput& asked) {
 void Renderer::noteTimes() {
   for (const auto& [pass, ms] : timer_.takeMilliseconds()) {
     std::vector<double>& times = times_[pass];
-    if (times.size() < kKeptTimes) times.push_back(ms);
+    if (times.size() >= kKeptTimes) times.erase(times.begin());
+    times.push_back(ms);
   }
 }
 
@@ -146,7 +146,7 @@ void Renderer::clearTimes() {
   times_.clear();
 }
 
-void Renderer::fillStatistics(core::FrameStatistics& statistics) {
+void Renderer::fillStatistics(core::FrameStatistics& statistics, std::size_t frames) {
   const gl::Ledger& ledger = context_.ledger();
   statistics.clock = timer_.clockName();
   statistics.renderer = context_.renderer();
@@ -154,7 +154,7 @@ void Renderer::fillStatistics(core::FrameStatistics& statistics) {
   for (const std::unique_ptr<Pass>& pass : passes_) {
     core::PassStatistics row;
     const std::string name(pass->name());
-    if (const auto times = times_.find(name); times != times_.end()) row.ms = median(times->second);
+    if (const auto times = times_.find(name); times != times_.end()) row.ms = median(times->second, frames);
     if (const auto counts = ledger.passes().find(name); counts != ledger.passes().end()) {
       row.draws = static_cast<std::int64_t>(counts->second.draws);
       row.dispatches = static_cast<std::int64_t>(counts->second.dispatches);

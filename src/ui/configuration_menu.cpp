@@ -295,17 +295,19 @@ void ConfigurationMenu::Parts::drawTop(const MenuContent& content, MenuResult& r
 }
 
 void ConfigurationMenu::Parts::drawTools(const MenuContent& content, MenuResult& result) {
+  const MenuTools& tools = content.tools;
+  if (content.statistics && section("costs", "#costs", "What accuracy costs", false)) {
+    drawStatistics(*content.statistics, tools.frameMs, content.table);
+  }
   if (content.bindings && section("controls", "#controls", "Controls", false)) {
     result.binding = drawBindings(*content.bindings, bindings);
   }
-  if (content.statistics && section("costs", "#costs", "What accuracy costs", false)) {
-    drawStatistics(*content.statistics, content.frameMs, content.table);
+  if (tools.presets && section("presets", "#presets", "Presets", false)) {
+    result.preset = presets.draw(*tools.presets, content.sections, items);
   }
-  if (content.presets && section("presets", "#presets", "Presets", false)) {
-    result.preset = presets.draw(*content.presets, content.sections, items);
-  }
-  if ((content.base || !content.pose.empty()) && section("copy", "#copy", "Copy for a command line", false)) {
-    drawCopySection(content.base ? core::setFlags(content.table, *content.base) : "", content.pose, items);
+  if ((!tools.bases.empty() || !tools.pose.empty()) &&
+      section("copy", "#copy", "Copy for a command line", false)) {
+    drawCopySection(core::setFlags(content.table, tools.bases), tools.pose, items);
   }
 }
 

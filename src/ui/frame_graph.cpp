@@ -31,8 +31,7 @@ void drawFrameGraph(std::span<const double> frameMs) {
   const double median = quantileOf(frameMs, 0.5), p99 = quantileOf(frameMs, 0.99),
                worst = quantileOf(frameMs, 1);
   ImGui::Text("Frame %.1f ms", median);
-  ImGui::SameLine();
-  ImGui::TextDisabled("99 %% under %.1f  worst %.1f", p99, worst);
+  ImGui::TextDisabled("99 %% under %.1f, worst %.1f", p99, worst);
 
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, kHeight * ImGui::GetFontSize());

@@ -67,7 +67,8 @@ void drawPasses(const core::FrameStatistics& statistics) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     if (!pass.skipped.empty()) {
-      ImGui::TextDisabled("%s idle: %s", name.c_str(), pass.skipped.c_str());
+      ImGui::TextDisabled("%s", name.c_str());
+      rightCell("idle");
       continue;
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -89,6 +90,11 @@ void drawPasses(const core::FrameStatistics& statistics) {
     rightCell(formatted("%.2f", sum));
   }
   ImGui::EndTable();
+  ImGui::PushTextWrapPos(0);
+  for (const auto& [name, pass] : statistics.passes) {
+    if (!pass.skipped.empty()) ImGui::TextDisabled("%s: %s", name.c_str(), pass.skipped.c_str());
+  }
+  ImGui::PopTextWrapPos();
 }
 
 // "42 of 128 MiB"

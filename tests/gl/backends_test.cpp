@@ -128,6 +128,9 @@ TEST_F(MeshGLTest, passTimerNamesItsClockAndTimesOnlyWhenMeasuring) {
 
   gl::PassTimer measuring(context(), true);
   EXPECT_EQ(measuring.clockName(), "wall clock between glFinish calls");
+  measuring.setMeasuring(false);  // somebody has looked at the times and does so no longer
+  EXPECT_EQ(measuring.clockName(), "none");
+  measuring.setMeasuring(true);
   gl::FrameBuffer target(context(), 512, 512, {}, "target");
   measuring.beginFrame();
   measuring.begin("sky");

@@ -75,9 +75,7 @@ class MenuTest : public ::testing::Test {
       : driver(1280, 720, [this](const Interface& context) {
           if (!shown) return;
           MenuContent content{table, sections, statistics, error};
-          content.base = &baseTable;
-          content.pose = pose;
-          content.presets = presets;
+          content.tools = {.frameMs = frameMs, .bases = bases, .pose = pose, .presets = presets};
           const MenuResult result = menu.draw(context, content);
           changed.insert(changed.end(), result.changedPaths.begin(), result.changedPaths.end());
           if (result.preset) request = result.preset;
@@ -138,6 +136,8 @@ class MenuTest : public ::testing::Test {
 
   Settings settings, base;
   core::SettingsTable table{settings}, baseTable{base};
+  const core::SettingsTable* bases[1] = {&baseTable};
+  std::vector<double> frameMs;
   std::string pose;
   std::vector<PresetEntry> presetList;
   std::optional<std::span<const PresetEntry>> presets;

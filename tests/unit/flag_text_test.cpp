@@ -50,6 +50,11 @@ std::vector<std::string> shellWords(const std::string& text) {
   return words;
 }
 
+std::string flagsOver(const SettingsTable& table, const SettingsTable& base) {
+  const SettingsTable* const bases[] = {&base};
+  return setFlags(table, bases);
+}
+
 TEST(FlagText, theFlagsGiveTheSameBitsBackThroughAShell) {
   // Over random bit patterns: every field of the table that the flags build from the base equals the
   // original.
@@ -65,7 +70,7 @@ TEST(FlagText, theFlagsGiveTheSameBitsBackThroughAShell) {
     sample.on = round % 3 != 0;
     sample.mode = round % 2 == 0 ? Mode::second : Mode::first;
     const SettingsTable table(sample);
-    const std::vector<std::string> words = shellWords(setFlags(table, baseTable));
+    const std::vector<std::string> words = shellWords(flagsOver(table, baseTable));
 
     Sample back;
     const SettingsTable backTable(back);
@@ -85,12 +90,19 @@ TEST(FlagText, theFlagsGiveTheSameBitsBackThroughAShell) {
 TEST(FlagText, onlyWhatDiffersFromTheBaseIsNamed) {
   // The base is what the program starts from without flags, not the default.
   Sample base{.count = 9}, sample{.length = 0.1, .count = 9};
-  EXPECT_EQ(setFlags(SettingsTable(sample), SettingsTable(base)), "--set length=0.1");
-  EXPECT_EQ(setFlags(SettingsTable(base), SettingsTable(base)), "");
+  EXPECT_EQ(flagsOver(SettingsTable(sample), SettingsTable(base)), "--set length=0.1");
+  EXPECT_EQ(flagsOver(SettingsTable(base), SettingsTable(base)), "");
   sample.count = 4;
   sample.mode = Mode::second;
-  EXPECT_EQ(setFlags(SettingsTable(sample), SettingsTable(base)),
+  EXPECT_EQ(flagsOver(SettingsTable(sample), SettingsTable(base)),
             "--set length=0.1 --set count=4 --set 'mode=second one'");
+}
+
+TEST(FlagText, theFlagsLeadFromEveryBaseToTheSameTable) {
+  Sample one{.length = 1}, two{.length = 2, .count = 9}, sample{.length = 2};
+  const SettingsTable oneTable(one), twoTable(two), table(sample);
+  const SettingsTable* const bases[] = {&oneTable, &twoTable};
+  EXPECT_EQ(setFlags(table, bases), "--set length=2 --set count=4");
 }
 
 TEST(FlagText, theShellReadsEveryQuotedWordAsItIs) {

@@ -235,10 +235,13 @@ struct MenuPlaces {
     app::Settings settings;
     const core::SettingsTable table(settings);
     const auto sections = app::menuSections(scene::requiredEffects(scene::loadScene("terrain")));
-    const core::FrameStatistics statistics;  // every section that the game shows above the rows
+    // Every section that the game shows above the rows.
+    const core::FrameStatistics statistics;
+    const core::SettingsTable* const bases[] = {&table};
+    const ui::MenuTools tools{.bases = bases, .presets = std::span<const ui::PresetEntry>()};
     for (int i = 0; i < 2; ++i) {
       static_cast<void>(interface.beginFrame(FlownGame::kWidth, FlownGame::kHeight, 0));
-      ui::MenuContent content{table, sections, &statistics};
+      ui::MenuContent content{table, sections, &statistics, "", tools};
       content.bindings = &bindings;
       menu.draw(interface, content);
       escape.draw(interface);

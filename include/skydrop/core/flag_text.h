@@ -2,6 +2,7 @@
 // the program bit for bit.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,9 +14,10 @@ namespace skydrop::core {
 // a plain one, else in single quotes.
 std::string shellQuoted(std::string_view word);
 
-// "--set path=value" for each field that differs from `base`, a table of the same description: in the order
-// of the table, quoted, separated by spaces, numbers with the fewest digits that read back to the same bits.
-// Empty where nothing differs.
-std::string setFlags(const SettingsTable& table, const SettingsTable& base);
+// "--set path=value" for each field that differs from one of `bases`, tables of the same description: in the
+// order of the table, quoted, separated by spaces, numbers with the fewest digits that read back to the same
+// bits. Empty where nothing differs. Whichever of the bases a run starts from, the flags make it equal to
+// `table`.
+std::string setFlags(const SettingsTable& table, std::span<const SettingsTable* const> bases);
 
 }  // namespace skydrop::core

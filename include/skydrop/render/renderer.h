@@ -45,9 +45,14 @@ class Renderer {
   // Compiles changed shaders anew; broken ones stay as they were, one line each.
   gl::ShaderCache::Reloaded reloadShaders() { return shaders_.reloadChanged(); }
 
-  // Passes, GL objects, renderer, clock. `ms` of a pass is the median over the frames drawn since the last
-  // clearTimes(); the caller fills the rest.
-  void fillStatistics(core::FrameStatistics& statistics);
+  // Asks for times, or no longer: see the constructor.
+  void setMeasuring(bool measuring) { timer_.setMeasuring(measuring); }
+
+  // The newest frames whose times are kept: an hour of play must not grow without bound.
+  static constexpr std::size_t kKeptTimes = 4096;
+  // Passes, GL objects, renderer, clock. `ms` of a pass is the median over the newest `frames` frames drawn since
+  // the last clearTimes(); the caller fills the rest.
+  void fillStatistics(core::FrameStatistics& statistics, std::size_t frames = kKeptTimes);
   void clearTimes();
   // Waits until the GPU has done everything it was asked for.
   void finish();

@@ -33,18 +33,23 @@ struct PresetEntry {
   bool usable = true;
 };
 
+// What the menu shows beside the settings.
+struct MenuTools {
+  std::span<const double> frameMs = {};  // times of the last frames, the newest last
+  // What a run without flags may start from: flags are copied for what differs from one of them.
+  std::span<const core::SettingsTable* const> bases = {};
+  std::string_view pose = {};  // of the present view, "--pose=..."; empty: none
+  // The player's presets; nullopt where they have no place.
+  std::optional<std::span<const PresetEntry>> presets = std::nullopt;
+};
+
 struct MenuContent {
   const core::SettingsTable& table;  // edited
   std::span<const MenuSection> sections;
   const core::FrameStatistics* statistics =
-      nullptr;                           // shown as what accuracy costs in time; null: no section
-  std::string_view error = {};           // of the last reload, or of a preset; empty: none
-  std::span<const double> frameMs = {};  // times of the last frames, the newest last
-  // What a run without flags starts from: flags are copied for what differs from it. Null: none are.
-  const core::SettingsTable* base = nullptr;
-  std::string_view pose = {};  // of the present view, "--pose=..."; empty: none
-  // The player's presets; nullopt where they have no place.
-  std::optional<std::span<const PresetEntry>> presets = std::nullopt;
+      nullptr;                  // shown as what accuracy costs in time; null: no section
+  std::string_view error = {};  // of the last reload, or of a preset; empty: none
+  MenuTools tools = {};
   const BindingsContent* bindings = nullptr;  // null: no section
 };
 

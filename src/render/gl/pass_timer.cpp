@@ -11,11 +11,13 @@ constexpr double kMsPerNs = 1e-6;
 
 }  // namespace
 
-PassTimer::PassTimer(Context& context, bool measuring) : context_(&context) {
-  if (!context.isSoftware()) {
+PassTimer::PassTimer(Context& context, bool measuring) : context_(&context) { setMeasuring(measuring); }
+
+void PassTimer::setMeasuring(bool measuring) {
+  if (!context_->isSoftware()) {
     clock_ = PassClock::timerQuery;
-  } else if (measuring) {
-    clock_ = PassClock::wallClock;
+  } else {
+    clock_ = measuring ? PassClock::wallClock : PassClock::none;
   }
 }
 

@@ -23,6 +23,9 @@ class PassTimer {
   // down.
   PassTimer(Context& context, bool measuring);
 
+  // Changes the answer, from the next pass on.
+  void setMeasuring(bool measuring);
+
   PassClock clock() const { return clock_; }
   // What the statistics call it: "none", "timer query", "wall clock between glFinish calls".
   std::string_view clockName() const;

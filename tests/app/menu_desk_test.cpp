@@ -1,0 +1,98 @@
+#include "app/menu_desk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "app/pose_text.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/flag_text.h"
+#include "skydrop/render/camera.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::app {
+namespace {
+
+render::View someView() { return render::Camera().view({}, {}, 640, 360); }
+
+TEST(MenuDesk, theCopiedFlagsReproduceEverySettingFromTheSceneAndFromTheDefaults) {
+  // What stands between the two on the player's machine (a quality, a scene) need not be known to the flags.
+  Settings base, settings;
+  const core::SettingsTable baseTable(base), table(settings);
+  base.streaming.pixelError = settings.streaming.pixelError = 7;  // of the machine
+  base.aircraft.mass = 900;                                       // the scene's, reset by the player
+  for (const core::Field& field : table.fields()) {
+    if (field.kind != core::FieldKind::number || !field.path.starts_with("render.")) continue;
+    core::setField(field, field.min + (field.max - field.min) / 3);
+  }
+  MenuDesk desk(std::nullopt);
+  const ui::MenuTools tools = desk.tools(baseTable, someView(), {});
+  EXPECT_FALSE(tools.presets) << "no folder, no presets";
+  std::istringstream words(core::setFlags(table, tools.bases));
+  std::vector<std::string> assignments;
+  for (std::string flag, assignment; words >> flag >> assignment;) {
+    EXPECT_EQ(flag, "--set");
+    assignments.push_back(assignment);
+  }
+  for (const Settings& start : {base, Settings()}) {
+    Settings again = start;
+    const core::SettingsTable againTable(again);
+    applyOverrides(againTable, assignments);
+    for (std::size_t i = 0; i < table.fields().size(); ++i) {
+      EXPECT_EQ(againTable.fields()[i].get(), table.fields()[i].get()) << table.fields()[i].path;
+    }
+  }
+  EXPECT_EQ(tools.pose, poseText(poseOf(someView())));
+}
+
+TEST(MenuDesk, presetsAreServedThroughTheMenu) {
+  // Saved with what the table has; loaded as one step of its history; a refusal changes nothing.
+  const test::TemporaryFolder folder;
+  MenuDesk desk(folder.path());
+  ui::ConfigurationMenu menu;
+  Settings settings;
+  const core::SettingsTable table(settings);
+  settings.aircraft.mass = 900;
+  using Kind = ui::PresetRequest::Kind;
+  desk.serve({Kind::save, "light", "aircraft"}, table, menu);
+  ASSERT_EQ(desk.tools(table, someView(), {}).presets.value().size(), 1u);
+  settings.aircraft.mass = 1500;
+  const MenuDesk::Served served = desk.serve({Kind::load, "light", ""}, table, menu);
+  EXPECT_EQ(served.changedPaths, std::vector<std::string>{"aircraft.mass"});
+  EXPECT_EQ(settings.aircraft.mass, 900);
+  EXPECT_THROW(desk.serve({Kind::load, "heavy", ""}, table, menu), core::DataError);
+  EXPECT_THROW(desk.serve({Kind::save, "a/b", ""}, table, menu), core::RangeError);
+  EXPECT_EQ(settings.aircraft.mass, 900);
+  desk.serve({Kind::remove, "light", ""}, table, menu);
+  EXPECT_TRUE(desk.tools(table, someView(), {}).presets.value().empty());
+}
+
+TEST(MenuDesk, theMenuIsRememberedAndABrokenMemoryIsSetAside) {
+  const test::TemporaryFolder folder;
+  const MenuDesk desk(folder.path());
+  ui::ConfigurationMenu menu;
+  EXPECT_EQ(desk.load(menu), std::nullopt) << "no file is as good as none";
+  desk.save(menu);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "menu.json")) << "nothing to remember";
+  menu.setState({ui::ScreenRect{0.25f, 0.1f, 0.6f, 0.9f}, {{"aircraft", false}, {"#costs", true}}});
+  desk.save(menu);
+  ui::ConfigurationMenu next;
+  EXPECT_EQ(desk.load(next), std::nullopt);
+  EXPECT_EQ(next.state().open, menu.state().open);
+  EXPECT_EQ(next.state().place.value().right, 0.6f);
+  for (const char* broken :
+       {"{", R"({"schema": 2})", R"({"schema": 1, "place": [0, 0, 1]})",
+        R"({"schema": 1, "place": [0, 0, 1, 7]})", R"({"schema": 1, "open": {"aircraft": 3}})"}) {
+    folder.write("menu.json", broken);
+    ui::ConfigurationMenu fresh;
+    EXPECT_TRUE(desk.load(fresh)) << broken;
+    EXPECT_FALSE(fresh.state().place) << broken;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "menu.json.bad"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "menu.json"));
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::app
