@@ -167,20 +167,69 @@ void begin(const LandShape<float>& shapeOfCaller, RowState& state) {
 
 // What a row's z leaves of the nodes of gullies: of each cell, its four corners.
 struct alignas(64) GullyCellRow {
-  GullyCorner<float> corners[4][kMaxCells];
+  struct Corner {
+    float phase[kMaxCells], turnsX[kMaxCells], turnsZ[kMaxCells], amplitude[kMaxCells];
+  };
+  Corner corners[4];  // north west, north east, south west, south east
 };
 
 void foldGullies(const GullyRow& o, GullyCellRow& out) {
-  for (int corner = 0; corner < 4; ++corner) {
-    const bool east = corner % 2 != 0, south = corner >= 2;
+  for (int i = 0; i < 4; ++i) {
+    const bool east = i % 2 != 0, south = i >= 2;
     const GullyNodeRow& nodes = south ? *o.south : *o.north;
-    const int first = o.firstNode + (east ? 1 : 0);
+    const float* const turnsX = nodes.turnsX.data() + o.firstNode + (east ? 1 : 0);
+    const float* const turnsZ = nodes.turnsZ.data() + o.firstNode + (east ? 1 : 0);
+    const float* const phase = nodes.phase.data() + o.firstNode + (east ? 1 : 0);
+    const float* const amplitude = nodes.amplitude.data() + o.firstNode + (east ? 1 : 0);
+    GullyCellRow::Corner& to = out.corners[i];
     for (int c = 0; c < o.cells; ++c) {
-      const auto n = static_cast<std::size_t>(first + c);
-      out.corners[corner][c] =
-          gullyCorner(GullyNode<float>{nodes.turnsX[n], nodes.turnsZ[n], nodes.phase[n], nodes.amplitude[n]},
-                      east, south, o.w);
+      const GullyCorner<float> corner =
+          gullyCorner(GullyNode<float>{turnsX[c], turnsZ[c], phase[c], amplitude[c]}, east, south, o.w);
+      to.phase[c] = corner.phase;
+      to.turnsX[c] = corner.turnsX;
+      to.turnsZ[c] = corner.turnsZ;
+      to.amplitude[c] = corner.amplitude;
     }
+  }
+}
+
+SKYDROP_INLINE GullyCorner<float> cornerOf(const GullyCellRow::Corner& row, int c) {
+  return {row.phase[c], row.turnsX[c], row.turnsZ[c], row.amplitude[c]};
+}
+
+SKYDROP_INLINE void carveSample(const GullyRow& o, const GullyCellRow& cells, int c, int k, float perMetre,
+                                float& v, float& x, float& z) {
+  const Jet<float> blend =
+      gullyBlend(cornerOf(cells.corners[0], c), cornerOf(cells.corners[1], c), cornerOf(cells.corners[2], c),
+                 cornerOf(cells.corners[3], c), FadePlace<float>{o.u[k], o.fade[k], o.fadeSlope[k]},
+                 FadePlace<float>{o.w, o.fadeZ, o.fadeSlopeZ});
+  v = v + blend.v * o.metres;
+  x = x + blend.x * perMetre;
+  z = z + blend.z * perMetre;
+}
+
+// As with noise: cells shorter than a vector, and cells of a few vectors.
+template <int kPerCell>
+SKYDROP_INLINE void carveShortCells(const GullyRow& o, const GullyCellRow& cells, float perMetre,
+                                    float* __restrict v, float* __restrict x, float* __restrict z) {
+#pragma GCC unroll 4
+  for (int k = 0; k < kPerCell; ++k) {
+#pragma GCC ivdep
+    for (int c = 0; c < o.cells; ++c) {
+      const int s = c * kPerCell + k;
+      carveSample(o, cells, c, k, perMetre, v[s], x[s], z[s]);
+    }
+  }
+}
+template <int kPerCell>
+SKYDROP_INLINE void carveMediumCells(const GullyRow& o, const GullyCellRow& cells, float perMetre, float* v,
+                                     float* x, float* z) {
+  for (int c = 0; c < o.cells; ++c) {
+    float* __restrict const cv = v + c * kPerCell;
+    float* __restrict const cx = x + c * kPerCell;
+    float* __restrict const cz = z + c * kPerCell;
+#pragma GCC unroll 1
+    for (int k = 0; k < kPerCell; ++k) carveSample(o, cells, c, k, perMetre, cv[k], cx[k], cz[k]);
   }
 }
 
@@ -192,21 +241,31 @@ void gully(const GullyRow& octave, RowState& state) {
   float* __restrict v = state.land.height.v.samples();
   float* __restrict x = state.land.height.x.samples();
   float* __restrict z = state.land.height.z.samples();
-  const FadePlace<float> place{o.w, o.fadeZ, o.fadeSlopeZ};
+  const int p = o.phase;
+  switch (o.perCell) {
+    case 1:
+      carveShortCells<1>(o, cells, perMetre, v - p, x - p, z - p);
+      return;
+    case 2:
+      carveShortCells<2>(o, cells, perMetre, v - p, x - p, z - p);
+      return;
+    case 4:
+      carveShortCells<4>(o, cells, perMetre, v - p, x - p, z - p);
+      return;
+    case 8:
+      carveMediumCells<8>(o, cells, perMetre, v - p, x - p, z - p);
+      return;
+    case 16:
+      carveMediumCells<16>(o, cells, perMetre, v - p, x - p, z - p);
+      return;
+    default:
+      break;
+  }
   for (int c = 0; c < o.cells; ++c) {
-    const GullyCorner<float> northWest = cells.corners[0][c], northEast = cells.corners[1][c];
-    const GullyCorner<float> southWest = cells.corners[2][c], southEast = cells.corners[3][c];
-    const int first = c * o.perCell - o.phase;
+    const int first = c * o.perCell - p;
     const int from = first < 0 ? 0 : first;
     const int to = first + o.perCell < kRowSize ? first + o.perCell : kRowSize;
-    for (int s = from; s < to; ++s) {
-      const int k = s - first;
-      const Jet<float> blend = gullyBlend(northWest, northEast, southWest, southEast,
-                                          FadePlace<float>{o.u[k], o.fade[k], o.fadeSlope[k]}, place);
-      v[s] = v[s] + blend.v * o.metres;
-      x[s] = x[s] + blend.x * perMetre;
-      z[s] = z[s] + blend.z * perMetre;
-    }
+    for (int s = from; s < to; ++s) carveSample(o, cells, c, s - first, perMetre, v[s], x[s], z[s]);
   }
 }
 
