@@ -302,6 +302,19 @@ TEST(Hud, aCrashedAircraftIsNotAskedToDrop) {
   EXPECT_EQ(data.respawnSeconds, 1.5);
 }
 
+TEST(Hud, aStallIsAnnouncedBeforeItIsThere) {
+  // Near the stall the warning stands alone; in it the stall takes its place; a wreck has neither.
+  game::Snapshot snapshot = flying();
+  snapshot.aircraft.stallWarning = true;
+  EXPECT_TRUE(makeHudData(snapshot).stallWarning);
+  EXPECT_FALSE(makeHudData(snapshot).stalled);
+  snapshot.aircraft.stalled = true;
+  EXPECT_FALSE(makeHudData(snapshot).stallWarning);
+  EXPECT_TRUE(makeHudData(snapshot).stalled);
+  snapshot.aircraft.crashed = true;
+  EXPECT_FALSE(makeHudData(snapshot).stallWarning);
+}
+
 TEST(Hud, theFirstSecondsNameTheKeyForHelp) {
   game::Snapshot snapshot = flying();
   EXPECT_EQ(makeHudData(snapshot).hintOpacity, 1);

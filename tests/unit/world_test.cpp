@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -289,6 +290,37 @@ TEST(World, resetPutsTheAircraftBackAndKeepsTheScore) {
   EXPECT_EQ(world.now().score, 1);
   EXPECT_NEAR(world.now().aircraft.position.z, -70 * 59 / 120.0, 2);
   EXPECT_EQ(world.now().aircraft.spawnCount, 4u);  // start, placed twice, reset
+}
+
+TEST(World, aStallIsToldInOrderWarningBuffetStallAndAllClear) {
+  // S and the stick half back from cruise: the warning comes seconds before the stall, the shaking grows from
+  // none over a little to strong, and with everything let go all three are over within 10 s.
+  WorldSetup setup = flatSetup();
+  setup.hasTargets = false;
+  World world(setup);
+  double warnedAt = 0, stalledAt = 0, shakenBefore = 0;
+  while (stalledAt == 0 && world.now().simulatedSeconds < 60) {
+    const AircraftSnapshot& craft = world.now().aircraft;
+    if (craft.stallWarning && warnedAt == 0) warnedAt = world.now().simulatedSeconds;
+    EXPECT_TRUE(craft.stallWarning || craft.buffet == 0);
+    if (craft.stalled) stalledAt = world.now().simulatedSeconds;
+    if (!craft.stalled) shakenBefore = std::max(shakenBefore, craft.buffet);
+    world.step({.brake = 1, .pitch = world.now().simulatedSeconds > 18 ? 0.5 : 0.0});
+  }
+  ASSERT_GT(stalledAt, 0);
+  EXPECT_GT(warnedAt, 0);
+  EXPECT_GT(stalledAt - warnedAt, 1);
+  EXPECT_GT(shakenBefore, 0.05);
+  EXPECT_LT(shakenBefore, 0.5);
+  double strongest = 0;
+  for (int i = 0; i < 1200; ++i) {
+    world.step({});
+    strongest = std::max(strongest, world.now().aircraft.buffet);
+  }
+  EXPECT_GT(strongest, 0.3);
+  EXPECT_FALSE(world.now().aircraft.stalled);
+  EXPECT_FALSE(world.now().aircraft.stallWarning);
+  EXPECT_LT(world.now().aircraft.buffet, 0.01);
 }
 
 TEST(World, eventsThatNobodyTakesDoNotPileUp) {
