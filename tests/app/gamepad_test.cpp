@@ -124,6 +124,9 @@ TEST(Gamepad, strengthIsThatOfOneDirection) {
   reading.buttons[pad::kA] = true;
   EXPECT_EQ(reading.strength(axisInput(pad::kLeftX, false)), 0.5);
   EXPECT_EQ(reading.strength(axisInput(pad::kLeftX, true)), 0);
+  reading.axes[pad::kLeftY] = 0.5;
+  EXPECT_EQ(reading.strength(axisInput(pad::kLeftY, false)), 0);
+  EXPECT_EQ(reading.strength(axisInput(pad::kLeftY, true)), 0.5);
   EXPECT_EQ(reading.strength(buttonInput(pad::kA)), 1);
   EXPECT_EQ(reading.strength(buttonInput(99)), 0);
   EXPECT_EQ(reading.strength(axisInput(-1, true)), 0);
