@@ -1,6 +1,8 @@
 // Runs the benchmarks; the exit code is 1 when a promise was not kept (expectation.h).
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
+
 #include "bench/expectation.h"
 
 namespace skydrop::bench {
@@ -10,10 +12,10 @@ bool kept = true;
 
 }  // namespace
 
-void expect(benchmark::State& state, bool keeps, const char* promise) {
+void expect(bool keeps, const char* promise) {
   if (keeps) return;
   kept = false;
-  state.SkipWithError(promise);
+  std::fprintf(stderr, "A promise is not kept: %s.\n", promise);
 }
 
 bool allPromisesKept() { return kept; }
