@@ -149,10 +149,11 @@ struct EndlessTerrain::State {
         std::min(static_cast<std::size_t>(slotCount), bytesOf(settings.cacheMiB) / chunkBytes);
     statistics.overBudget = wanted.size() > room ? wanted.size() - room : 0;
     if (wanted.size() > room) wanted.resize(room);
-    // Chunks that nothing can be drawn in place of come before all others.
-    std::stable_partition(wanted.begin(), wanted.end(), [this](const WantedChunk& chunk) {
-      return isCoarsestInView(chunk) && !resident.contains(chunk.key);
-    });
+    // After the chunk below, those come first that nothing can be drawn in place of.
+    std::stable_partition(wanted.begin() + (wanted.empty() ? 0 : 1), wanted.end(),
+                          [this](const WantedChunk& chunk) {
+                            return isCoarsestInView(chunk) && !resident.contains(chunk.key);
+                          });
     keys.clear();
     for (const WantedChunk& chunk : wanted) keys.push_back(chunk.key);
     for (const ChunkKey& key : keys) {

@@ -232,7 +232,7 @@ void eightOctaves(benchmark::State& state) {
 }
 BENCHMARK(eightOctaves)->Iterations(1)->Unit(benchmark::kMillisecond);
 
-// Asserts the ratios that the design counts on, in processor time: the baseline is at least 15 times as fast
+// Asserts the ratios that the design counts on, in processor time: the baseline is at least 12 times as fast
 // as the plain loop, and where there is AVX2, the widest set at least 1.5 times as fast as the baseline. The
 // best of several runs of each.
 void chunkRatios(benchmark::State& state) {
@@ -249,7 +249,7 @@ void chunkRatios(benchmark::State& state) {
     state.counters["plainToBaseline"] = plain / baseline;
     state.counters["plainToWidest"] = plain / widest;
     state.counters["baselineToWidest"] = baseline / widest;
-    expect(plain >= 15 * baseline, "the baseline is less than 15 times as fast as the plain loop");
+    expect(plain >= 12 * baseline, "the baseline is less than 12 times as fast as the plain loop");
     expect(rowKernels(InstructionSet::avx2) == nullptr || baseline >= 1.5 * widest,
            "the widest set is less than 1.5 times as fast as the baseline");
   }
