@@ -12,7 +12,8 @@ namespace {
 using render::gl::WindowEvent;
 using Kind = WindowEvent::Kind;
 
-constexpr int kMouseButtons = 5;  // as many as Dear ImGui knows
+constexpr int kControlModifier = 0x0002;  // GLFW's
+constexpr int kMouseButtons = 5;          // as many as Dear ImGui knows
 
 #if IMGUI_VERSION_NUM >= 18900
 constexpr ImGuiKey kImGuiKeypadEnter = ImGuiKey_KeypadEnter;
@@ -211,6 +212,11 @@ void ImGuiInput::beginFrame() {
 }
 
 bool ImGuiInput::wantsText() { return ImGui::GetIO().WantTextInput; }
+bool ImGuiInput::isMenuChord(const WindowEvent& event) {
+  return event.kind == Kind::key && (event.modifiers & kControlModifier) != 0 &&
+         (event.code == 'F' || event.code == 'Z' || event.code == 'Y');
+}
+
 bool ImGuiInput::wantsMouse() { return ImGui::GetIO().WantCaptureMouse; }
 
 }  // namespace skydrop::app

@@ -37,6 +37,8 @@ class ImGuiInput {
 
   // A text field takes the keyboard.
   static bool wantsText();
+  // Ctrl with F, Z or Y: the open menu's (search, undo, redo), whatever these letters are bound to.
+  static bool isMenuChord(const render::gl::WindowEvent& event);
   // The mouse is over the interface, or holds one of its widgets.
   static bool wantsMouse();
 

@@ -135,7 +135,8 @@ void WindowGame::handleEvents() {
   for (const render::gl::WindowEvent& event : window_.pollEvents()) {
     if (event.kind == Kind::focus) lostFocus = !event.pressed;
     if (event.kind == Kind::mouseMove) pointerMoved_ = true;
-    if (controls_.handle(event, ImGuiInput::wantsText())) continue;
+    const bool ofMenu = overlay_->menuOpen && ImGuiInput::isMenuChord(event);
+    if (controls_.handle(event, ImGuiInput::wantsText() || ofMenu)) continue;
     imguiInput_->handle(event, window_.pixelsPerUnit());
   }
   for (const render::gl::WindowEvent& event : controls_.pollGamepad(overlay_->escapeOpen))

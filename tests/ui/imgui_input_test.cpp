@@ -87,6 +87,21 @@ TEST_F(ImGuiInputTest, positionsArriveInPixelsOfTheFrame) {
   EXPECT_EQ(ImGui::GetIO().MousePos.x, 200) << "a turn of the wheel is no position";
 }
 
+TEST(MenuChord, controlWithALetterOfTheMenuIsNoKeyOfTheFlight) {
+  // F alone freezes time; with Control it searches.
+  WindowEvent event{WindowEvent::Kind::key};
+  event.pressed = true;
+  for (const char letter : {'F', 'Z', 'Y', 'A'}) {
+    event.code = letter;
+    event.modifiers = 0;
+    EXPECT_FALSE(ImGuiInput::isMenuChord(event)) << letter;
+    event.modifiers = 2 | 1;  // GLFW_MOD_CONTROL, GLFW_MOD_SHIFT
+    EXPECT_EQ(ImGuiInput::isMenuChord(event), letter != 'A') << letter;
+  }
+  event.kind = WindowEvent::Kind::character;
+  EXPECT_FALSE(ImGuiInput::isMenuChord(event));
+}
+
 TEST(PointerRest, aPointerAtRestHidesUnlessAMenuNeedsIt) {
   PointerRest pointer;
   EXPECT_TRUE(pointer.isShown(0.5 * kPointerRestSeconds, false, false));
