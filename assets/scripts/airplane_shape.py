@@ -24,6 +24,17 @@ SWATCH_NAMES = ["black", "tyre", "metal", "red", "white", "navy", "spinner", "bl
                 "frame", "disc"]
 
 
+# --- Detail ---------------------------------------------------------------------------------------------------
+
+FINE, COARSE = 1.0, 0.4
+detail = FINE  # share of the points along curves: the aircraft is made twice, to be seen from near and from far
+
+
+def curve(count, least=3):
+    """How many points a curve has that has `count` in the fine aircraft."""
+    return max(least, round(count * detail))
+
+
 # --- Curves -------------------------------------------------------------------------------------------------
 
 def monotone(xs, ys, x):
@@ -46,7 +57,7 @@ def monotone(xs, ys, x):
 def aerofoil(thickness, camber=0.0, camber_at=0.4, count=20):
     """Four-digit NACA section (Jacobs, Ward, Pinkerton 1933), closed trailing edge: the lower side from the
     trailing to the leading edge and the upper side back, each count + 1 points (x, y) in chords."""
-    x = 0.5 * (1 - np.cos(np.linspace(0, np.pi, count + 1)))
+    x = 0.5 * (1 - np.cos(np.linspace(0, np.pi, curve(count, 4) + 1)))
     yt = 5 * thickness * (.2969 * np.sqrt(x) - .1260 * x - .3516 * x**2 + .2843 * x**3 - .1036 * x**4)
     yc = np.where(x < camber_at, camber / camber_at**2 * (2 * camber_at * x - x * x),
                   camber / (1 - camber_at) ** 2 * (1 - 2 * camber_at + 2 * camber_at * x - x * x))
@@ -145,10 +156,27 @@ FUSELAGE_STATIONS = np.unique(np.concatenate([
 RING_COUNT = 48
 
 
-def fuselage_point(z, around):
-    """around: 0 at the keel, 1/4 at the right, 1/2 on top, 3/4 at the left."""
+ARC_STEPS = 720
+
+
+def section_angle(z, around):
+    """The angle of the section's formula at a fraction of its circumference: equal fractions are equal lengths, so
+    that no part of the livery is stretched."""
+    shape = np.broadcast(z, around).shape
+    z, around = np.broadcast_to(z, shape).ravel(), np.broadcast_to(around, shape).ravel()
+    stations, station = np.unique(z, return_inverse=True)
+    steps = np.linspace(0, 1, ARC_STEPS + 1)
+    result = np.empty(len(z))
+    for k, at in enumerate(stations):
+        ring = section_point(at, 2 * np.pi * steps)
+        length = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(ring, axis=0), axis=1))])
+        here = station == k
+        result[here] = 2 * np.pi * np.interp(around[here], length / length[-1], steps)
+    return result.reshape(shape)
+
+
+def section_point(z, angle):
     half, top, bottom, middle, power = (monotone(FUSELAGE_TABLE[:, 0], FUSELAGE_TABLE[:, k], z) for k in range(1, 6))
-    angle = 2 * np.pi * around
     s, c = np.sin(angle), -np.cos(angle)
     x = half * np.sign(s) * np.abs(s) ** (2 / power)
     y = np.sign(c) * np.abs(c) ** (2 / power)
@@ -156,15 +184,21 @@ def fuselage_point(z, around):
     return np.stack(np.broadcast_arrays(x, y, z), -1)
 
 
+def fuselage_point(z, around):
+    """around: the way along the section, 0 at the keel, about 1/4 at the right, 1/2 on top, 3/4 at the left."""
+    return section_point(z, section_angle(z, around))
+
+
 def fuselage():
     mesh = MeshBuilder()
-    z, around = np.meshgrid(FUSELAGE_STATIONS, np.linspace(0, 1, RING_COUNT + 1), indexing="ij")
-    points = fuselage_point(z, around)
-    points[:, -1] = points[:, 0]
+    stations = FUSELAGE_STATIONS if detail == FINE else FUSELAGE_TABLE[:, 0]
+    z, around = np.meshgrid(stations, np.linspace(0, 1, curve(RING_COUNT) + 1), indexing="ij")
+    skin = fuselage_point(z, around)
+    skin[:, -1] = skin[:, 0]
     s = (z - FUSELAGE_STATIONS[0]) / (FUSELAGE_STATIONS[-1] - FUSELAGE_STATIONS[0])
-    mesh.add_surface(Surface(points[:, ::-1], place_uv(FUSELAGE, s, around)[:, ::-1]))
-    mesh.add_fan(points[0], swatch_uv("black"), reverse=True)
-    mesh.add_fan(points[-1], swatch_uv("white"))
+    mesh.add_surface(Surface(skin[:, ::-1], place_uv(FUSELAGE, s, around)[:, ::-1]))
+    mesh.add_fan(skin[0], swatch_uv("black"), reverse=True)
+    mesh.add_fan(skin[-1], swatch_uv("white"))
     for side in (-1, 1):  # two air inlets beside the spinner and an exhaust pipe below
         inlet = rounded_slab(np.array([side * .225, .06, -2.815]), (.085, .065, .03), "glare")
         mesh.add(inlet)
@@ -177,6 +211,7 @@ def fuselage():
 def rounded_slab(middle, half, swatch, count=20):
     """A flat pill facing forward: an ellipse extruded along z with a bevelled front."""
     mesh = MeshBuilder()
+    count = curve(count)
     angles = np.linspace(0, 2 * np.pi, count + 1)
     rings = []
     for depth, scale in ((half[2], 1.0), (-.3 * half[2], 1.0), (-half[2], .86)):
@@ -184,11 +219,11 @@ def rounded_slab(middle, half, swatch, count=20):
                          np.full(count + 1, depth)], 1) + middle
         ring[-1] = ring[0]
         rings.append(ring)
-    points = np.stack(rings)
-    uv = np.broadcast_to(swatch_uv(swatch), points.shape[:2] + (2,))
-    mesh.add_surface(Surface(points, uv))
-    mesh.add_fan(points[0], swatch_uv(swatch))
-    mesh.add_fan(points[-1], swatch_uv(swatch), reverse=True)
+    pill = np.stack(rings)
+    uv = np.broadcast_to(swatch_uv(swatch), pill.shape[:2] + (2,))
+    mesh.add_surface(Surface(pill, uv))
+    mesh.add_fan(pill[0], swatch_uv(swatch))
+    mesh.add_fan(pill[-1], swatch_uv(swatch), reverse=True)
     return mesh
 
 
@@ -197,6 +232,7 @@ def lathe(profile, count, swatch):
     its outside lies to the right of the way upwards."""
     mesh = MeshBuilder()
     swatches = swatch if isinstance(swatch, list) else [swatch] * (len(profile) - 1)
+    count = curve(count, 6)
     angles = np.linspace(0, 2 * np.pi, count + 1)
     rings = []
     for radius, y in profile:
@@ -204,8 +240,8 @@ def lathe(profile, count, swatch):
         ring[-1] = ring[0]
         rings.append(ring)
     for lower, upper, name in zip(rings[:-1], rings[1:], swatches):
-        points = np.stack([lower, upper]).transpose(1, 0, 2)
-        mesh.add_surface(Surface(points, np.broadcast_to(swatch_uv(name), points.shape[:2] + (2,))))
+        band = np.stack([lower, upper]).transpose(1, 0, 2)
+        mesh.add_surface(Surface(band, np.broadcast_to(swatch_uv(name), band.shape[:2] + (2,))))
     return mesh
 
 
@@ -258,7 +294,10 @@ def wing_shape(x):
                        np.radians(1.5 - 2.0 * x / 5.4))
 
 
-WING_SECTION = aerofoil(.125, .022, .4, 22)
+def wing_section():
+    return aerofoil(.125, .022, .4, 22)
+
+
 AILERON_X = (2.95, 4.95)
 AILERON_CUT = .74
 HINGE_CUT = .750
@@ -295,8 +334,9 @@ def mirror_wing(mesh):
 
 def wing():
     lower_uv, upper_uv = wing_uvs()
-    whole, front = WING_SECTION, cut_aerofoil(WING_SECTION, AILERON_CUT, "front")
-    middle = [-x for x in np.linspace(AILERON_X[0], 0, 7)] + list(np.linspace(0, AILERON_X[0], 7)[1:])
+    whole, front = wing_section(), cut_aerofoil(wing_section(), AILERON_CUT, "front")
+    half = np.linspace(0, AILERON_X[0], curve(7))
+    middle = [-x for x in half[::-1]] + list(half[1:])
 
     def at(x):
         station = wing_shape(abs(x))
@@ -305,9 +345,9 @@ def wing():
 
     mesh = wing_part([whole] * len(middle), [at(x) for x in middle], lower_uv, upper_uv)
     right = MeshBuilder()
-    xs = np.linspace(*AILERON_X, 7)
+    xs = np.linspace(*AILERON_X, curve(7))
     right.add(wing_part([front] * len(xs), [at(x) for x in xs], lower_uv, upper_uv))
-    xs = np.concatenate([np.linspace(AILERON_X[1], 5.12, 4), 5.12 + .29 * np.sin(np.linspace(0, np.pi / 2, 9))[1:]])
+    xs = np.concatenate([np.linspace(AILERON_X[1], 5.12, curve(4, 2)), 5.12 + .29 * np.sin(np.linspace(0, np.pi / 2, curve(9)))[1:]])
     right.add(wing_part([whole] * len(xs), [at(x) for x in xs], lower_uv, upper_uv, swatch="red"))
     mesh.add(right)
     mesh.add(mirror_wing(right))
@@ -324,14 +364,17 @@ def hinge_point(station, section, cut, up=(0, 1.0, 0)):
 
 def aileron():
     lower_uv, upper_uv = wing_uvs()
-    rear = cut_aerofoil(WING_SECTION, HINGE_CUT, "rear")
-    xs = np.linspace(AILERON_X[0] + .012, AILERON_X[1] - .012, 7)
+    rear = cut_aerofoil(wing_section(), HINGE_CUT, "rear")
+    xs = np.linspace(AILERON_X[0] + .012, AILERON_X[1] - .012, curve(7))
     mesh = wing_part([rear] * len(xs), [wing_shape(x) for x in xs], lower_uv, upper_uv)
-    ends = [hinge_point(wing_shape(x), WING_SECTION, HINGE_CUT) for x in (xs[0], xs[-1])]
+    ends = [hinge_point(wing_shape(x), wing_section(), HINGE_CUT) for x in (xs[0], xs[-1])]
     return mesh, ends
 
 
-TAIL_SECTION = aerofoil(.09, count=14)
+def tail_section():
+    return aerofoil(.09, count=14)
+
+
 TAIL_CUT, TAIL_HINGE = .57, .585
 
 
@@ -348,26 +391,29 @@ def tail_uvs():
     return (lambda p: bottom(p[..., 0], p[..., 2])), (lambda p: top(p[..., 0], p[..., 2]))
 
 
-TAIL_ENDS = np.concatenate([np.linspace(.12, 1.52, 6), 1.52 + .20 * np.sin(np.linspace(0, np.pi / 2, 7))[1:]])
+def tail_ends():
+    return np.concatenate([np.linspace(.12, 1.52, curve(6)),
+                           1.52 + .20 * np.sin(np.linspace(0, np.pi / 2, curve(7)))[1:]])
 
 
 def tailplane():
-    front = cut_aerofoil(TAIL_SECTION, TAIL_CUT, "front")
-    xs = np.concatenate([-TAIL_ENDS[::-1], TAIL_ENDS])
+    front = cut_aerofoil(tail_section(), TAIL_CUT, "front")
+    ends = tail_ends()
+    xs = np.concatenate([-ends[::-1], ends])
     return wing_part([front] * len(xs), [tail_shape(x) for x in xs], *tail_uvs())
 
 
 def elevator():
-    rear = cut_aerofoil(TAIL_SECTION, TAIL_HINGE, "rear")
-    half = wing_part([rear] * len(TAIL_ENDS), [tail_shape(x) for x in TAIL_ENDS], *tail_uvs())
+    rear = cut_aerofoil(tail_section(), TAIL_HINGE, "rear")
+    ends = tail_ends()
+    half = wing_part([rear] * len(ends), [tail_shape(x) for x in ends], *tail_uvs())
     mesh = MeshBuilder()
     mesh.add(half)
     mesh.add(mirror_wing(half))
     # The hinge is straight: it follows the chord fraction at the middle of the half span.
-    return mesh, hinge_point(tail_shape(.8), TAIL_SECTION, TAIL_HINGE)
+    return mesh, hinge_point(tail_shape(.8), tail_section(), TAIL_HINGE)
 
 
-FIN_SECTION = aerofoil(.085, count=14)
 RUDDER_Z = ((.16, 4.56), (1.72, 4.80))  # hinge line: (y, z) at the bottom and at the top
 
 
@@ -392,8 +438,8 @@ def fin_uvs():
 
 
 def fin_heights(bottom):
-    return np.concatenate([np.linspace(bottom, .85, 8), np.linspace(.85, 1.55, 5)[1:],
-                           1.55 + .20 * np.sin(np.linspace(0, np.pi / 2, 7))[1:]])
+    return np.concatenate([np.linspace(bottom, .85, curve(8, 6)), np.linspace(.85, 1.55, curve(5))[1:],
+                           1.55 + .20 * np.sin(np.linspace(0, np.pi / 2, curve(7)))[1:]])
 
 
 def fin_part(keep, heights):
@@ -408,7 +454,7 @@ def fin_part(keep, heights):
         stations.append(WingStation([0, y, front], chord, thickness))
     counts = {len(s[0]) for s in sections}
     if len(counts) > 1:  # where the cut crosses a point of the section the counts differ: resample all
-        sections = [tuple(resample(side, 14) for side in s) for s in sections]
+        sections = [tuple(resample(side, curve(14, 8)) for side in s) for s in sections]
     return wing_part(sections, stations, *fin_uvs(), up=(-1.0, 0, 0), swatch="red")
 
 
@@ -443,7 +489,7 @@ def wheel(radius, width, hub):
     """A tyre and hub around the x axis."""
     half = width / 2
     tyre = [(0, -.30 * half), (hub * .55, -.42 * half), (hub, -.55 * half), (hub * 1.05, -.80 * half)]
-    for angle in np.linspace(-70, 70, 9):
+    for angle in np.linspace(-70, 70, curve(9, 4)):
         a = np.radians(angle)
         tyre.append((hub * 1.05 + (radius - hub * 1.05) * np.cos(a) ** .6, half * np.sin(a) / np.sin(np.radians(75))))
     tyre += [(hub * 1.05, .80 * half), (hub, .55 * half), (hub * .55, .42 * half), (0, .30 * half)]
@@ -520,7 +566,7 @@ def propeller():
 def spinner():
     mesh = MeshBuilder()
     profile = [(0, -.10), (.235, -.10), (.25, -.06)]
-    profile += [(.25 * np.cos(a) ** .75, -.02 + .34 * np.sin(a)) for a in np.linspace(0, np.pi / 2 - .12, 10)]
+    profile += [(.25 * np.cos(a) ** .75, -.02 + .34 * np.sin(a)) for a in np.linspace(0, np.pi / 2 - .12, curve(10, 5))]
     profile += [(0, .32)]
     mesh.add(lathe(profile, 32, ["metal", "spinner"] + ["spinner"] * (len(profile) - 3)),
              glb.translation_matrix(PROPELLER_CENTRE) @ glb.rotation_matrix([1, 0, 0], -np.pi / 2))
@@ -579,7 +625,14 @@ def cockpit():
     for side in (-1, 1):
         mesh.add(beam([side * .50, .45, -1.26], [side * .43, 1.03, -.66], .026, "frame"))
         mesh.add(beam([side * .515, .16, -1.25], [side * .535, .50, .6], .022, "frame"))
+        # The wall below the window, its sill, and the post behind the door.
+        inner, outer = sorted((side * .49, side * .525))
+        mesh.add(box([inner, -.50, -1.26], [outer, .44, 1.3], "frame"))
+        inner, outer = sorted((side * .47, side * .535))
+        mesh.add(box([inner, .44, -1.10], [outer, .47, 1.3], "glare"))
+        mesh.add(beam([side * .50, .46, .15], [side * .46, 1.04, .15], .03, "frame"))
     mesh.add(beam([-.44, 1.02, -.68], [.44, 1.02, -.68], .03, "frame"))
+    mesh.add(box([-.53, -.54, -1.26], [.53, -.50, 1.3], "glare"))
     return mesh
 
 

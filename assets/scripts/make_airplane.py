@@ -16,8 +16,11 @@ import glb
 from glb import MeshBuilder, Node
 
 
-def build(folder):
-    folder = pathlib.Path(folder)
+FAR = "_far"  # ends the names of the parts that are drawn instead where a pixel covers more than 2 cm
+
+
+def outside(suffix=""):
+    """The aircraft without propeller and cockpit, in the detail of shape.detail."""
     aileron_right, (inner, outer) = shape.aileron()
     aileron_left = shape.mirror_wing(aileron_right)
     elevator_mesh, elevator_hinge = shape.elevator()
@@ -27,7 +30,7 @@ def build(folder):
     tail.add(shape.tailplane())
     tail.add(shape.fin_part("front", shape.fin_heights(.30)))
     flip = np.array([-1.0, 1, 1])
-    nodes = [
+    parts = [
         Node("fuselage", shape.fuselage(), "livery"),
         Node("wing", shape.wing(), "livery"),
         Node("struts", shape.struts(), "livery"),
@@ -38,11 +41,24 @@ def build(folder):
         Node("elevator", elevator_mesh, "livery", glb.translation_matrix([0, *elevator_hinge[1:]])),
         Node("rudder", shape.fin_part("rear", shape.fin_heights(.16)), "livery",
              glb.frame_matrix([0, y0, z0], [0, y1 - y0, z1 - z0], [-1.0, 0, 0])),
-        Node("propeller", shape.propeller(), "livery", glb.translation_matrix(shape.PROPELLER_CENTRE)),
         Node("spinner", shape.spinner(), "livery", glb.translation_matrix(shape.PROPELLER_CENTRE)),
+    ]
+    for part in parts:
+        part.name += suffix
+    return parts
+
+
+def build(folder):
+    folder = pathlib.Path(folder)
+    nodes = outside()
+    nodes += [
+        Node("propeller", shape.propeller(), "livery", glb.translation_matrix(shape.PROPELLER_CENTRE)),
         Node("propeller_disc", shape.propeller_disc(), "livery", glb.translation_matrix(shape.PROPELLER_CENTRE)),
         Node("cockpit", shape.cockpit(), "livery"),
     ]
+    shape.detail = shape.COARSE
+    nodes += outside(FAR)
+    shape.detail = shape.FINE
     glb.write_glb(folder / "airplane.glb", "airplane", nodes,
                   {"livery": ("airplane_diffuse.png", "airplane_specular.png")})
     colour, specular = livery.livery()

@@ -161,12 +161,24 @@ def canopy_point(around, down, thickness):
     return np.stack([radius * np.cos(angle), height + LINE_LENGTH, -radius * np.sin(angle)], -1)
 
 
-def canopy():
+def fallen_point(around, down, thickness):
+    """The canopy spread on level ground (y = 0) with what air is left in it: folds run to the rim, which lies in arcs
+    and reaches farther to one side."""
+    angle = 2 * np.pi * around / GORES
+    reach = CANOPY_RADIUS * (.92 + .13 * np.sin(angle * 2 + .6) + .07 * np.sin(angle * 5 + 2.1))
+    radius = reach * (.07 + .93 * down) * (1 + .05 * np.abs(np.sin(np.pi * around)) ** .8 * down)
+    folds = np.abs(np.sin(angle * 9 + 2.0 * down)) * .13 + np.abs(np.sin(angle * 4 + 1.0 - 3.0 * down)) * .17
+    air = .26 * (.5 + .5 * np.sin(angle + .8)) * np.sin(np.pi * np.clip(down * 1.02, 0, 1))
+    height = .07 + (folds * np.sin(np.pi * np.clip(down, .12, .97)) + air)
+    return np.stack([radius * np.cos(angle), height - thickness * (height + .10) / .03 * .9, -radius * np.sin(angle)], -1)
+
+
+def canopy(shape=canopy_point):
     mesh = MeshBuilder()
     per_gore, rows = 6, 14
     around, down = np.meshgrid(np.linspace(0, GORES, GORES * per_gore + 1), np.linspace(0, 1, rows + 1), indexing="ij")
     uv = np.stack([around / GORES, .02 + .96 * down], -1)
-    outside, inside = (canopy_point(around, down, t) for t in (0, .03))
+    outside, inside = (shape(around, down, t) for t in (0, .03))
     for points in (outside, inside):
         points[-1] = points[0]
     mesh.add_surface(Surface(outside[:, ::-1], uv[:, ::-1]))
@@ -249,7 +261,9 @@ def build(folder):
     glb.write_png(folder / "package_diffuse.png", colour)
     glb.write_png(folder / "package_specular.png", specular)
     glb.write_glb(folder / "parachute.glb", "parachute",
-                  [Node("canopy", canopy(), "cloth", crease_degrees=50), Node("lines", lines(), "cloth", crease_degrees=120)],
+                  [Node("canopy", canopy(), "cloth", crease_degrees=50),
+                   Node("fallen", canopy(fallen_point), "cloth", crease_degrees=60),
+                   Node("lines", lines(), "cloth", crease_degrees=120)],
                   {"cloth": ("parachute_diffuse.png",)})
     glb.write_png(folder / "parachute_diffuse.png", paint_canopy())
 

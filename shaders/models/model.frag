@@ -3,9 +3,10 @@
 #include "models/material.glsl"
 #include "models/light.glsl"
 
-in vec3 relative;
-in vec3 surfaceNormal;
-in vec2 surfaceUv;
+// At an edge the middle of the pixel may lie beside the triangle.
+centroid in vec3 relative;
+centroid in vec3 surfaceNormal;
+centroid in vec2 surfaceUv;
 out vec4 color;
 
 void main() { color = vec4(modelLight(materialAt(surfaceUv), normalize(surfaceNormal), relative), 1.0); }

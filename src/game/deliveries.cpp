@@ -76,8 +76,13 @@ void Deliveries::drop(const flight::BodyState& aircraft) {
   flight::BodyState body = aircraft;
   body.position = release.position;
   const auto id = static_cast<std::uint32_t>(++drops_);
-  packages_.push_back({id, flight::Package(setup_->package, body), target_,
-                       clearanceAt(*setup_->ground, release.position), 0, false});
+  packages_.push_back({id,
+                       flight::Package(setup_->package, body),
+                       target_,
+                       clearanceAt(*setup_->ground, release.position),
+                       0,
+                       false,
+                       {0, 1, 0}});
   stepsToDrop_ = stepsOf(setup_->game.dropCooldown);
   journal_->report(GameEventKind::drop, release.position, id);
   const auto landing = target_ ? predictLanding(aircraft) : std::nullopt;
@@ -129,6 +134,10 @@ void Deliveries::fall(FlyingPackage& p, const std::optional<glm::dvec3>& aircraf
   if (!contact) return;
   p.body.land(contact->position);
   p.onWater = contact->water;
+  if (!contact->water) {
+    const glm::dvec2 slope = setup_->ground->sample({contact->position.x, contact->position.z}).gradient;
+    p.groundNormal = glm::dvec3(-slope.x, 1, -slope.y) / std::sqrt(1 + slope.x * slope.x + slope.y * slope.y);
+  }
   p.stepsToRemoval = stepsOf(setup_->game.landedPackageSeconds);
   journal_->report(GameEventKind::packageLanded, contact->position, p.id, 0, contact->water);
   judge(p, aircraft);
@@ -155,8 +164,8 @@ void Deliveries::fill(Snapshot& out, const std::optional<glm::dvec3>& aircraft) 
   out.packages.clear();
   for (const FlyingPackage& p : packages_) {
     const flight::BodyState& s = p.body.state();
-    out.packages.push_back(
-        {p.id, s.position, s.orientation, s.velocity, p.body.parachuteOpen(), p.body.landed(), p.onWater});
+    out.packages.push_back({p.id, s.position, s.orientation, s.velocity, p.body.parachuteOpen(),
+                            p.body.landed(), p.onWater, p.groundNormal});
   }
   out.target = {};
   if (target_) {

@@ -51,6 +51,7 @@ class Deliveries {
     double clearance = 0;              // it is at least so far above the surface
     std::uint64_t stepsToRemoval = 0;  // once landed
     bool onWater = false;
+    glm::dvec3 groundNormal{0, 1, 0};  // of where it landed
   };
 
   void fall(FlyingPackage& package, const std::optional<glm::dvec3>& aircraft);

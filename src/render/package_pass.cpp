@@ -11,9 +11,10 @@ namespace skydrop::render {
 namespace {
 
 // Of assets/scripts/make_package.py.
-constexpr double kHarnessM = 0.58;                      // where the lines meet, above the crate's centre
-constexpr double kCanopyHangsAtM = 4.3;                 // its rim
-constexpr double kSeenRadiusM = 8;                      // crate and open parachute, around the crate
+constexpr double kHarnessM = 0.58;  // where the lines meet, above the crate's centre
+constexpr double kCrateM = 0.8;     // its height
+constexpr double kFallenM = 3.2;    // from the crate to the middle of the canopy on the ground
+constexpr double kSeenRadiusM = 8;  // crate and open parachute, around the crate
 constexpr double kCrateAreaM2 = 1, kCanopyAreaM2 = 30;  // of the outlines, roughly
 
 Model load(gl::Context& context, const char* name) {
@@ -24,7 +25,7 @@ Model load(gl::Context& context, const char* name) {
 glm::dquat canopyAttitude(const game::PackageSnapshot& package, const glm::dvec3& wind) {
   const glm::dvec3 against = wind - package.velocity;
   const double speed = glm::length(against);
-  const glm::dvec3 up = package.landed || speed < 0.5 ? glm::dvec3(0, 1, 0) : against / speed;
+  const glm::dvec3 up = speed < 0.5 ? glm::dvec3(0, 1, 0) : against / speed;
   const glm::dvec3 half = up + glm::dvec3(0, 1, 0);
   const double length = glm::length(half);
   if (length < 1e-6) return {0, 1, 0, 0};  // straight down: half a turn about x
@@ -34,15 +35,17 @@ glm::dquat canopyAttitude(const game::PackageSnapshot& package, const glm::dvec3
 
 // Of the parachute's model to its own place, by how far it is open: first a streamer, then it fills.
 glm::mat4 shapeOf(const game::PackageSnapshot& package) {
-  if (package.landed) {  // emptied, beside the crate
-    const glm::mat4 beside =
-        glm::translate(glm::mat4(1), glm::vec3(2.9f, static_cast<float>(-kHarnessM) - 0.35f, 0.6f));
-    const glm::mat4 flat = glm::scale(beside, glm::vec3(0.95f, 0.16f, 0.95f));
-    return glm::translate(flat, glm::vec3(0, static_cast<float>(-kCanopyHangsAtM), 0));
-  }
   const auto open = static_cast<float>(std::clamp(package.parachuteOpen, 0.0, 1.0));
   const float width = 0.10f + 0.90f * open * open;
   return glm::scale(glm::mat4(1), glm::vec3(width, 0.75f + 0.25f * open, width));
+}
+
+// Upright on the ground's slope, turned so that the body's +x points down the wind.
+glm::dquat lyingAttitude(const game::PackageSnapshot& package, const glm::dvec3& wind) {
+  const glm::dvec3 level(wind.x, 0, wind.z), up = package.groundNormal;
+  const glm::dvec3 along = glm::dot(level, level) > 0.01 ? level : glm::dvec3(1, 0, 0);
+  const glm::dvec3 right = glm::normalize(along - up * glm::dot(along, up));
+  return glm::normalize(glm::quat_cast(glm::dmat3(right, up, glm::cross(right, up))));
 }
 
 bool isSeen(const FrameInput& frame, const game::PackageSnapshot& package) {
@@ -57,11 +60,18 @@ void drawCrate(const PackageModels& models, const game::PackageSnapshot& package
 void drawParachute(const PackageModels& models, const game::PackageSnapshot& package, const glm::dvec3& wind,
                    const View& view, const DrawPart& draw) {
   if (package.parachuteOpen <= 0) return;
-  const glm::dvec3 harness =
-      package.landed ? glm::dvec3(0, kHarnessM, 0) : package.orientation * glm::dvec3(0, kHarnessM, 0);
-  const glm::mat4 toEye = bodyMatrix(view, package.position + harness, canopyAttitude(package, wind));
   ModelPose pose(models.parachute);
-  if (package.landed) pose.hide("lines");
+  if (package.landed) {  // emptied, beside the crate
+    pose.showOnly("fallen");
+    const glm::dquat attitude = lyingAttitude(package, wind);
+    const glm::dvec3 middle =
+        package.position + attitude * glm::dvec3(kFallenM, 0, 0) - glm::dvec3(0, kCrateM / 2, 0);
+    draw(models.parachute, bodyMatrix(view, middle, attitude), pose);
+    return;
+  }
+  pose.hide("fallen");
+  const glm::dvec3 harness = package.orientation * glm::dvec3(0, kHarnessM, 0);
+  const glm::mat4 toEye = bodyMatrix(view, package.position + harness, canopyAttitude(package, wind));
   draw(models.parachute, toEye * shapeOf(package), pose);
 }
 
@@ -90,6 +100,17 @@ std::optional<std::string> PackagePass::idleReason(const FrameInput& frame) cons
     return "no package in view";
   }
   return std::nullopt;
+}
+
+PixelBox PackagePass::extent(const FrameInput& frame) const {
+  PixelBox all;
+  const glm::dvec3 half(kSeenRadiusM);
+  for (const game::PackageSnapshot& package : frame.snapshot.packages) {
+    if (!isSeen(frame, package)) continue;
+    const glm::mat4 toEye = bodyMatrix(frame.view, package.position, glm::dquat(1, 0, 0, 0));
+    all = unite(all, pixelsOf(frame.view, toEye, -half, half));
+  }
+  return all;
 }
 
 void PackagePass::draw(FrameContext& context) {

@@ -48,10 +48,13 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
   visitor.enterGroup("picture", "From light to the screen.");
   visitor.number("exposureStops", s.exposureStops,
                  {"EV", -6, 6, "Brightness on top of the automatic exposure; each step doubles it."});
+  visitor.flag("smoothModels", s.smoothModels,
+               {"Draws the edges of aircraft and packages with four samples a pixel; off, they are jagged."});
   visitor.leaveGroup();
   visitor.enterGroup("land", "Ways to look at the land's mesh.");
   visitor.flag("wireframe", s.wireframe, {"Draws the land as lines."});
-  visitor.flag("terrainNormals", s.terrainNormals, {"Draws a stroke along the normal of each vertex of the land."});
+  visitor.flag("terrainNormals", s.terrainNormals,
+               {"Draws a stroke along the normal of each vertex of the land."});
   visitor.leaveGroup();
 }
 

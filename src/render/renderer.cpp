@@ -8,6 +8,8 @@ namespace {
 
 constexpr gl::FrameBufferFormat kSceneFormat{GL_RGBA16F, GL_DEPTH_COMPONENT32F};
 constexpr gl::FrameBufferFormat kOutputFormat{GL_RGBA8, 0};
+const std::string kModelLayer = "modelLayer";  // its row in the statistics
+
 // Of the newest `count`.
 double median(const std::vector<double>& all, std::size_t count) {
   std::vector<double> values(all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end());
@@ -52,8 +54,27 @@ void Renderer::bindTarget(Slot slot) {
   if (readsDepth && !sceneColorOnly_) {
     sceneColorOnly_ = gl::FrameBuffer(context_, &scene_.colorTexture(), nullptr, "scene colour");
   }
-  gl::FrameBuffer& target = readsDepth ? sceneColorOnly_ : slot <= Slot::sky ? scene_ : output_;
+  gl::FrameBuffer& target = readsDepth ? sceneColorOnly_ : slot <= Slot::models ? scene_ : output_;
   target.bind(gl::FrameBuffer::Clear::no);
+}
+
+bool Renderer::beginModels(const FrameInput& input) {
+  if (!settings_.smoothModels) return false;
+  PixelBox all;
+  for (const std::unique_ptr<Pass>& pass : passes_) {
+    if (pass->slot() == Slot::models && !pass->idleReason(input)) all = unite(all, pass->extent(input));
+  }
+  if (all.empty()) return false;
+  if (modelLayer_.begin(context_, all, input.view.width, input.view.height)) return true;
+  skipped_.insert_or_assign(kModelLayer, "the models cover too many pixels");
+  return false;
+}
+
+void Renderer::composeModels() {
+  skipped_.erase(kModelLayer);
+  bindTarget(Slot::models);
+  context_.setDefaultState();
+  measured(kModelLayer, [&] { modelLayer_.compose(context_, shaders_); });
 }
 
 void Renderer::draw(const FrameInput& asked) {
@@ -86,25 +107,37 @@ void Renderer::draw(const FrameInput& asked) {
                      scene_.colorTexture(),
                      scene_.depthTexture()};
   skipped_.clear();
+  skipped_.emplace(kModelLayer, settings_.smoothModels ? "no model in view" : "switched off");
+  bool layered = false;  // the layer is the target
   for (const std::unique_ptr<Pass>& pass : passes_) {
     if (const std::optional<std::string> reason = pass->idleReason(input)) {
       skipped_.emplace(pass->name(), *reason);
       continue;
     }
-    bindTarget(pass->slot());
-    context_.setDefaultState();
-    ledger.beginPass(pass->name());
-    timer_.begin(pass->name());
-    try {
-      pass->draw(frame);
-    } catch (...) {
-      timer_.end();
-      ledger.endPass();
-      throw;
+    if (layered && pass->slot() > Slot::models) {
+      composeModels();
+      layered = false;
     }
-    timer_.end();
-    ledger.endPass();
+    if (!layered && pass->slot() == Slot::models) layered = beginModels(input);
+    if (!layered) bindTarget(pass->slot());
+    context_.setDefaultState();
+    measured(pass->name(), [&] { pass->draw(frame); });
   }
+  if (layered) composeModels();
+}
+
+void Renderer::measured(std::string_view name, const std::function<void()>& draw) {
+  context_.ledger().beginPass(name);
+  timer_.begin(name);
+  try {
+    draw();
+  } catch (...) {
+    timer_.end();
+    context_.ledger().endPass();
+    throw;
+  }
+  timer_.end();
+  context_.ledger().endPass();
 }
 
 void Renderer::noteTimes() {
@@ -151,9 +184,8 @@ void Renderer::fillStatistics(core::FrameStatistics& statistics, std::size_t fra
   statistics.clock = timer_.clockName();
   statistics.renderer = context_.renderer();
   statistics.passes.clear();
-  for (const std::unique_ptr<Pass>& pass : passes_) {
+  const auto addRow = [&](const std::string& name) {
     core::PassStatistics row;
-    const std::string name(pass->name());
     if (const auto times = times_.find(name); times != times_.end()) row.ms = median(times->second, frames);
     if (const auto counts = ledger.passes().find(name); counts != ledger.passes().end()) {
       row.draws = static_cast<std::int64_t>(counts->second.draws);
@@ -161,7 +193,13 @@ void Renderer::fillStatistics(core::FrameStatistics& statistics, std::size_t fra
     }
     if (const auto reason = skipped_.find(name); reason != skipped_.end()) row.skipped = reason->second;
     statistics.passes.emplace_back(name, row);
+  };
+  bool hasModels = false;
+  for (const std::unique_ptr<Pass>& pass : passes_) {
+    addRow(std::string(pass->name()));
+    hasModels = hasModels || pass->slot() == Slot::models;
   }
+  if (hasModels) addRow(kModelLayer);
   statistics.gl.textures = ledger.live(gl::ObjectKind::texture);
   statistics.gl.buffers = ledger.live(gl::ObjectKind::buffer);
   statistics.gl.programs = ledger.live(gl::ObjectKind::program);

@@ -13,6 +13,7 @@
 #include "support/frame_test.h"
 #include "support/ground_pass.h"
 #include "support/image_compare.h"
+#include "support/light_probe.h"
 
 namespace skydrop::render {
 namespace {
@@ -94,12 +95,64 @@ TEST_F(ModelPassGLTest, aircraftHasItsSizeAndFacesForward) {
   // From 30 m above with the picture's top to the north: 8.3 m from left to right, 10.8 m from top to bottom,
   // as the perspective at the height of wing and fuselage has it (2 pixels for edges), and its nose on the
   // right.
+  settings_.smoothModels = false;
   const View view = pose({0, 830, 0}, -90, -90, 0, 640, 640);
   const Box box = changedBox(draw(view), emptyFrame(view));
   const double pixelsPerMetre = 640 / (2 * std::tan(view.fovYRad / 2) * (30 - 1.2));
   EXPECT_NEAR(box.width(), 8.3 * pixelsPerMetre * (30 - 1.2) / 30, 2);
   EXPECT_NEAR(box.height(), 10.8 * pixelsPerMetre, 2);
   EXPECT_LT(box.right - 320, 320 - box.left);  // the nose is 3.2 m, the tail 5.1 m from the middle
+}
+
+// A ball in the slot of models, before black.
+class BallPass final : public Pass {
+ public:
+  explicit BallPass(gl::Context& context) : model_(context, modelOf(sphereMesh(1, 32, 16)), "ball") {}
+  std::string_view name() const override { return "ball"; }
+  Slot slot() const override { return Slot::models; }
+  void draw(FrameContext& frame) override {
+    frame.gl.api().Enable(GL_CULL_FACE);
+    model_.draw(frame.shaders, "models/model.vert", "models/model.frag", {},
+                bodyMatrix(frame.frame.view, {0, 0, 0}, glm::dquat(1, 0, 0, 0)), ModelPose(model_));
+  }
+
+ private:
+  static ModelData modelOf(const MeshData& mesh) {
+    ModelData data;
+    data.nodes = {{"ball", -1, glm::mat4(1), {0}}};
+    data.meshes = {{"ball", mesh, 0}};
+    data.materials = {{"plain", {}, {}}};
+    return data;
+  }
+
+  Model model_;
+};
+
+class ModelLayerGLTest : public test::FrameTest {};
+
+TEST_F(ModelLayerGLTest, smallThingsDoNotShimmer) {
+  // A ball 3.2 pixels wide, seen from the side that the sun shines on and moved by parts of a pixel: the
+  // light it adds to the picture varies by at most 12 % with four samples a pixel, and by more than 25 % with
+  // one.
+  std::vector<glm::vec4> light;
+  renderer().add(std::make_unique<BallPass>(context()));
+  renderer().add(std::make_unique<test::LightProbe>(light));
+  settings_.sun.elevationDegrees = 90;
+  features_ = {};
+  const double pixelM = 1 / 1.6, heightM = pixelM * 180 / (2 * std::tan(glm::radians(30.0)));
+  const auto spread = [&](bool smooth) {
+    settings_.smoothModels = smooth;
+    double least = 1e300, most = 0;
+    for (int i = 0; i < 16; ++i) {
+      draw(pose({i * pixelM / 16, heightM, i * pixelM * 5 / 16}, 0, -90, 0));
+      double sum = 0;
+      for (const glm::vec4& pixel : light) sum += static_cast<double>(pixel.y);
+      least = std::min(least, sum), most = std::max(most, sum);
+    }
+    return most / least - 1;
+  };
+  EXPECT_LT(spread(true), 0.12);
+  EXPECT_GT(spread(false), 0.2);
 }
 
 TEST_F(ModelPassGLTest, T02_aircraftFarOutLooksLikeTheOneAtTheOrigin) {
@@ -109,6 +162,51 @@ TEST_F(ModelPassGLTest, T02_aircraftFarOutLooksLikeTheOneAtTheOrigin) {
   const glm::dvec3 far(std::ldexp(390625.0, 8), 0, -std::ldexp(390625.0, 8));
   aircraft().position += far;
   EXPECT_TRUE(test::imagesMatch(draw(pose(eye + far, 20, -12, 5)), here, {0, 0}, "aircraft_far_out"));
+}
+
+TEST_F(ModelPassGLTest, smoothModelsAreBehindWhatIsNearer) {
+  // A plain between eye and aircraft: nothing of the aircraft is seen, with or without samples.
+  addGround({0, 820, 0});
+  const View view = pose({0, 830, 0}, -90, -80, 0);
+  for (const bool smooth : {true, false}) {
+    settings_.smoothModels = smooth;
+    EXPECT_LT(changedBox(draw(view), emptyFrame(view), 0).right, 0);
+  }
+}
+
+TEST_F(ModelPassGLTest, layerIsMadeOnlyForModelsInViewThatFitIntoIt) {
+  // Looking away: no layer. Sitting in the cabin at 1200 x 900: too many pixels, drawn without. From behind:
+  // a layer.
+  draw(pose({-30, 800, 0}, 180, 0, 0));
+  EXPECT_EQ(skipped("modelLayer"), "no model in view");
+  draw(pose({0, 800.7, 0}, 0, 0, 0, 1200, 900));
+  EXPECT_EQ(skipped("modelLayer"), "the models cover too many pixels");
+  settings_.smoothModels = false;
+  draw(pose({-30, 800, 0}, 0, 0, 0));
+  EXPECT_EQ(skipped("modelLayer"), "switched off");
+  settings_.smoothModels = true;
+  draw(pose({-30, 800, 0}, 0, 0, 0));
+  EXPECT_EQ(skipped("modelLayer"), "");
+}
+
+TEST_F(ModelPassGLTest, detailChangesWithoutBeingSeen) {
+  // A step before and a step behind the distance at which a pixel covers 2 cm (8.66 m at 500 pixels, 60
+  // degrees): of the pixels at most 2 % differ by more than 24 steps of 8 bits: the aircraft has hardly
+  // moved, or changed.
+  const double limit = 0.02 * 500 / (2 * std::tan(glm::radians(30.0)));
+  const core::Image fine = draw(pose({0, 800, limit - 0.005}, -90, 0, 0, 500, 500));
+  const core::Image coarse = draw(pose({0, 800, limit + 0.005}, -90, 0, 0, 500, 500));
+  int different = 0;
+  for (int y = 0; y < 500; ++y) {
+    for (int x = 0; x < 500; ++x) {
+      int most = 0;
+      for (int c = 0; c < 3; ++c)
+        most = std::max(most, std::abs(fine.pixel(x, y)[c] - coarse.pixel(x, y)[c]));
+      different += most > 24;
+    }
+  }
+  EXPECT_LT(different, 500 * 500 / 50);
+  EXPECT_GT(different, 0);
 }
 
 TEST_F(ModelPassGLTest, controlsMoveTheSurfacesThatTheyShould) {

@@ -50,6 +50,7 @@ struct PackageSnapshot {
   double parachuteOpen = 0;  // 0 packed .. 1 fully open; stays at 1 on the ground
   bool landed = false;
   bool onWater = false;
+  glm::dvec3 groundNormal{0, 1, 0};  // unit, of what it landed on
 };
 
 struct TargetSnapshot {

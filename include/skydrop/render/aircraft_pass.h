@@ -18,6 +18,7 @@ class AircraftPass final : public Pass {
   std::string_view name() const override { return "aircraft"; }
   Slot slot() const override { return Slot::models; }
   std::optional<std::string> idleReason(const FrameInput& frame) const override;
+  PixelBox extent(const FrameInput& frame) const override;
   void draw(FrameContext& context) override;
 
  private:

@@ -55,6 +55,9 @@ class Model {
   int node(std::string_view name) const;  // -1: there is none
   // Radius around the model's origin that holds every vertex at rest, m.
   float radius() const { return radius_; }
+  // The box that holds every vertex at rest.
+  const glm::vec3& low() const { return low_; }
+  const glm::vec3& high() const { return high_; }
 
   // Draws what the pose shows with programs of these entry points. `defines` are added to the model's own.
   // toEye: of the model's frame to eye-relative world axes; no shear without scale of one node's own.
@@ -78,6 +81,7 @@ class Model {
   std::vector<Material> materials_;
   std::vector<gl::Texture> textures_;
   float radius_ = 0;
+  glm::vec3 low_{0}, high_{0};
 };
 
 }  // namespace skydrop::render

@@ -26,6 +26,7 @@ class PackagePass final : public Pass {
   std::string_view name() const override { return "packages"; }
   Slot slot() const override { return Slot::models; }
   std::optional<std::string> idleReason(const FrameInput& frame) const override;
+  PixelBox extent(const FrameInput& frame) const override;
   void draw(FrameContext& context) override;
 
  private:

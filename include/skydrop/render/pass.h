@@ -14,6 +14,7 @@
 #include "skydrop/render/gl/context.h"
 #include "skydrop/render/gl/frame_buffer.h"
 #include "skydrop/render/gl/shader_cache.h"
+#include "skydrop/render/model_layer.h"
 #include "skydrop/render/render_settings.h"
 #include "skydrop/render/view.h"
 
@@ -21,11 +22,12 @@ namespace skydrop::render {
 
 // The order of a frame. What is bound when draw() is called:
 //   shadows                  as the next: what is drawn goes to maps of its own (FrameContext::shadows)
-//   terrain, models, sky     the scene: linear light (RGBA16F) and reversed depth (D32F), both written
+//   terrain, sky, models     the scene: linear light (RGBA16F) and reversed depth (D32F), both written;
+//                            models may be drawn into a layer (ModelLayer) and not ask for gl_FragCoord
 //   translucents, clouds,    the scene's colour alone: depth can be read as a texture
 //   weatherEffects           (FrameContext::sceneDepth)
 //   toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
-enum class Slot { shadows, terrain, models, sky, translucents, clouds, weatherEffects, toneMap, hud, menu };
+enum class Slot { shadows, terrain, sky, models, translucents, clouds, weatherEffects, toneMap, hud, menu };
 
 // What a frame is a pure function of. Values: nothing in here changes while it is drawn.
 struct FrameInput {
@@ -58,6 +60,10 @@ class Pass {
   virtual Slot slot() const = 0;
   // Why it has nothing to do in this frame; nullopt: it has. Not asked to draw if it gives a reason.
   virtual std::optional<std::string> idleReason(const FrameInput&) const { return std::nullopt; }
+  // Slot models: the pixels that it may touch.
+  virtual PixelBox extent(const FrameInput& frame) const {
+    return {0, 0, frame.view.width, frame.view.height};
+  }
   // Target, viewport, the frame's uniform block and the default state (gl::Context::setDefaultState) are set.
   // State may be left changed; the target may not.
   virtual void draw(FrameContext& context) = 0;

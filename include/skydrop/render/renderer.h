@@ -2,6 +2,7 @@
 // thread.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -60,6 +61,10 @@ class Renderer {
  private:
   void resize(int width, int height);
   void bindTarget(Slot slot);
+  // Whether the models of this frame go into the layer, which is then the target.
+  bool beginModels(const FrameInput& input);
+  void composeModels();
+  void measured(std::string_view name, const std::function<void()>& draw);
   void noteTimes();
 
   gl::Context& context_;
@@ -68,6 +73,7 @@ class Renderer {
   gl::PassTimer timer_;
   gl::Buffer uniforms_;
   CastShadows shadows_;
+  ModelLayer modelLayer_;
   gl::FrameBuffer scene_, sceneColorOnly_, output_;
   std::vector<std::unique_ptr<Pass>> passes_;
   std::map<std::string, std::string, std::less<>> skipped_;

@@ -24,7 +24,7 @@ FrameBuffer::FrameBuffer(Context& context, GLsizei width, GLsizei height, FrameB
 }
 
 FrameBuffer::FrameBuffer(Context& context, const Texture* color, const Texture* depth, std::string_view label)
-    : Object(context, ObjectKind::frameBuffer, createFrameBuffer(context)), format_{0, 0}, label_(label) {
+    : Object(context, ObjectKind::frameBuffer, createFrameBuffer(context)), format_{0, 0, 1}, label_(label) {
   assert(color || depth);
   setLabel(label);
   width_ = (color ? color : depth)->width();
@@ -37,8 +37,13 @@ void FrameBuffer::resize(GLsizei width, GLsizei height) {
   if (width == width_ && height == height_) return;
   width_ = width;
   height_ = height;
-  if (format_.color) color_ = Texture::make2D(context(), format_.color, width, height, label_ + ".color");
-  if (format_.depth) depth_ = Texture::make2D(context(), format_.depth, width, height, label_ + ".depth");
+  const auto make = [&](GLenum format, const char* part) {
+    return format_.samples > 1
+               ? Texture::make2DMultisample(context(), format, width, height, format_.samples, label_ + part)
+               : Texture::make2D(context(), format, width, height, label_ + part);
+  };
+  if (format_.color) color_ = make(format_.color, ".color");
+  if (format_.depth) depth_ = make(format_.depth, ".depth");
   attach(format_.color ? &color_ : nullptr, format_.depth ? &depth_ : nullptr);
 }
 

@@ -128,7 +128,7 @@ GLsizei mipLevels(GLsizei width, GLsizei height) {
 }
 
 Texture::Texture(Context& context, GLenum target, GLenum internalFormat, GLsizei width, GLsizei height,
-                 GLsizei depth, GLsizei levels, std::string_view label)
+                 GLsizei depth, GLsizei levels, std::string_view label, GLsizei samples)
     : Object(context, ObjectKind::texture, createTexture(context, target)),
       target_(target),
       format_(internalFormat),
@@ -138,15 +138,18 @@ Texture::Texture(Context& context, GLenum target, GLenum internalFormat, GLsizei
       levels_(levels) {
   assert(width > 0 && height > 0 && depth > 0 && levels > 0);
   const Functions& gl = context.api();
-  if (target == GL_TEXTURE_2D) {
+  if (target == GL_TEXTURE_2D_MULTISAMPLE) {
+    gl.TextureStorage2DMultisample(id(), samples, internalFormat, width, height, GL_TRUE);
+  } else if (target == GL_TEXTURE_2D) {
     gl.TextureStorage2D(id(), levels, internalFormat, width, height);
   } else {
     gl.TextureStorage3D(id(), levels, internalFormat, width, height, depth);
   }
   std::uint64_t texels = 0;
   for (GLint level = 0; level < levels; ++level) texels += texelCount(level);
-  setBytes(texels * texelBytes(internalFormat));
+  setBytes(texels * texelBytes(internalFormat) * static_cast<std::uint64_t>(samples));
   setLabel(label);
+  if (target == GL_TEXTURE_2D_MULTISAMPLE) return;  // it is not filtered
   const GLenum magnify = isFilterable(internalFormat) ? GL_LINEAR : GL_NEAREST;
   setFilter(levels > 1 && magnify == GL_LINEAR ? GL_LINEAR_MIPMAP_LINEAR : magnify, magnify);
   setWrap(GL_CLAMP_TO_EDGE);
@@ -161,6 +164,11 @@ std::uint64_t Texture::texelCount(GLint level) const {
 Texture Texture::make2D(Context& context, GLenum internalFormat, GLsizei width, GLsizei height,
                         std::string_view label, GLsizei levels) {
   return Texture(context, GL_TEXTURE_2D, internalFormat, width, height, 1, levels, label);
+}
+
+Texture Texture::make2DMultisample(Context& context, GLenum internalFormat, GLsizei width, GLsizei height,
+                                   GLsizei samples, std::string_view label) {
+  return Texture(context, GL_TEXTURE_2D_MULTISAMPLE, internalFormat, width, height, 1, 1, label, samples);
 }
 
 Texture Texture::make2DArray(Context& context, GLenum internalFormat, GLsizei width, GLsizei height,

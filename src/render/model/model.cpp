@@ -81,7 +81,10 @@ Model::Model(gl::Context& context, const ModelData& data, std::string_view label
     const glm::mat4 toModel = rest.toModel(static_cast<int>(i));
     for (const int mesh : nodes_[i].meshes) {
       for (const MeshVertex& vertex : data.meshes[static_cast<std::size_t>(mesh)].data.vertices) {
-        radius_ = std::max(radius_, glm::length(glm::vec3(toModel * glm::vec4(vertex.position, 1))));
+        const glm::vec3 place(toModel * glm::vec4(vertex.position, 1));
+        radius_ = std::max(radius_, glm::length(place));
+        low_ = glm::min(low_, place);
+        high_ = glm::max(high_, place);
       }
     }
   }

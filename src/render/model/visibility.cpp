@@ -1,5 +1,6 @@
 #include "render/model/visibility.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -16,6 +17,26 @@ bool maySee(const View& view, const glm::dvec3& middle, double radiusM) {
   if ((std::abs(seen.y) - ahead * tanY) / std::sqrt(1 + tanY * tanY) > radiusM) return false;
   const double pixels = radiusM / glm::length(seen) / (2 * tanY) * view.height;
   return pixels > 1.0 / 6;
+}
+
+PixelBox pixelsOf(const View& view, const glm::mat4& toEye, const glm::dvec3& low, const glm::dvec3& high) {
+  const PixelBox all{0, 0, view.width, view.height};
+  const double scale = view.height / (2 * std::tan(view.fovYRad / 2));
+  glm::dvec2 first(1e300), last(-1e300);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 place(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
+                           corner & 4 ? high.z : low.z);
+    const glm::dvec3 seen = view.worldToView * (glm::dmat3(glm::dmat4(toEye)) * place + glm::dvec3(toEye[3]));
+    if (-seen.z < view.nearM) return all;
+    const glm::dvec2 pixel = glm::dvec2(seen) * (scale / -seen.z) + 0.5 * glm::dvec2(view.width, view.height);
+    first = glm::min(first, pixel);
+    last = glm::max(last, pixel);
+  }
+  const auto within = [](double pixel, int size) {
+    return static_cast<int>(std::clamp<double>(pixel, 0, size));
+  };
+  return {within(std::floor(first.x), view.width), within(std::floor(first.y), view.height),
+          within(std::ceil(last.x), view.width), within(std::ceil(last.y), view.height)};
 }
 
 }  // namespace skydrop::render

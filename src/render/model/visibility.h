@@ -1,5 +1,6 @@
 #pragma once
 
+#include "skydrop/render/model_layer.h"
 #include "skydrop/render/view.h"
 
 namespace skydrop::render {
@@ -7,5 +8,9 @@ namespace skydrop::render {
 // Whether a ball may be seen: not behind the eye, not beside the picture, and not smaller than a third of a
 // pixel. Conservative: true for everything that covers a pixel's centre.
 bool maySee(const View& view, const glm::dvec3& middle, double radiusM);
+
+// The pixels that a box of a body may touch; all of them if a corner is not before the eye. toEye: body to
+// eye-relative world axes.
+PixelBox pixelsOf(const View& view, const glm::mat4& toEye, const glm::dvec3& low, const glm::dvec3& high);
 
 }  // namespace skydrop::render

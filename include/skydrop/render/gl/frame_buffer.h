@@ -11,6 +11,7 @@ namespace skydrop::render::gl {
 struct FrameBufferFormat {
   GLenum color = GL_RGBA16F;             // 0: no colour texture
   GLenum depth = GL_DEPTH_COMPONENT32F;  // 0: no depth texture
+  GLsizei samples = 1;                   // a pixel; with more the textures cannot be filtered
 };
 
 // A target to draw into whose colour and depth are textures that later passes read. Any size, resizable.

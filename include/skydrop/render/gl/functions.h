@@ -123,6 +123,7 @@
   X(TEXTUREPARAMETERFV, TextureParameterfv)                         \
   X(TEXTUREPARAMETERI, TextureParameteri)                           \
   X(TEXTURESTORAGE2D, TextureStorage2D)                             \
+  X(TEXTURESTORAGE2DMULTISAMPLE, TextureStorage2DMultisample)       \
   X(TEXTURESTORAGE3D, TextureStorage3D)                             \
   X(TEXTURESUBIMAGE2D, TextureSubImage2D)                           \
   X(TEXTURESUBIMAGE3D, TextureSubImage3D)                           \

@@ -22,6 +22,9 @@ class Texture : public Object {
   Texture() = default;
   static Texture make2D(Context& context, GLenum internalFormat, GLsizei width, GLsizei height,
                         std::string_view label, GLsizei levels = 1);
+  // Several samples a texel, at fixed places: to be drawn into, and read by texelFetch.
+  static Texture make2DMultisample(Context& context, GLenum internalFormat, GLsizei width, GLsizei height,
+                                   GLsizei samples, std::string_view label);
   static Texture make2DArray(Context& context, GLenum internalFormat, GLsizei width, GLsizei height,
                              GLsizei layers, std::string_view label, GLsizei levels = 1);
   static Texture make3D(Context& context, GLenum internalFormat, GLsizei width, GLsizei height, GLsizei depth,
@@ -51,7 +54,7 @@ class Texture : public Object {
 
  private:
   Texture(Context& context, GLenum target, GLenum internalFormat, GLsizei width, GLsizei height,
-          GLsizei depth, GLsizei levels, std::string_view label);
+          GLsizei depth, GLsizei levels, std::string_view label, GLsizei samples = 1);
 
   std::uint64_t texelCount(GLint level) const;  // of all layers
 
