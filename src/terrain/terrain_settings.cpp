@@ -18,11 +18,14 @@ void describe(core::SettingsVisitor& visitor, TerrainSettings& s) {
   number("rangeShare", s.rangeShare, "1", 0, 1, "Share of the land that mountains take.");
   number("mountainHeight", s.mountainHeight, "m", 0, 1500, "Height of the highest peaks above the plains.");
   number("mountainWavelength", s.mountainWavelength, "m", 1024, 16384,
-         "Side of the largest lattice cell of the ridges; more makes broader mountains.", true);
+         "Side of the largest lattice cell of the hills and of the ridges between crests; more makes them "
+         "broader.",
+         true);
   number("valleyWavelength", s.valleyWavelength, "m", 2048, 32768,
-         "Side of the lattice cell of the valleys that cut the ranges.", true);
+         "Side of the lattice cell of the rivers on the plains and the passes through the ranges.", true);
   number("valleyWidth", s.valleyWidth, "1", 0.01, 1, "Width of those valleys as a share of their noise.");
-  number("roughness", s.roughness, "1", 0, 2, "Strength of the small relief in the mountains.");
+  number("roughness", s.roughness, "1", 0, 2,
+         "Depth of what water carves, and of the small relief in the mountains.");
   number("plainRoughness", s.plainRoughness, "1", 0, 2, "Strength of the hills on the plains.");
   number("finestWavelength", s.finestWavelength, "m", 16, 512,
          "Side of the smallest lattice cell; less adds detail and costs time.", true);
