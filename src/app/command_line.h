@@ -43,7 +43,7 @@ struct CommandLine {
   std::optional<std::string> preset;  // a name or a file; below `set`
   std::vector<std::string> set;       // PATH=VALUE, in order
   std::optional<std::uint64_t> seed;
-  std::optional<int> workers;  // 1 .. 64; cores - 1 unless told
+  std::optional<int> workers;  // 1 .. 64; unless told cores - 1, and all of them to render
   std::optional<std::filesystem::path> userDir, stats, replay;
   bool autopilot = false;
 

@@ -56,7 +56,9 @@ int render(const CommandLine& line) {
   const Size size = line.size.value_or(kDefaultSize);
   const auto context = openContext(line.backend, size);
   Simulation simulation(run->setup, run->settings, run->table);
-  Stage stage(*context, {simulation.effects(), simulation.ground(), line.workers, line.stats.has_value()},
+  // While land is made this thread waits: its processor makes land too.
+  const int workers = line.workers.value_or(core::JobPool::defaultWorkerCount() + 1);
+  Stage stage(*context, {simulation.effects(), simulation.ground(), workers, line.stats.has_value()},
               run->settings);
   if (line.pose) place(stage.camera(), *line.pose);
   std::unique_ptr<Overlay> overlay;
