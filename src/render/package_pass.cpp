@@ -11,10 +11,10 @@ namespace skydrop::render {
 namespace {
 
 // Of assets/scripts/make_package.py.
-constexpr double kHarnessM = 0.58;  // where the lines meet, above the crate's centre
-constexpr double kCrateM = 0.8;     // its height
-constexpr double kFallenM = 3.2;    // from the crate to the middle of the canopy on the ground
-constexpr double kSeenRadiusM = 8;  // crate and open parachute, around the crate
+constexpr double kHarnessM = 0.58;     // where the lines meet, above the crate's centre
+constexpr double kFallenLiftM = 0.12;  // over the plane of the ground, which is not quite one
+constexpr double kFallenM = 3.2;       // from the crate to the middle of the canopy on the ground
+constexpr double kSeenRadiusM = 8;     // crate and open parachute, around the crate
 constexpr double kCrateAreaM2 = 1, kCanopyAreaM2 = 30;  // of the outlines, roughly
 
 Model load(gl::Context& context, const char* name) {
@@ -64,8 +64,7 @@ void drawParachute(const PackageModels& models, const game::PackageSnapshot& pac
   if (package.landed) {  // emptied, beside the crate
     pose.showOnly("fallen");
     const glm::dquat attitude = lyingAttitude(package, wind);
-    const glm::dvec3 middle =
-        package.position + attitude * glm::dvec3(kFallenM, 0, 0) - glm::dvec3(0, kCrateM / 2, 0);
+    const glm::dvec3 middle = package.position + attitude * glm::dvec3(kFallenM, kFallenLiftM, 0);
     draw(models.parachute, bodyMatrix(view, middle, attitude), pose);
     return;
   }
