@@ -7,11 +7,12 @@
 
 namespace skydrop::app {
 
-Overlay::Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help)
+Overlay::Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help,
+                 const ui::InterfaceScale& scale)
     : drawsHud_(effects.contains(scene::Effect::hud)),
       help_(std::move(help)),
       sections_(menuSections(effects)),
-      interface_(size.width, size.height) {}
+      interface_(size.width, size.height, scale) {}
 
 void Overlay::showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys) {
   help_ = std::move(help);
@@ -20,7 +21,8 @@ void Overlay::showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys) {
 
 OverlayResult Overlay::build(const OverlayFrame& frame) {
   OverlayResult result;
-  result.fontsChanged = interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds);
+  result.fontsChanged =
+      interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds, frame.scale);
   if (menuOpen) {
     ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error, frame.tools};
     content.bindings = frame.bindings;
@@ -42,6 +44,13 @@ OverlayResult Overlay::build(const OverlayFrame& frame) {
   }
   interface_.endFrame();
   return result;
+}
+
+bool Overlay::buildLoading(Size size, const ui::LoadingProgress& progress, const ui::InterfaceScale& scale) {
+  const bool fontsChanged = interface_.beginFrame(size.width, size.height, 0, scale);
+  ui::drawLoadingPicture(interface_, progress);
+  interface_.endFrame();
+  return fontsChanged;
 }
 
 }  // namespace skydrop::app

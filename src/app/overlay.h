@@ -13,6 +13,7 @@
 #include "skydrop/scene/effect.h"
 #include "skydrop/ui/hud.h"
 #include "skydrop/ui/imgui_context.h"
+#include "skydrop/ui/loading_picture.h"
 #include "skydrop/ui/menu.h"
 
 namespace skydrop::app {
@@ -26,6 +27,7 @@ struct OverlayFrame {
   std::string_view error = {};  // of the last reload
   ui::MenuTools tools = {};
   const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
+  ui::InterfaceScale scale = {};
 };
 
 struct OverlayResult {
@@ -36,7 +38,8 @@ struct OverlayResult {
 
 class Overlay {
  public:
-  Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help);
+  Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help,
+          const ui::InterfaceScale& scale = {});
 
   ui::ConfigurationMenu& menu() { return menu_; }
   // Somebody looks at what the passes cost.
@@ -53,6 +56,9 @@ class Overlay {
   // Builds the draw data of this frame (ImGui::GetDrawData). The cross of the menu has closed it when this
   // returns.
   OverlayResult build(const OverlayFrame& frame);
+
+  // The same with what is shown while the land is made. True if the fonts changed.
+  bool buildLoading(Size size, const ui::LoadingProgress& progress, const ui::InterfaceScale& scale);
 
  private:
   bool drawsHud_;

@@ -63,7 +63,8 @@ std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects) {
     if (!effects.contains(part.effect)) continue;
     sections.insert(sections.end(), part.menuSections.begin(), part.menuSections.end());
   }
-  sections.insert(sections.end(), {{"render.picture", "Picture"},
+  sections.insert(sections.end(), {{"", "Quality"},
+                                   {"render.picture", "Picture"},
                                    {"render.camera", "Cameras"},
                                    {"view", "View"},
                                    {"input.gamepad", "Gamepad"}});

@@ -1,6 +1,11 @@
 #include "app/prepare.h"
 
+#include <algorithm>
+#include <functional>
+#include <utility>
+
 #include "app/preset_shelf.h"
+#include "app/quality_preset.h"
 #include "app/user_settings.h"
 #include "skydrop/core/error.h"
 
@@ -21,6 +26,72 @@ void readReplay(const std::filesystem::path& file, SimulationSetup& setup) {
   setup.replay = game::readInputLog(file);
   setup.scene = scene::loadScene(setup.replay->scene);
   setup.seed = setup.replay->seed;
+}
+
+using Layer = std::function<void(const core::SettingsTable&)>;
+
+// All settings, layer upon layer; `player` applies the player's own. All or nothing: throws core::DataError.
+void compose(Run& run, const scene::Scene& scene, const Layer& player) {
+  // Which preset lies at the bottom is said by the layers above it.
+  Settings wish;
+  const core::SettingsTable wishTable(wish);
+  applyScene(wishTable, scene);
+  player(wishTable);
+  applyOverrides(wishTable, run.overrides);
+  const Quality quality = qualityFor(wish.quality, run.softwareRenderer);
+
+  Settings base;
+  const core::SettingsTable baseTable(base);
+  applyPreset(baseTable, readQualityPreset(quality));
+  applyScene(baseTable, scene);
+  Settings own = base;
+  player(core::SettingsTable(own));
+  Settings all = own;
+  const core::SettingsTable allTable(all);
+  if (run.setup.replay) applyLogged(allTable, run.setup.replay->settings, run.setup.replayFile);
+  applyOverrides(allTable, run.overrides);
+
+  run.quality = quality;
+  run.base = base;
+  run.player = own;
+  run.settings = all;
+  run.table.takeDefaults(run.baseTable);
+}
+
+// The player's file at the start. It is read more than once: after the first time without what was broken.
+Layer playersFile(Run& run) {
+  return [&run](const core::SettingsTable& table) {
+    if (!run.userFolder) return;
+    if (auto warning = loadUserSettings(table, run.bindings, *run.userFolder))
+      run.warning = std::move(warning);
+  };
+}
+
+// What the player chose so far, as a layer.
+Layer ownChoices(const Run& run) {
+  std::vector<std::pair<std::string, double>> choices;
+  for (std::size_t i = 0; i < run.playerTable.fields().size(); ++i) {
+    const core::Field& field = run.playerTable.fields()[i];
+    if (field.get() != run.baseTable.fields()[i].get()) choices.emplace_back(field.path, field.get());
+  }
+  return [choices](const core::SettingsTable& table) {
+    for (const auto& [path, value] : choices) table.at(path).set(value);
+  };
+}
+
+std::vector<std::string> changedPaths(Settings before, const Run& run) {
+  const core::SettingsTable beforeTable(before);
+  std::vector<std::string> changed;
+  for (std::size_t i = 0; i < run.table.fields().size(); ++i) {
+    if (run.table.fields()[i].get() != beforeTable.fields()[i].get())
+      changed.push_back(run.table.fields()[i].path);
+  }
+  return changed;
+}
+
+// What the menu says comes after what the command line said.
+void forgetOverrides(Run& run, const std::string& path) {
+  std::erase_if(run.overrides, [&](const std::string& set) { return set.starts_with(path + "="); });
 }
 
 }  // namespace
@@ -46,52 +117,48 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line) {
   }
   setup.record = line.record.has_value();
 
-  applyScene(run->table, setup.scene);
-  run->base = run->settings;
+  run->overrides = line.set;
   run->userFolder = userFolder(line);
-  if (run->userFolder) run->warning = loadUserSettings(run->table, run->bindings, *run->userFolder);
-  run->player = run->settings;
-  if (setup.replay) applyLogged(run->table, setup.replay->settings, setup.replayFile);
-  applyOverrides(run->table, line.set);
+  compose(*run, setup.scene, playersFile(*run));
   return run;
+}
+
+void useSoftwareRenderer(Run& run) {
+  run.softwareRenderer = true;
+  compose(run, run.setup.scene, playersFile(run));
+}
+
+std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    run.playerTable.at(path).set(run.table.at(path).get());
+    forgetOverrides(run, path);
+  }
+  if (std::find(paths.begin(), paths.end(), "quality") == paths.end()) return paths;
+  for (const std::string& path : presetPaths()) {
+    run.playerTable.at(path).set(run.baseTable.at(path).get());
+    forgetOverrides(run, path);
+  }
+  Settings before = run.settings;
+  compose(run, run.setup.scene, ownChoices(run));
+  std::vector<std::string> changed = changedPaths(before, run);
+  for (const std::string& path : paths) {
+    if (std::find(changed.begin(), changed.end(), path) == changed.end()) changed.push_back(path);
+  }
+  return changed;
 }
 
 void reloadScene(Run& run, const CommandLine& line) {
   const scene::Scene scene = scene::loadScene(run.setup.scene.file.string());
-  Settings base;
-  const core::SettingsTable baseTable(base);
-  applyScene(baseTable, scene);
-
-  Settings player = base;
-  const core::SettingsTable playerTable(player);
-  for (std::size_t i = 0; i < playerTable.fields().size(); ++i) {
-    const double chosen = run.playerTable.fields()[i].get();
-    if (chosen != run.baseTable.fields()[i].get()) playerTable.fields()[i].set(chosen);
-  }
+  compose(run, scene, ownChoices(run));
   run.setup.scene = scene;
   if (!line.seed && !line.replay) run.setup.seed = scene.seed;
-  run.base = base;
-  run.player = player;
-  run.settings = player;
-  applyOverrides(run.table, line.set);
 }
 
-std::vector<std::string> reloadPlayer(Run& run, const CommandLine& line) {
-  Settings player = run.base;
-  const core::SettingsTable playerTable(player);
-  readUserSettings(playerTable, run.bindings, *run.userFolder);
+std::vector<std::string> reloadPlayer(Run& run) {
   Settings before = run.settings;
-  run.player = player;
-  run.settings = player;
-  applyOverrides(run.table, line.set);
-
-  const core::SettingsTable beforeTable(before);
-  std::vector<std::string> changed;
-  for (std::size_t i = 0; i < run.table.fields().size(); ++i) {
-    if (run.table.fields()[i].get() != beforeTable.fields()[i].get())
-      changed.push_back(run.table.fields()[i].path);
-  }
-  return changed;
+  compose(run, run.setup.scene,
+          [&](const core::SettingsTable& table) { readUserSettings(table, run.bindings, *run.userFolder); });
+  return changedPaths(before, run);
 }
 
 }  // namespace skydrop::app

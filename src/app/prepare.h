@@ -21,11 +21,14 @@ struct Run {
 
   Settings settings;
   core::SettingsTable table;
-  Settings base;  // defaults and the scene
+  Settings base;  // defaults, the quality's preset and the scene: what a reset goes back to
   core::SettingsTable baseTable;
   Settings player;  // base, the player's file and the menu, without --set: saved is what differs from base
   core::SettingsTable playerTable;
-  Bindings bindings;  // the player's
+  Bindings bindings;                   // the player's
+  std::vector<std::string> overrides;  // --set, without what the menu changed since
+  bool softwareRenderer = false;
+  Quality quality = Quality::high;  // in force: never automatic
   SimulationSetup setup;
   std::optional<std::filesystem::path> userFolder;  // where the player's settings are kept
   std::optional<std::string> warning;               // a broken settings file, to be said once
@@ -39,12 +42,21 @@ CommandLine withPreset(CommandLine line);
 // Throws core::UsageError, core::DataError.
 std::unique_ptr<Run> prepareRun(const CommandLine& line);
 
+// The processor draws: automatic quality is low from now on. Not called by runs whose result must not depend
+// on the machine. Throws core::DataError.
+void useSoftwareRenderer(Run& run);
+
+// Takes over what the menu changed in `table`; it comes after --set. A quality that was picked takes the rows
+// along that presets set, whatever the player had set them to. Returns the paths of all that changed. Throws
+// core::DataError.
+std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string>& paths);
+
 // Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays.
 // All or nothing: throws core::DataError and changes nothing.
 void reloadScene(Run& run, const CommandLine& line);
 
 // The same for the player's file, which now says all that the player wants: what the menu changed since is
 // forgotten. Returns the paths of the settings that changed.
-std::vector<std::string> reloadPlayer(Run& run, const CommandLine& line);
+std::vector<std::string> reloadPlayer(Run& run);
 
 }  // namespace skydrop::app

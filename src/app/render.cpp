@@ -63,7 +63,8 @@ int render(const CommandLine& line) {
   if (line.pose) place(stage.camera(), *line.pose);
   std::unique_ptr<Overlay> overlay;
   if (simulation.effects().contains(scene::Effect::hud) || line.menu) {
-    overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()));
+    overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()),
+                                        ui::InterfaceScale{run->settings.view.interfaceScale});
     overlay->menuOpen = line.menu;
     overlay->hudShown = run->settings.view.hud;
     stage.addOverlay();
@@ -85,6 +86,7 @@ int render(const CommandLine& line) {
     const game::Snapshot& now = simulation.world().now();
     if (overlay) {
       OverlayFrame content{now, size, 0, run->table};
+      content.scale = {run->settings.view.interfaceScale};
       content.statistics = &shown;
       content.tools = desk.tools(run->baseTable, stage.view(now, size), times.newest(times.count()));
       buildTwice(*overlay, content, stage);

@@ -21,6 +21,12 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
   visitor.flag("hud", settings.hud, {"Shows instruments, navigation bar and messages over the picture."});
   visitor.flag("freezeTime", settings.freezeTime,
                {"Holds simulated time; the camera is free to look around. Off at every start."});
+  visitor.number("frameCapHz", settings.frameCapHz,
+                 {"Hz", 0, 1000, "Most frames a second, evenly spaced; 0 for as many as there can be."});
+  visitor.flag("vsync", settings.vsync,
+               {"Waits for the screen with each frame: no tearing, a little more delay."});
+  visitor.number("interfaceScale", settings.interfaceScale,
+                 {"1", 0.5, 3, "Size of texts and menus; never so large that they would not fit."});
 }
 
 void describe(core::SettingsVisitor& visitor, Settings& settings) {
@@ -35,6 +41,9 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("view", settings.view, "How the game is looked at.");
   visitor.group("input", settings.input, "How the game is steered.");
+  visitor.choice(
+      "quality", settings.quality, kQualityNames,
+      {"Sets the rows that cost most. Automatic: low where the processor has to draw, else high."});
 }
 
 void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {

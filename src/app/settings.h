@@ -1,8 +1,10 @@
-// Every setting of the program: the modules' structs, composed. Precedence, later wins: defaults, scene, the
-// player's file (fly only, or where --user-dir is given), --set, menu.
+// Every setting of the program: the modules' structs, composed. Precedence, later wins: defaults, the
+// quality's preset, scene, the player's file (fly only, or where --user-dir is given), --set, menu.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/command_line.h"
@@ -28,7 +30,16 @@ struct ViewSettings {
   render::CameraMode camera = render::CameraMode::chase;
   bool hud = true;
   bool freezeTime = false;  // of this run alone: not kept
+  double frameCapHz = 0;    // 0: none
+  bool vsync = true;
+  double interfaceScale = 1;
 };
+
+// How good the picture is and what it may cost: a file of settings (quality_preset.h). Automatic: by the
+// machine.
+enum class Quality { automatic, low, medium, high, ultra };
+inline constexpr std::array<std::string_view, 5> kQualityNames = {"automatic", "low", "medium", "high",
+                                                                  "ultra"};
 
 struct Settings {
   flight::AirplaneSettings aircraft;
@@ -41,6 +52,7 @@ struct Settings {
   audio::AudioSettings audio;
   ViewSettings view;
   InputSettings input;
+  Quality quality = Quality::automatic;
 };
 
 void describe(core::SettingsVisitor& visitor, ViewSettings& settings);

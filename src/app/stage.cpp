@@ -104,6 +104,14 @@ void Stage::warmUp(const game::Snapshot& snapshot, Size size) {
   renderer_.clearTimes();
 }
 
+Stage::LandProgress Stage::load(const game::Snapshot& snapshot, Size size) {
+  if (!land_) return {};
+  const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height);
+  const terrain::TerrainFrame& frame = land_->update(render::viewVolume(view));
+  landPass_->take(frame);
+  return {frame.chunks.size(), land_->statistics().chunksWanted, land_->isSettled()};
+}
+
 std::vector<std::string> Stage::takeMessages() {
   std::vector<std::string> messages = renderer_.reloadShaders().errors;
   if (land_) {

@@ -68,6 +68,13 @@ class Stage {
   // no later frame has to wait until a shader is compiled for something that it shows for the first time.
   void warmUp(const game::Snapshot& snapshot, Size size);
 
+  // One round of making the land that this frame will show, without drawing.
+  struct LandProgress {
+    std::size_t ready = 0, wanted = 0;  // chunks
+    bool complete = true;
+  };
+  LandProgress load(const game::Snapshot& snapshot, Size size);
+
   // Milliseconds that the last draw() spent in waiting for land.
   double settleMs() const { return settleMs_; }
 

@@ -49,11 +49,22 @@ std::string statisticsJson(const core::FrameStatistics& s) {
                   {"throttle", s.game.throttle}, {"heading", s.game.headingDeg},
                   {"pitch", s.game.pitchDeg},    {"bank", s.game.bankDeg}};
   if (!s.window.camera.empty()) {
-    json["window"] = {{"width", s.window.width},       {"height", s.window.height},
-                      {"camera", s.window.camera},     {"menuOpen", s.window.menuOpen},
-                      {"helpOpen", s.window.helpOpen}, {"escapeOpen", s.window.escapeOpen},
-                      {"paused", s.window.paused},     {"fullScreen", s.window.fullScreen},
-                      {"frozen", s.window.frozen},     {"screenshots", s.window.screenshots}};
+    json["window"] = {
+        {"width", s.window.width},
+        {"height", s.window.height},
+        {"camera", s.window.camera},
+        {"menuOpen", s.window.menuOpen},
+        {"helpOpen", s.window.helpOpen},
+        {"escapeOpen", s.window.escapeOpen},
+        {"paused", s.window.paused},
+        {"fullScreen", s.window.fullScreen},
+        {"frozen", s.window.frozen},
+        {"screenshots", s.window.screenshots},
+        {"hidden", s.window.hidden},
+        {"quality", s.window.quality},
+        {"firstPictureMs", s.window.firstPictureMs},
+        {"loadedMs", s.window.loadedMs},
+        {"intervalMs", {{"median", s.window.medianIntervalMs}, {"p99", s.window.p99IntervalMs}}}};
   }
   json["guards"] = s.guards;
   json["other"] = s.other;

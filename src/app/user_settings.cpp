@@ -39,13 +39,12 @@ std::filesystem::path defaultUserFolder() {
   return {};
 }
 
-std::optional<std::string> loadUserSettings(const core::SettingsTable& table, Bindings& bindings,
-                                            const std::filesystem::path& folder) {
-  const std::filesystem::path file = userSettingsFile(folder);
+std::optional<std::string> loadOrSetAside(const std::filesystem::path& file,
+                                          const std::function<void()>& load) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
   try {
-    applyFile(table, bindings, file);
+    load();
     return std::nullopt;
   } catch (const core::DataError& refusal) {
     const std::filesystem::path aside = file.string() + ".bad";
@@ -55,8 +54,13 @@ std::optional<std::string> loadUserSettings(const core::SettingsTable& table, Bi
   }
 }
 
-void saveUserSettings(const core::SettingsTable& table, const core::SettingsTable& base,
-                      const Bindings& bindings, const std::filesystem::path& folder) {
+std::optional<std::string> loadUserSettings(const core::SettingsTable& table, Bindings& bindings,
+                                            const std::filesystem::path& folder) {
+  const std::filesystem::path file = userSettingsFile(folder);
+  return loadOrSetAside(file, [&] { applyFile(table, bindings, file); });
+}
+
+nlohmann::json changedJson(const core::SettingsTable& table, const core::SettingsTable& base) {
   nlohmann::json changed = nlohmann::json::object();
   const nlohmann::json all = core::toJson(table);
   for (std::size_t i = 0; i < table.fields().size(); ++i) {
@@ -68,11 +72,18 @@ void saveUserSettings(const core::SettingsTable& table, const core::SettingsTabl
     const nlohmann::json::json_pointer place(pointer);
     changed[place] = all[place];
   }
-  nlohmann::json json = {{"settings", changed}};
-  if (const nlohmann::json changedBindings = bindings.toJson(); !changedBindings.empty()) {
-    json["bindings"] = changedBindings;
-  }
-  core::writeSettingsFile(userSettingsFile(folder), std::move(json));
+  return changed;
+}
+
+void saveUserSettings(const core::SettingsTable& table, const core::SettingsTable& base,
+                      const Bindings& bindings, const std::filesystem::path& folder) {
+  const std::filesystem::path file = userSettingsFile(folder);
+  nlohmann::json json = {{"settings", changedJson(table, base)}};
+  if (nlohmann::json changed = bindings.toJson(); !changed.empty()) json["bindings"] = std::move(changed);
+  std::error_code ignored;
+  if (json["settings"].empty() && !json.contains("bindings") && !std::filesystem::exists(file, ignored))
+    return;
+  core::writeSettingsFile(file, std::move(json));
 }
 
 }  // namespace skydrop::app

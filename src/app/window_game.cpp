@@ -6,6 +6,8 @@
 #include <ctime>
 #include <utility>
 
+#include "app/machine.h"
+#include "app/quality_preset.h"
 #include "app/statistics_json.h"
 #include "app/user_settings.h"
 #include "skydrop/core/error.h"
@@ -16,8 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using scene::Effect;
 
-constexpr Size kDefaultSize{1280, 720};
-constexpr double kNoticeSeconds = 3;
+constexpr double kNoticeSeconds = 3, kNewsSeconds = 8;
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
 constexpr std::size_t kShownFrames = 240;                           // in the graph of the menu
@@ -28,21 +29,10 @@ volatile std::sig_atomic_t endRequested = 0;
 
 void requestEnd(int) { endRequested = 1; }
 
-render::gl::WindowSettings windowSettings(const CommandLine& line) {
-  const Size size = line.size.value_or(kDefaultSize);
-  return {.width = size.width, .height = size.height, .title = "Skydrop", .fullScreen = line.fullscreen};
-}
+void warn(const std::string& line) { std::fprintf(stderr, "skydrop: %s\n", line.c_str()); }
 
-std::filesystem::file_time_type timeOf(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return std::filesystem::last_write_time(file, ignored);
-}
-
-std::string timeStamp() {
-  const std::time_t now = std::time(nullptr);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", std::localtime(&now));
-  return text;
+std::filesystem::path screenshotFolder(const Run& run) {
+  return run.userFolder ? *run.userFolder / "screenshots" : "screenshots";
 }
 
 class WindowClipboard final : public Clipboard {
@@ -64,70 +54,120 @@ std::filesystem::path gamepadMappings(const Run& run) {
 WindowGame::WindowGame(const CommandLine& line)
     : line_(line),
       run_(prepareRun(line)),
-      window_(windowSettings(line)),
-      clipboard_(std::make_unique<WindowClipboard>(window_)),
+      window_(line),
+      clipboard_(std::make_unique<WindowClipboard>(window_.context())),
       joysticks_(gamepadMappings(*run_)),
       controls_(run_->bindings, run_->settings.input.gamepad, joysticks_),
-      desk_(run_->userFolder) {
-  window_.setVsync(true);
-  overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene),
-                                       Size{window_.width(), window_.height()}, controls_.help());
+      desk_(run_->userFolder),
+      screenshots_(screenshotFolder(*run_)) {
+  if (window_.context().isSoftware()) useSoftwareRenderer(*run_);
+  std::vector<std::string> warnings;
+  if (run_->warning) warnings.push_back(*run_->warning);
+  window_.apply(run_->settings.view);
+  if (auto warning = window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
+    warnings.push_back(std::move(*warning));
+  }
+  overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene), window_.size(),
+                                       controls_.help(), window_.interfaceScale());
   imguiInput_.emplace(clipboard_.get());
   controls_.setKeyLabels(keyboardLabels());
-  buildScene();
-  sceneWritten_ = timeOf(run_->setup.scene.file);
-  if (run_->userFolder) playerWritten_ = timeOf(userSettingsFile(*run_->userFolder));
-  if (const auto warning = desk_.load(overlay_->menu())) {
-    std::fprintf(stderr, "skydrop: %s\n", warning->c_str());
-    error_ = *warning;
-  }
-  if (run_->warning) {
-    std::fprintf(stderr, "skydrop: %s\n", run_->warning->c_str());
-    error_ = *run_->warning;
-  }
+  if (auto warning = desk_.load(overlay_->menu())) warnings.push_back(std::move(*warning));
   std::signal(SIGINT, requestEnd);
   std::signal(SIGTERM, requestEnd);
+  for (const std::string& warning : warnings) warn(error_ = warning);
+  tellOfSoftware();
+  buildScene();
+  loadedMs_ = 1000 * secondsSinceStart();
+  sceneFile_ = FileWatch(run_->setup.scene.file);
+  if (run_->userFolder) playerFile_ = FileWatch(userSettingsFile(*run_->userFolder));
 }
 
 WindowGame::~WindowGame() = default;
 
-// Everything that a scene's effects call for, anew.
+// Without a graphics card the game starts small and coarse; the player should know why, and what to do.
+void WindowGame::tellOfSoftware() {
+  if (!run_->softwareRenderer || run_->settings.quality != Quality::automatic) return;
+  warn("the processor draws (" + window_.context().renderer() + "): quality " +
+       std::string(kQualityNames[static_cast<std::size_t>(run_->quality)]) +
+       "; --set quality=high, or the menu (F1)");
+  if (window_.takeSoftwareNews()) {
+    notices_.push_back({"No graphics card: low quality, a small window. F1 changes that.", kNewsSeconds});
+  }
+}
+
+// Everything that a scene's effects call for, anew. Time does not begin before the land in view is there.
 void WindowGame::buildScene() {
   sound_.reset();
   stage_.reset();
-  simulation_.emplace(run_->setup, run_->settings, run_->table);
-  const scene::EffectSet& effects = simulation_->effects();
-  stage_ = std::make_unique<Stage>(
-      window_, Stage::Setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value()},
-      run_->settings);
-  stage_->addOverlay();
-  stage_->warmUp(simulation_->world().now(), {window_.width(), window_.height()});
-  if (effects.contains(Effect::sound)) {
-    if (!audio_) {
-      audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
-      if (audio_->isSilent()) std::fprintf(stderr, "skydrop: %s\n", audio_->status().c_str());
+  {
+    LoadingScreen screen(window_, *overlay_);
+    screen.show({"Getting ready", 0});
+    simulation_.emplace(run_->setup, run_->settings, run_->table);
+    const scene::EffectSet& effects = simulation_->effects();
+    const Stage::Setup setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value()};
+    stage_ = std::make_unique<Stage>(window_.context(), setup, run_->settings);
+    stage_->addOverlay();
+    if (effects.contains(Effect::sound)) {
+      if (!audio_) {
+        audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
+        if (audio_->isSilent()) warn(audio_->status());
+      }
+      sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
     }
-    sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
+    load(screen);
   }
+  stage_->uploadFonts();
   clock_ = {};
   events_.clear();
+  lastFrame_ = Clock::now();
+}
+
+void WindowGame::load(LoadingScreen& screen) {
+  using Kind = render::gl::WindowEvent::Kind;
+  const game::Snapshot& start = simulation_->world().now();
+  bool lostFocus = false;
+  stage_->load(start, window_.size());  // the workers begin with what is seen first, then the shaders
+  stage_->warmUp(start, window_.size());
+  while (!ends()) {
+    for (const render::gl::WindowEvent& event : window_.pollEvents()) {
+      if (event.kind == Kind::key && event.code == key::kEscape && event.pressed)
+        window_.context().setShouldClose(true);
+      if (event.kind == Kind::focus) lostFocus = !event.pressed;
+      if (event.pressed) continue;
+      imguiInput_->handle(event, window_.context().pixelsPerUnit());  // what was held is let go
+      controls_.handle(event, false);
+    }
+    const Stage::LandProgress land = stage_->load(start, window_.size());
+    const double share =
+        land.wanted > 0 ? static_cast<double>(land.ready) / static_cast<double>(land.wanted) : 1;
+    screen.show(
+        {"Making the land: " + std::to_string(land.ready) + " of " + std::to_string(land.wanted), share});
+    if (land.complete) break;
+  }
+  if (lostFocus) paused_ = true;
 }
 
 void WindowGame::run() {
-  auto last = Clock::now();
-  while (!window_.shouldClose() && !endRequested) {
+  lastFrame_ = Clock::now();
+  while (!ends()) {
     const auto now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - last).count();
-    last = now;
+    const double seconds = std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count();
     handleEvents();
     watchFiles();
+    if (window_.isHidden()) paused_ = true;
     advance(seconds);
-    drawFrame(seconds);
-    window_.swap();
-    times_.add(std::chrono::duration<double, std::milli>(Clock::now() - now).count());
+    if (!window_.isHidden()) {
+      drawFrame(seconds);
+      window_.swap();
+      times_.add(std::chrono::duration<double, std::milli>(Clock::now() - now).count());
+      window_.waitForNextFrame();
+    }
+    report();
   }
   finish();
 }
+
+bool WindowGame::ends() { return window_.context().shouldClose() || endRequested; }
 
 void WindowGame::handleEvents() {
   using Kind = render::gl::WindowEvent::Kind;
@@ -137,7 +177,7 @@ void WindowGame::handleEvents() {
     if (event.kind == Kind::mouseMove) pointerMoved_ = true;
     const bool ofMenu = overlay_->menuOpen && ImGuiInput::isMenuChord(event);
     if (controls_.handle(event, ImGuiInput::wantsText() || ofMenu)) continue;
-    imguiInput_->handle(event, window_.pixelsPerUnit());
+    imguiInput_->handle(event, window_.context().pixelsPerUnit());
   }
   for (const render::gl::WindowEvent& event : controls_.pollGamepad(overlay_->escapeOpen))
     imguiInput_->handle(event);
@@ -180,7 +220,7 @@ void WindowGame::handleAction(Action action) {
       overlay_->escapeOpen = !overlay_->escapeOpen;
       break;
     case Action::fullScreen:
-      window_.setFullScreen(!window_.isFullScreen());
+      window_.toggleFullScreen();
       break;
     case Action::screenshot:
       screenshotWanted_ = true;
@@ -263,7 +303,7 @@ game::Snapshot WindowGame::snapshotToDraw() {
 
 void WindowGame::drawFrame(double seconds) {
   const game::Snapshot snapshot = snapshotToDraw();
-  const Size size{window_.width(), window_.height()};
+  const Size size = window_.size();
   if (sound_) {
     audio_->setPaused(isPaused() || isFrozen());
     sound_->update(snapshot, events_);
@@ -275,21 +315,20 @@ void WindowGame::drawFrame(double seconds) {
   imguiInput_->beginFrame();
   overlay_->hudShown = run_->settings.view.hud;
   const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen;
-  window_.setPointerVisible(pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
+  window_.context().setPointerVisible(
+      pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
   const ui::BindingsContent bindings = controls_.menuContent();
-  const OverlayResult result = overlay_->build({snapshot, size, seconds, run_->table, &shownStatistics_, error_,
-                                                menuTools(snapshot, size), &bindings});
+  const OverlayResult result =
+      overlay_->build({snapshot, size, seconds, run_->table, &shownStatistics_, error_,
+                       menuTools(snapshot, size), &bindings, window_.interfaceScale()});
   if (result.fontsChanged) stage_->uploadFonts();
   stage_->draw(snapshot, size, Streaming::asItComes);
   if (screenshotWanted_) saveScreenshot();
   stage_->renderer().present(size.width, size.height);
 
-  if (Clock::now() >= nextStatistics_) {
-    nextStatistics_ = Clock::now() + kStatisticsPeriod;
-    if (line_.stats) writeStatistics(*line_.stats, statistics());
-  }
   // What the player did in this frame takes effect after it was drawn.
   controls_.apply(result.menu.binding);
+  if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) keepChoices();
   if (!result.menu.changedPaths.empty()) applyMenuChanges(result.menu.changedPaths);
   if (result.menu.preset) servePreset(*result.menu.preset);
   switch (result.escape) {
@@ -302,7 +341,7 @@ void WindowGame::drawFrame(double seconds) {
       overlay_->escapeOpen = false, overlay_->helpOpen = true;
       break;
     case ui::EscapeAction::quit:
-      window_.setShouldClose(true);
+      window_.context().setShouldClose(true);
       break;
   }
 }
@@ -323,9 +362,14 @@ void WindowGame::servePreset(const ui::PresetRequest& request) {
   }
 }
 
+void WindowGame::report() {
+  if (Clock::now() < nextStatistics_) return;
+  nextStatistics_ = Clock::now() + kStatisticsPeriod;
+  if (line_.stats) writeStatistics(*line_.stats, statistics());
+}
+
 void WindowGame::applyMenuChanges(const std::vector<std::string>& paths) {
-  for (const std::string& path : paths) run_->playerTable.at(path).set(run_->table.at(path).get());
-  applyAll(paths);
+  applyAll(takeMenuChanges(*run_, paths));
 }
 
 void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
@@ -339,6 +383,7 @@ void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
   }
   simulation_->applySettings(changedPaths);
   stage_->apply(run_->settings);
+  window_.apply(run_->settings.view);
   freezeOrGoOn();
   if (audio_) audio_->apply(run_->settings.audio);
   if (sound_) sound_->apply(run_->settings.audio);
@@ -350,13 +395,9 @@ void WindowGame::watchFiles() {
   if (Clock::now() < nextWatch_) return;
   nextWatch_ = Clock::now() + kWatchPeriod;
   for (const std::string& message : stage_->takeMessages()) error_ = message;
-  const auto wasWritten = [](const std::filesystem::path& file, std::filesystem::file_time_type& seen) {
-    return timeOf(file) != std::exchange(seen, timeOf(file)) && std::filesystem::exists(file);
-  };
   try {
-    if (wasWritten(run_->setup.scene.file, sceneWritten_)) reloadSceneFile();
-    if (run_->userFolder && wasWritten(userSettingsFile(*run_->userFolder), playerWritten_))
-      reloadPlayerFile();
+    if (sceneFile_.wasWritten()) reloadSceneFile();
+    if (playerFile_.wasWritten()) reloadPlayerFile();
   } catch (const std::exception& refusal) {
     error_ = refusal.what();
   }
@@ -370,7 +411,7 @@ void WindowGame::reloadSceneFile() {
 }
 
 void WindowGame::reloadPlayerFile() {
-  const std::vector<std::string> changed = reloadPlayer(*run_, line_);
+  const std::vector<std::string> changed = reloadPlayer(*run_);
   error_.clear();
   controls_.bindingsWereReplaced();
   applyAll(changed);
@@ -379,14 +420,8 @@ void WindowGame::reloadPlayerFile() {
 
 void WindowGame::saveScreenshot() {
   screenshotWanted_ = false;
-  const std::filesystem::path folder = run_->userFolder ? *run_->userFolder / "screenshots" : "screenshots";
-  const std::filesystem::path file =
-      folder / ("skydrop-" + timeStamp() + "-" + std::to_string(screenshots_ + 1) + ".png");
   try {
-    std::filesystem::create_directories(folder);
-    core::writePng(file, stage_->renderer().readBack());
-    ++screenshots_;
-    notice("Saved " + file.string());
+    notice("Saved " + screenshots_.save(stage_->renderer().readBack()).string());
   } catch (const std::exception& refusal) {
     error_ = refusal.what();
     notice(error_);
@@ -400,17 +435,17 @@ core::FrameStatistics WindowGame::statistics(std::size_t frames) {
   times_.writeTo(statistics);
   simulation_->writeTo(statistics);
   stage_->writeTo(statistics, frames);
+  window_.writeTo(statistics);
   core::WindowStatistics& window = statistics.window;
-  window.width = window_.width();
-  window.height = window_.height();
   window.camera = render::cameraModeName(stage_->camera().mode());
   window.menuOpen = overlay_->menuOpen;
   window.helpOpen = overlay_->helpOpen;
   window.escapeOpen = overlay_->escapeOpen;
   window.paused = isPaused();
   window.frozen = isFrozen();
-  window.fullScreen = window_.isFullScreen();
-  window.screenshots = screenshots_;
+  window.quality = kQualityNames[static_cast<std::size_t>(run_->quality)];
+  window.loadedMs = loadedMs_;
+  window.screenshots = screenshots_.count();
   return statistics;
 }
 
@@ -418,9 +453,21 @@ void WindowGame::finish() {
   stage_->renderer().finish();
   if (line_.stats) writeStatistics(*line_.stats, statistics());
   if (line_.record) game::writeInputLog(*line_.record, simulation_->recording());
-  if (run_->userFolder)
+  keepChoices();
+}
+
+// What cannot be written is said once and lost; the game goes on.
+void WindowGame::keepChoices() {
+  if (!run_->userFolder) return;
+  try {
     saveUserSettings(run_->playerTable, run_->baseTable, run_->bindings, *run_->userFolder);
-  desk_.save(overlay_->menu());
+    playerFile_.forget();
+    desk_.save(overlay_->menu());
+    window_.remember(*run_->userFolder);
+  } catch (const std::exception& refusal) {
+    if (error_ != refusal.what()) warn(refusal.what());
+    error_ = refusal.what();
+  }
 }
 
 }  // namespace skydrop::app

@@ -10,19 +10,22 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/file_watch.h"
 #include "app/frame_times.h"
+#include "app/game_window.h"
 #include "app/glfw_joysticks.h"
 #include "app/imgui_input.h"
+#include "app/loading_screen.h"
 #include "app/menu_desk.h"
 #include "app/overlay.h"
 #include "app/player_controls.h"
 #include "app/pointer_rest.h"
 #include "app/prepare.h"
+#include "app/screenshots.h"
 #include "app/stage.h"
 #include "skydrop/audio/audio_manager.h"
 #include "skydrop/audio/sound_scene.h"
 #include "skydrop/core/fixed_step.h"
-#include "skydrop/render/gl/window_context.h"
 
 namespace skydrop::app {
 
@@ -37,7 +40,10 @@ class WindowGame {
   void run();
 
  private:
+  void tellOfSoftware();
   void buildScene();
+  void load(LoadingScreen& screen);
+  bool ends();
   void handleEvents();
   void handleAction(Action action);
   void toggle(const std::string& path);
@@ -54,6 +60,8 @@ class WindowGame {
   void servePreset(const ui::PresetRequest& request);
   ui::MenuTools menuTools(const game::Snapshot& snapshot, Size size);
   void saveScreenshot();
+  void report();
+  void keepChoices();
   void notice(std::string text);
   game::Snapshot snapshotToDraw();
   core::FrameStatistics statistics(std::size_t frames = render::Renderer::kKeptTimes);
@@ -65,7 +73,7 @@ class WindowGame {
 
   CommandLine line_;
   std::unique_ptr<Run> run_;
-  render::gl::WindowContext window_;
+  GameWindow window_;
   std::optional<Simulation> simulation_;
   std::unique_ptr<Overlay> overlay_;  // before the stage, whose pass draws its fonts
   std::unique_ptr<Stage> stage_;
@@ -84,14 +92,17 @@ class WindowGame {
   std::optional<render::CameraMode> rideAgain_;  // after a freeze
   bool screenshotWanted_ = false;
   bool replayEnded_ = false;
-  int screenshots_ = 0;
+  bool menuWasOpen_ = false;
+  Screenshots screenshots_;
   std::string error_;  // of the last reload, shown in the menu
   std::vector<game::Message> notices_;
   std::vector<game::GameEvent> events_;  // of the steps since the last frame
   FrameTimes times_;
   core::FrameStatistics shownStatistics_;
   std::chrono::steady_clock::time_point nextWatch_, nextStatistics_;
-  std::filesystem::file_time_type sceneWritten_, playerWritten_;
+  std::chrono::steady_clock::time_point lastFrame_;
+  double loadedMs_ = 0;
+  FileWatch sceneFile_, playerFile_;
 };
 
 }  // namespace skydrop::app

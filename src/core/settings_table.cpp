@@ -15,7 +15,8 @@ namespace {
 // Collects the fields of one walk.
 class TableBuilder final : public SettingsVisitor {
  public:
-  TableBuilder(std::vector<Field>& fields, std::vector<GroupInfo>& groups) : fields_(fields), groups_(groups) {}
+  TableBuilder(std::vector<Field>& fields, std::vector<GroupInfo>& groups)
+      : fields_(fields), groups_(groups) {}
 
   void number(std::string_view name, double& value, const NumberInfo& info) override {
     Field& field = add(name, FieldKind::number, info);
@@ -165,12 +166,16 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
         }
         break;
       case FieldKind::flag:
-        if (!value.is_boolean()) reason = "is not true or false";
-        else number = value.get<bool>() ? 1 : 0;
+        if (!value.is_boolean())
+          reason = "is not true or false";
+        else
+          number = value.get<bool>() ? 1 : 0;
         break;
       case FieldKind::choice:
-        if (!value.is_string()) reason = "is not a name in quotes";
-        else reason = parseValue(*field, value.get<std::string>(), number);
+        if (!value.is_string())
+          reason = "is not a name in quotes";
+        else
+          reason = parseValue(*field, value.get<std::string>(), number);
         break;
     }
     if (!reason.empty()) throw DataError(file, path, value.dump() + " " + reason);
@@ -181,10 +186,14 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
 nlohmann::json valueJson(const Field& field) {
   const double value = field.get();
   switch (field.kind) {
-    case FieldKind::integer: return static_cast<std::int64_t>(value);
-    case FieldKind::flag: return value != 0;
-    case FieldKind::choice: return field.names[static_cast<std::size_t>(value)];
-    case FieldKind::number: break;
+    case FieldKind::integer:
+      return static_cast<std::int64_t>(value);
+    case FieldKind::flag:
+      return value != 0;
+    case FieldKind::choice:
+      return field.names[static_cast<std::size_t>(value)];
+    case FieldKind::number:
+      break;
   }
   return value;
 }
@@ -199,6 +208,10 @@ void SettingsTable::build(Visit visit, void* settings, void* defaults) {
   TableBuilder defaultBuilder(defaultFields, ignored);
   visit(defaultBuilder, defaults);
   for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i].defaultValue = defaultFields[i].get();
+}
+
+void SettingsTable::takeDefaults(const SettingsTable& base) {
+  for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i].defaultValue = base.fields_[i].get();
 }
 
 const Field* SettingsTable::find(std::string_view path) const {
@@ -241,10 +254,13 @@ void setField(const SettingsTable& table, std::string_view assignment) {
 std::string fieldText(const Field& field) {
   const double value = field.get();
   switch (field.kind) {
-    case FieldKind::flag: return value != 0 ? "true" : "false";
-    case FieldKind::choice: return field.names[static_cast<std::size_t>(value)];
+    case FieldKind::flag:
+      return value != 0 ? "true" : "false";
+    case FieldKind::choice:
+      return field.names[static_cast<std::size_t>(value)];
     case FieldKind::number:
-    case FieldKind::integer: break;
+    case FieldKind::integer:
+      break;
   }
   return numberText(value);
 }

@@ -12,7 +12,8 @@ namespace {
 constexpr int kLinesOfHeight = 40;  // lines of text that fit into the window's height
 constexpr int kLinesOfWidth = 60;   // and into its width, so that narrow windows keep their rows
 constexpr int kMinLinePixels = 10;  // below that an 8 and a 0 look the same
-constexpr int kMaxLinePixels = 72;
+constexpr int kMaxLinePixels = 96;
+constexpr int kFewestLinesOfHeight = 18, kFewestLinesOfWidth = 32;  // what HUD and menu need: 320 x 180 at 10
 constexpr double kMinFrameSeconds = 1e-6, kMaxFrameSeconds = 0.25;
 
 ImVec4 grey(float value, float alpha) { return {value, value, value, alpha}; }
@@ -71,7 +72,7 @@ void setStyle(ImGuiStyle& style, float line) {
 
 void Interface::ContextDeleter::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
 
-Interface::Interface(int width, int height)
+Interface::Interface(int width, int height, const InterfaceScale& scale)
     : context_(ImGui::CreateContext()), width_(width), height_(height) {
   ImGui::SetCurrentContext(context_.get());
   ImGuiIO& io = ImGui::GetIO();
@@ -79,13 +80,17 @@ Interface::Interface(int width, int height)
   io.BackendPlatformName = "skydrop";
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.ConfigInputTextCursorBlink = false;  // a frame does not depend on when it is drawn
-  rebuildFonts(linePixels(width, height));
+  rebuildFonts(linePixels(width, height, scale));
 }
 
 Interface::~Interface() = default;
 
-int Interface::linePixels(int width, int height) {
-  return std::clamp(std::min(height / kLinesOfHeight, width / kLinesOfWidth), kMinLinePixels, kMaxLinePixels);
+int Interface::linePixels(int width, int height, const InterfaceScale& scale) {
+  const int usual = std::min(height / kLinesOfHeight, width / kLinesOfWidth);
+  const double wanted = std::max(static_cast<double>(usual), kMinLinePixels * scale.density) * scale.factor;
+  const int largest = std::min(height / kFewestLinesOfHeight, width / kFewestLinesOfWidth);
+  const int line = static_cast<int>(std::min(wanted, static_cast<double>(kMaxLinePixels)));
+  return std::max(std::min(line, largest), kMinLinePixels);
 }
 
 void Interface::rebuildFonts(int linePixels) {
@@ -97,11 +102,11 @@ void Interface::rebuildFonts(int linePixels) {
   setStyle(ImGui::GetStyle(), text_.pixels);
 }
 
-bool Interface::beginFrame(int width, int height, double seconds) {
+bool Interface::beginFrame(int width, int height, double seconds, const InterfaceScale& scale) {
   ImGui::SetCurrentContext(context_.get());
   width_ = std::max(width, 1);
   height_ = std::max(height, 1);
-  const int line = linePixels(width_, height_);
+  const int line = linePixels(width_, height_, scale);
   const bool rebuild = static_cast<float>(line) != text_.pixels;
   if (rebuild) rebuildFonts(line);
   ImGuiIO& io = ImGui::GetIO();

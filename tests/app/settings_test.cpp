@@ -82,7 +82,7 @@ TEST(Settings, theMenuOfTheWholeGameHasEveryFieldInOneSection) {
   const auto sections = menuSections(scene::requiredEffects(scene::loadScene("terrain")));
   for (const core::Field& field : table.fields()) {
     const auto shows = [&](const ui::MenuSection& section) {
-      return field.path.starts_with(section.group + ".");
+      return section.group.empty() ? field.group.empty() : field.path.starts_with(section.group + ".");
     };
     EXPECT_EQ(std::count_if(sections.begin(), sections.end(), shows), 1) << field.path;
   }
@@ -116,7 +116,8 @@ TEST(Settings, aReloadKeepsWhatThePlayerChose) {
   line.verb = Verb::simulate;
   line.scene = folder.write("a.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 11}}})");
   const auto run = prepareRun(line);
-  run->playerTable.at("aircraft.yawSpeed").set(40);
+  run->table.at("aircraft.yawSpeed").set(40);
+  takeMenuChanges(*run, {"aircraft.yawSpeed"});
   folder.write("a.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 15}}})");
   reloadScene(*run, line);
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 15);
@@ -135,12 +136,12 @@ TEST(Settings, anEditedPlayerFileTakesEffectWholeOrNotAtAll) {
   const auto run = prepareRun(line);
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
-  EXPECT_EQ(reloadPlayer(*run, line), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
+  EXPECT_EQ(reloadPlayer(*run), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21);
   EXPECT_EQ(run->player.aircraft.yawSpeed, 22);
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 25, "yawSpeed": -1}}})");
-  EXPECT_THROW(reloadPlayer(*run, line), core::DataError);
+  EXPECT_THROW(reloadPlayer(*run), core::DataError);
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21) << "the last good state stays";
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "settings.json")) << "and so does the file";
 }
@@ -181,10 +182,10 @@ TEST(UserSettings, boundKeysComeBack) {
   EXPECT_EQ(run->bindings, bindings);
   folder.write("settings.json",
                R"({"schema": 1, "bindings": {"camera": ["V"]}, "settings": {"aircraft": {"mass": -1}}})");
-  EXPECT_THROW(reloadPlayer(*run, line), core::DataError);
+  EXPECT_THROW(reloadPlayer(*run), core::DataError);
   EXPECT_EQ(run->bindings, bindings);
   folder.write("settings.json", R"({"schema": 1, "bindings": {"camera": ["V"]}})");
-  reloadPlayer(*run, line);
+  reloadPlayer(*run);
   EXPECT_EQ(run->bindings.actionOf(keyInput('V')), Action::camera);
   EXPECT_EQ(run->bindings.actionOf(keyInput('W')), Action::thrust)
       << "what the file no longer changes is at its default";

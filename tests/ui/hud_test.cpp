@@ -61,29 +61,30 @@ constexpr int kSizes[][2] = {{320, 180},  {320, 240},   {640, 360},   {800, 601}
 TEST(Hud, noItemCoversAnotherOrLeavesTheWindowAtAnySize) {
   // Score, notes, instruments, messages, drop text, pause, warning and help keep apart, from 320 x 180
   // on.
-  for (const auto& [width, height] : kSizes) {
-    const Interface context(width, height);
-    for (const auto& [help, paused] :
-         {std::pair(false, false), std::pair(false, true), std::pair(true, true)}) {
-      HudData data = fullest();
-      data.paused = paused;  // a pause takes the place of the warning
-      const HudLayout layout = layoutHud(context, data, help ? longHelp() : std::vector<HelpRow>());
-      ASSERT_EQ(layout.items.size(), help ? 6u : 8u);
-      for (std::size_t i = 0; i < layout.items.size(); ++i) {
-        const HudItem& item = layout.items[i];
-        SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height) + " " + item.name);
-        EXPECT_LT(item.rect.left, item.rect.right);
-        EXPECT_LT(item.rect.top, item.rect.bottom);
-        EXPECT_GE(item.rect.left, 0);
-        EXPECT_GE(item.rect.top, 0);
-        EXPECT_LE(item.rect.right, static_cast<float>(width));
-        EXPECT_LE(item.rect.bottom, static_cast<float>(height));
-        for (std::size_t k = i + 1; k < layout.items.size(); ++k) {
-          EXPECT_FALSE(overlap(item.rect, layout.items[k].rect)) << layout.items[k].name;
+  for (const double scale : {1.0, 0.5, 3.0})
+    for (const auto& [width, height] : kSizes) {
+      const Interface context(width, height, {scale, 1});
+      for (const auto& [help, paused] :
+           {std::pair(false, false), std::pair(false, true), std::pair(true, true)}) {
+        HudData data = fullest();
+        data.paused = paused;  // a pause takes the place of the warning
+        const HudLayout layout = layoutHud(context, data, help ? longHelp() : std::vector<HelpRow>());
+        ASSERT_EQ(layout.items.size(), help ? 6u : 8u);
+        for (std::size_t i = 0; i < layout.items.size(); ++i) {
+          const HudItem& item = layout.items[i];
+          SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height) + " " + item.name);
+          EXPECT_LT(item.rect.left, item.rect.right);
+          EXPECT_LT(item.rect.top, item.rect.bottom);
+          EXPECT_GE(item.rect.left, 0);
+          EXPECT_GE(item.rect.top, 0);
+          EXPECT_LE(item.rect.right, static_cast<float>(width));
+          EXPECT_LE(item.rect.bottom, static_cast<float>(height));
+          for (std::size_t k = i + 1; k < layout.items.size(); ++k) {
+            EXPECT_FALSE(overlap(item.rect, layout.items[k].rect)) << layout.items[k].name;
+          }
         }
       }
     }
-  }
 }
 
 TEST(Hud, theMiddleMovesBesideTheMenu) {

@@ -33,21 +33,19 @@ std::set<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
 
 }  // namespace
 
-FlownGame::FlownGame(std::vector<std::string> words, const std::string& userSettings) {
-  if (!userSettings.empty()) {
+FlownGame::FlownGame(Launch launch)
+    : userFolder_(launch.userFolder.empty() ? folder_.path() / "user" : launch.userFolder) {
+  if (!launch.userSettings.empty()) {
     std::filesystem::create_directories(userFolder());
-    std::ofstream(userFolder() / "settings.json") << userSettings;
+    std::ofstream(userFolder() / "settings.json") << launch.userSettings;
   }
   const std::string log = (folder_.path() / "log").string();
   display_ = std::make_unique<VirtualDisplay>(kDisplayWidth, kDisplayHeight, log);
-  const std::vector<std::string> usual = {SKYDROP_PROGRAM,
-                                          "--size",
-                                          std::to_string(kWidth) + "x" + std::to_string(kHeight),
-                                          "--stats",
-                                          (folder_.path() / "stats.json").string(),
-                                          "--user-dir",
-                                          userFolder().string()};
-  words.insert(words.begin(), usual.begin(), usual.end());
+  std::vector<std::string> words = {SKYDROP_PROGRAM, "--stats", (folder_.path() / "stats.json").string(),
+                                    "--user-dir", userFolder().string()};
+  if (launch.sized)
+    words.insert(words.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});
+  words.insert(words.end(), launch.words.begin(), launch.words.end());
   process_ = std::make_unique<BackgroundProcess>(
       words,
       std::vector<std::string>{"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1"},

@@ -20,9 +20,17 @@ class FlownGame {
   static constexpr int kDisplayWidth = 800, kDisplayHeight = 600;
   static constexpr int kWidth = 640, kHeight = 360;
 
-  // Starts it and waits until it has drawn and has the keyboard. `userSettings`: the player's file, none if
-  // empty. Throws std::runtime_error.
-  explicit FlownGame(std::vector<std::string> words = {}, const std::string& userSettings = {});
+  struct Launch {
+    std::vector<std::string> words = {};
+    std::string userSettings = {};          // the player's file, none if empty
+    bool sized = true;                      // kWidth x kHeight by the command line
+    std::filesystem::path userFolder = {};  // empty: one of its own
+  };
+
+  // Starts it and waits until it has drawn and has the keyboard. Throws std::runtime_error.
+  explicit FlownGame(std::vector<std::string> words = {}, const std::string& userSettings = {})
+      : FlownGame(Launch{std::move(words), userSettings}) {}
+  explicit FlownGame(Launch launch);
 
   using Condition = std::function<bool(const nlohmann::json&)>;
   // Waits until the statistics fulfil it; false after 20 seconds.
@@ -45,11 +53,15 @@ class FlownGame {
   core::Image screenshot();
 
   BackgroundProcess& process() { return *process_; }
-  std::filesystem::path userFolder() const { return folder_.path() / "user"; }
+  std::filesystem::path userFolder() const { return userFolder_; }
+  // Takes the window off the screen, as if minimised, and back.
+  void hide() const { display_->xdotool({"windowunmap", window_}); }
+  void unhide() const { display_->xdotool({"windowmap", window_}); }
   std::string log() const;
 
  private:
   TemporaryFolder folder_;
+  std::filesystem::path userFolder_;
   std::unique_ptr<VirtualDisplay> display_;
   std::unique_ptr<BackgroundProcess> process_;  // ends before its display
   std::string window_;                          // X's number for it

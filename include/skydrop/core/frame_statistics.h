@@ -39,8 +39,11 @@ struct WindowStatistics {
   std::int64_t width = 0, height = 0;  // pixels
   std::string camera;
   bool menuOpen = false, helpOpen = false, escapeOpen = false, paused = false, frozen = false;
-  bool fullScreen = false;
+  bool fullScreen = false, hidden = false;
   std::int64_t screenshots = 0;
+  std::string quality;
+  double firstPictureMs = 0, loadedMs = 0;         // after the program was started
+  double medianIntervalMs = 0, p99IntervalMs = 0;  // between frames, waiting included
 };
 
 struct FrameStatistics {

@@ -61,6 +61,10 @@ class SettingsTable {
   // find(), or RangeError: "unknown setting 'x'", with the nearest known path as a hint.
   const Field& at(std::string_view path) const;
 
+  // From now on the defaults are the values that `base` has, a table of the same description: what a reset
+  // goes back to.
+  void takeDefaults(const SettingsTable& base);
+
  private:
   using Visit = void (*)(SettingsVisitor&, void*);
   void build(Visit visit, void* settings, void* defaults);

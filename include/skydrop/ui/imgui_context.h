@@ -28,10 +28,16 @@ struct Typeface {
   float pixels = 0;  // height of a line
 };
 
+// How large texts are.
+struct InterfaceScale {
+  double factor = 1;   // the player's wish, [.5, 3]
+  double density = 1;  // of the screen, >= 1: the smallest text has that many times the pixels
+};
+
 class Interface {
  public:
   // The size in pixels of what is drawn into. It decides the scale.
-  Interface(int width, int height);
+  Interface(int width, int height, const InterfaceScale& scale = {});
   ~Interface();
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
@@ -39,14 +45,15 @@ class Interface {
   // Starts a frame. `seconds` since the last one: 0 (pause, single frames) is allowed; it is clamped to
   // [1e-6, 0.25]. True if the font atlas changed because of the size: render::ImGuiPass::uploadFonts() is due
   // before the frame is drawn.
-  [[nodiscard]] bool beginFrame(int width, int height, double seconds);
+  [[nodiscard]] bool beginFrame(int width, int height, double seconds, const InterfaceScale& scale = {});
   // Ends it. Owned by Dear ImGui, valid until the next beginFrame().
   ImDrawData* endFrame();
 
   int width() const { return width_; }
   int height() const { return height_; }
-  // The line height that a window of this size gets, in pixels: about a fortieth of its height.
-  static int linePixels(int width, int height);
+  // The line height that a window of this size gets, in pixels: about a fortieth of its height, times the
+  // scale, but never so large that the interface would not fit.
+  static int linePixels(int width, int height, const InterfaceScale& scale = {});
 
   const Typeface& text() const { return text_; }
   const Typeface& large() const { return large_; }  // twice as high; ASCII only

@@ -214,6 +214,48 @@ void WindowContext::setClipboardText(const std::string& text) {
   glfwSetClipboardString(impl_->window, text.c_str());
 }
 
+void WindowContext::show() { glfwShowWindow(impl_->window); }
+
+bool WindowContext::isHidden() const {
+  return glfwGetWindowAttrib(impl_->window, GLFW_ICONIFIED) == GLFW_TRUE ||
+         glfwGetWindowAttrib(impl_->window, GLFW_VISIBLE) == GLFW_FALSE;
+}
+
+WindowRect WindowContext::rect() const {
+  const Impl& self = *impl_;
+  if (isFullScreen()) return {self.restoreX, self.restoreY, self.restoreWidth, self.restoreHeight};
+  WindowRect rect;
+  glfwGetWindowPos(self.window, &rect.left, &rect.top);
+  glfwGetWindowSize(self.window, &rect.width, &rect.height);
+  return rect;
+}
+
+void WindowContext::setSize(int width, int height) { glfwSetWindowSize(impl_->window, width, height); }
+
+void WindowContext::setPosition(int left, int top) {
+  constexpr int kReach = 40;  // window coordinates of it that must lie on a screen to get hold of
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  const WindowRect now = rect();
+  for (int i = 0; i < count; ++i) {
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
+    if (left + now.width >= x + kReach && left <= x + width - kReach && top >= y &&
+        top <= y + height - kReach) {
+      glfwSetWindowPos(impl_->window, left, top);
+      return;
+    }
+  }
+}
+
+double WindowContext::contentScale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(impl_->window, &x, &y);
+  return std::max(static_cast<double>(std::max(x, y)), 1.0);
+}
+
+void WindowContext::waitEvents(double seconds) { glfwWaitEventsTimeout(seconds); }
+
 std::vector<WindowEvent> WindowContext::pollEvents() {
   glfwPollEvents();
   return std::exchange(impl_->events, {});

@@ -19,6 +19,11 @@ struct WindowSettings {
   bool visible = true;  // false: `skydrop render --backend window`
 };
 
+// Where a window stands that does not fill the screen: its content, in window coordinates.
+struct WindowRect {
+  int left = 0, top = 0, width = 0, height = 0;
+};
+
 // One thing that the user did. Codes of keys, buttons and modifiers are GLFW's (GLFW/glfw3.h).
 struct WindowEvent {
   enum class Kind { key, mouseButton, mouseMove, scroll, character, focus, resize };
@@ -58,6 +63,19 @@ class WindowContext final : public Context {
   // The system's clipboard, UTF-8; empty where it holds no text.
   std::string clipboardText() const;
   void setClipboardText(const std::string& text);
+
+  void show();
+  // Nobody sees what is drawn: minimised, or not shown.
+  bool isHidden() const;
+  // Where it stands, or would stand without full screen.
+  WindowRect rect() const;
+  void setSize(int width, int height);
+  // Ignored where the window's title would lie outside of all screens.
+  void setPosition(int left, int top);
+  // How much larger text is wanted on the window's monitor than on a usual one: 1, 2 on many dense screens.
+  double contentScale() const;
+  // Sleeps until something happens, at most so long.
+  void waitEvents(double seconds);
 
   // Handles what has arrived and returns it in order.
   std::vector<WindowEvent> pollEvents();

@@ -1,0 +1,117 @@
+#include "app/game_window.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/machine.h"
+#include "app/user_settings.h"
+
+namespace skydrop::app {
+namespace {
+
+using render::gl::WindowContext;
+using render::gl::WindowEvent;
+using render::gl::WindowRect;
+
+constexpr double kHiddenPeriod = 0.1;  // s between looks at what happened while nobody sees the window
+constexpr int kEnter = 257, kKeypadEnter = 335, kAlt = 4;  // GLFW's
+
+bool isAltEnter(const WindowEvent& event) {
+  return event.kind == WindowEvent::Kind::key && (event.code == kEnter || event.code == kKeypadEnter) &&
+         (event.modifiers & kAlt) != 0;
+}
+
+}  // namespace
+
+GameWindow::GameWindow(const CommandLine& line)
+    : placedByHand_(line.size || line.fullscreen),
+      fullScreenWanted_(line.fullscreen),
+      sizeWanted_(line.size),
+      context_(render::gl::WindowSettings{.visible = false}) {}
+
+std::optional<std::string> GameWindow::show(Size usual, const std::optional<std::filesystem::path>& folder) {
+  usual_.width = usual.width;
+  usual_.height = usual.height;
+  remembered_ = usual_;
+  std::optional<std::string> warning;
+  if (folder) warning = loadWindowMemory(remembered_, *folder);
+  const WindowMemory& place = remembered_;
+  if (sizeWanted_) {
+    context_.setSize(sizeWanted_->width, sizeWanted_->height);
+  } else {
+    context_.setSize(static_cast<int>(place.width), static_cast<int>(place.height));
+  }
+  if (!placedByHand_ && place.moved) {
+    context_.setPosition(static_cast<int>(place.left), static_cast<int>(place.top));
+  }
+  context_.show();
+  context_.pollEvents();
+  opened_ = context_.rect();
+  if (fullScreenWanted_ || (!placedByHand_ && place.fullScreen)) context_.setFullScreen(true);
+  return warning;
+}
+
+void GameWindow::remember(const std::filesystem::path& folder) {
+  WindowMemory now = remembered_;
+  if (!placedByHand_) {
+    const WindowRect rect = context_.rect();
+    now.width = rect.width;
+    now.height = rect.height;
+    now.fullScreen = context_.isFullScreen();
+    if (rect.left != opened_.left || rect.top != opened_.top) now.moved = true;
+    if (now.moved) {
+      now.left = rect.left;
+      now.top = rect.top;
+    }
+  }
+  const auto isSame = [](const WindowMemory& a, const WindowMemory& b) {
+    WindowMemory first = a, second = b;
+    return changedJson(core::SettingsTable(first), core::SettingsTable(second)).empty();
+  };
+  if (isSame(now, usual_) && !std::filesystem::exists(windowMemoryFile(folder))) return;
+  saveWindowMemory(now, usual_, folder);
+}
+
+bool GameWindow::takeSoftwareNews() { return !std::exchange(remembered_.knowsSoftware, true); }
+
+void GameWindow::apply(const ViewSettings& settings) {
+  interfaceScale_ = settings.interfaceScale;
+  frameCapHz_ = settings.frameCapHz;
+  if (vsync_ != settings.vsync) context_.setVsync(settings.vsync);
+  vsync_ = settings.vsync;
+}
+
+std::vector<WindowEvent> GameWindow::pollEvents() {
+  if (isHidden()) context_.waitEvents(kHiddenPeriod);
+  std::vector<WindowEvent> events = context_.pollEvents();
+  for (const WindowEvent& event : events) {
+    if (isAltEnter(event) && event.pressed && !event.repeated) toggleFullScreen();
+  }
+  std::erase_if(events, isAltEnter);
+  return events;
+}
+
+void GameWindow::swap() {
+  context_.swap();
+  if (firstPictureMs_ == 0) firstPictureMs_ = 1000 * secondsSinceStart();
+}
+
+void GameWindow::waitForNextFrame() {
+  pacer_.wait(frameCapHz_);
+  const auto now = std::chrono::steady_clock::now();
+  if (lastFrame_) intervals_.add(std::chrono::duration<double, std::milli>(now - *lastFrame_).count());
+  lastFrame_ = now;
+}
+
+void GameWindow::writeTo(core::FrameStatistics& statistics) const {
+  core::WindowStatistics& window = statistics.window;
+  window.width = size().width;
+  window.height = size().height;
+  window.fullScreen = context_.isFullScreen();
+  window.hidden = isHidden();
+  window.firstPictureMs = firstPictureMs_;
+  window.medianIntervalMs = intervals_.quantile(0.5);
+  window.p99IntervalMs = intervals_.quantile(0.99);
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,25 @@
+// Where the player's screenshots go, and under which names.
+#pragma once
+
+#include <filesystem>
+
+#include "skydrop/core/image.h"
+
+namespace skydrop::app {
+
+class Screenshots {
+ public:
+  // The folder is made by the first one.
+  explicit Screenshots(std::filesystem::path folder);
+
+  // Writes skydrop-DATE-TIME-NUMBER.png and returns its whole name. Throws core::DataError,
+  // std::filesystem::filesystem_error.
+  std::filesystem::path save(const core::Image& image);
+  int count() const { return count_; }
+
+ private:
+  std::filesystem::path folder_;
+  int count_ = 0;
+};
+
+}  // namespace skydrop::app

@@ -1,0 +1,105 @@
+#include "app/quality_preset.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/prepare.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::app {
+namespace {
+
+constexpr Quality kPresets[] = {Quality::low, Quality::medium, Quality::high, Quality::ultra};
+
+CommandLine headless(std::vector<std::string> set = {}) {
+  CommandLine line;
+  line.verb = Verb::render;
+  line.set = std::move(set);
+  return line;
+}
+
+std::unique_ptr<Run> inSoftware(const CommandLine& line) {
+  auto run = prepareRun(line);
+  useSoftwareRenderer(*run);
+  return run;
+}
+
+TEST(QualityPreset, everyPresetIsAppliedWholeAndLeavesTheSimulationAlone) {
+  // Same flight, same hash, whatever the quality; and each step up asks for finer land.
+  double coarser = 1e9;
+  for (const Quality quality : kPresets) {
+    const QualityPreset preset = readQualityPreset(quality);
+    EXPECT_FALSE(preset.description.empty());
+    EXPECT_GE(preset.window.width, 320);
+    Settings settings;
+    applyPreset(core::SettingsTable(settings), preset);
+    EXPECT_LT(settings.streaming.pixelError, coarser);
+    coarser = settings.streaming.pixelError;
+  }
+  EXPECT_FALSE(presetPaths().empty());
+  for (const std::string& path : presetPaths()) EXPECT_FALSE(decidesSimulation(path)) << path;
+}
+
+TEST(QualityPreset, highIsTheDefaults) {
+  Settings settings;
+  const core::SettingsTable table(settings);
+  applyPreset(table, readQualityPreset(Quality::high));
+  EXPECT_EQ(core::toJson(table, true), nlohmann::json::object());
+}
+
+TEST(QualityPreset, automaticGoesByTheRendererAndHeadlessRunsDoNot) {
+  EXPECT_EQ(prepareRun(headless())->quality, Quality::high);
+  EXPECT_EQ(inSoftware(headless())->quality, Quality::low);
+  EXPECT_EQ(inSoftware(headless({"quality=ultra"}))->quality, Quality::ultra) << "a choice wins";
+  EXPECT_EQ(prepareRun(headless({"quality=medium"}))->settings.streaming.pixelError, 3);
+}
+
+TEST(QualityPreset, everyOtherSourceLiesAboveThePreset) {
+  // Preset, then scene, then the player's file, then --set; the quality itself may come from each of them.
+  const test::TemporaryFolder folder;
+  CommandLine line = headless({"streaming.cellPixels=60"});
+  line.scene = folder.write("a.json", R"({"schema": 1, "settings": {"streaming": {"viewDistanceM": 5000}}})");
+  folder.write("settings.json",
+               R"({"schema": 1, "settings": {"streaming": {"texelPixels": 5}, "quality": "ultra"}})");
+  line.userDir = folder.path();
+  const auto run = inSoftware(line);
+  EXPECT_EQ(run->quality, Quality::ultra);
+  EXPECT_EQ(run->settings.streaming.pixelError, 1);
+  EXPECT_EQ(run->settings.streaming.viewDistanceM, 5000);
+  EXPECT_EQ(run->settings.streaming.texelPixels, 5);
+  EXPECT_EQ(run->settings.streaming.cellPixels, 60);
+}
+
+TEST(QualityPreset, oneThatIsPickedInTheMenuTakesItsRowsAlong) {
+  // Rows of presets follow, whatever they were set to; all other choices stay; --set is heard no more.
+  const auto run = prepareRun(headless({"streaming.pixelError=9", "quality=medium"}));
+  const auto choose = [&](const char* assignment) {
+    core::setField(run->table, assignment);
+    const std::string text(assignment);
+    return takeMenuChanges(*run, {text.substr(0, text.find('='))});
+  };
+  choose("aircraft.yawSpeed=40");
+  choose("streaming.texelPixels=7");
+  const std::vector<std::string> changed = choose("quality=ultra");
+  EXPECT_EQ(run->settings.streaming.pixelError, 1);
+  EXPECT_EQ(run->settings.streaming.texelPixels, 1);
+  EXPECT_EQ(run->settings.aircraft.yawSpeed, 40);
+  for (const char* path : {"quality", "streaming.pixelError", "streaming.texelPixels"}) {
+    EXPECT_EQ(std::count(changed.begin(), changed.end(), path), 1) << path;
+  }
+  EXPECT_EQ(std::count(changed.begin(), changed.end(), "aircraft.yawSpeed"), 0);
+}
+
+TEST(QualityPreset, aResetGoesBackToThePreset) {
+  const auto run = prepareRun(headless({"quality=low"}));
+  const core::Field& field = run->table.at("streaming.pixelError");
+  EXPECT_TRUE(field.isDefault());
+  core::setField(field, 1.0);
+  field.reset();
+  EXPECT_EQ(run->settings.streaming.pixelError, 4);
+}
+
+}  // namespace
+}  // namespace skydrop::app

@@ -1,0 +1,121 @@
+// The window itself: where it opens, how fast it draws, what is kept, and what is shown first.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "window/flown_game.h"
+
+namespace skydrop::test {
+namespace {
+
+using nlohmann::json;
+
+#define SKIP_WITHOUT_DISPLAY() \
+  if (!VirtualDisplay::missing().empty()) GTEST_SKIP() << VirtualDisplay::missing()
+
+FlownGame::Condition hasSize(int width, int height) {
+  return [=](const json& s) {
+    return s.at("window").at("width") == width && s.at("window").at("height") == height;
+  };
+}
+
+void end(FlownGame& flown) {
+  flown.process().askToEnd();
+  EXPECT_EQ(flown.process().wait(20), 0) << flown.log();
+}
+
+json readJson(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return json::parse(file, nullptr, false);
+}
+
+std::ptrdiff_t timesIn(const std::string& text, const std::string& words) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
+
+TEST(WindowMemory, theWindowComesBackAsItWasLeft) {
+  // A software renderer opens small and says so in one line; then the size that the player gave it, and the
+  // screen that it filled. Only what differs is in the file.
+  SKIP_WITHOUT_DISPLAY();
+  const TemporaryFolder user;
+  {
+    FlownGame flown(FlownGame::Launch{.sized = false, .userFolder = user.path()});
+    EXPECT_TRUE(flown.waitFor(hasSize(640, 360))) << flown.window();
+    EXPECT_EQ(flown.window().at("quality"), "low");
+    EXPECT_EQ(timesIn(flown.log(), "quality low"), 1) << flown.log();
+    flown.resize(500, 301);
+    EXPECT_TRUE(flown.waitFor(hasSize(500, 301)));
+    end(flown);
+  }
+  const json kept = readJson(user.path() / "window.json").at("settings");
+  EXPECT_EQ(kept, json({{"width", 500}, {"height", 301}, {"knowsSoftware", true}}));
+  {
+    FlownGame flown(FlownGame::Launch{.sized = false, .userFolder = user.path()});
+    EXPECT_TRUE(flown.waitFor(hasSize(500, 301))) << flown.window();
+    flown.press("alt+Return");
+    EXPECT_TRUE(flown.waitFor(hasSize(FlownGame::kDisplayWidth, FlownGame::kDisplayHeight)))
+        << flown.window();
+    end(flown);
+  }
+  {
+    FlownGame flown(FlownGame::Launch{.sized = false, .userFolder = user.path()});
+    EXPECT_TRUE(flown.waitFor(hasSize(FlownGame::kDisplayWidth, FlownGame::kDisplayHeight)))
+        << flown.window();
+    flown.press("F11");
+    EXPECT_TRUE(flown.waitFor(hasSize(500, 301))) << flown.window();
+  }
+}
+
+TEST(WindowMemory, aFolderThatCannotBeWrittenIsSaidInOneLineAndTheFlightEndsWell) {
+  SKIP_WITHOUT_DISPLAY();
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "");  // a folder cannot be made in a file
+  FlownGame flown(FlownGame::Launch{.words = {"--scene", "empty"}, .userFolder = file + "/user"});
+  flown.press("m");
+  flown.press("F1");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return s.at("window").at("menuOpen").get<bool>(); }));
+  flown.press("F1");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return !s.at("window").at("menuOpen").get<bool>(); }));
+  end(flown);
+  EXPECT_EQ(timesIn(flown.log(), file), 1) << flown.log();
+}
+
+TEST(FrameRate, aCapMakesFramesEven) {
+  // 20 Hz on a scene that draws far faster: the median interval is the period, to a millisecond.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown({"--scene", "empty", "--set", "view.frameCapHz=20"});
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return s.at("frame").at("count").get<int>() > 60; }));
+  EXPECT_NEAR(flown.window().at("intervalMs").at("median").get<double>(), 50, 1);
+}
+
+TEST(FrameRate, aWindowThatNobodySeesDrawsNothingAndPauses) {
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown({"--scene", "empty"});
+  flown.hide();
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return s.at("window").at("hidden").get<bool>(); }));
+  const json hidden = flown.statistics();
+  EXPECT_TRUE(hidden.at("window").at("paused").get<bool>());
+  flown.unhide();
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return !s.at("window").at("hidden").get<bool>(); }));
+  // Statistics are written twice a second: at most that long it drew before the last ones, and after these.
+  EXPECT_EQ(flown.statistics().at("steps"), hidden.at("steps"));
+}
+
+TEST(Loading, aPictureComesBeforeTheLandAndTimeAfterIt) {
+  // The first picture is there long before the game; then no patch is drawn coarser than it should be.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  const json window = flown.window();
+  EXPECT_GT(window.at("firstPictureMs").get<double>(), 0);
+  // Half a second on an idle machine (docs/menu-and-hud.md has the figures); this one may be shared.
+  EXPECT_LT(window.at("firstPictureMs").get<double>(), 3000);
+  EXPECT_LT(window.at("firstPictureMs").get<double>(), window.at("loadedMs").get<double>());
+  EXPECT_GT(flown.statistics().at("terrain").at("generated").get<int>(), 0);
+}
+
+}  // namespace
+}  // namespace skydrop::test
