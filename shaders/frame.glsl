@@ -22,6 +22,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 columnHere;
   vec4 airLight;
   vec4 hazeLight;
+  vec4 overhead;
   vec4 depthToSea;
   vec4 horizonRayleigh;
   vec4 horizonHaze;
@@ -48,6 +49,7 @@ SkyColumn frameColumn() {
   column.hazeHere = frame.columnHere.w;
   column.airLight = frame.airLight.xyz;
   column.hazeLight = frame.hazeLight.xyz;
+  column.overhead = frame.overhead.xyz;
   return column;
 }
 

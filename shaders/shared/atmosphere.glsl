@@ -22,6 +22,7 @@ struct SkyColumn {
   Real hazeHere;   // extinction of haze at the eye, 1/m
   Vec3 airLight;   // sunlight on the air above, per irradiance: ozone, the earth's shadow
   Vec3 hazeLight;  // the same for haze, times its albedo
+  Vec3 overhead;   // radiance of the sky overhead, scattered once, mean over all directions of the sun
 };
 
 // What one sky direction scatters towards the eye. Radiance = sun's irradiance *
@@ -35,6 +36,11 @@ struct SkySource {
 // Light scattered more than once, as a share of that scattered once, without direction: grows with the optical depth
 // above (blue light goes round more often, a hazy sky is whiter), up to this share in a thick layer.
 CONST Real kMultipleScattering = Real(2.5);
+
+// Air along the line of sight is lit by the sky overhead too, as many times as brightly as the zenith alone would. With
+// a low sun that light is blue, while what reaches the horizon from the sun has lost its blue: it makes the low evening
+// sky orange and pink instead of yellow, and keeps haze over dusky land cool.
+CONST Real kSkylightScattering = Real(1.6);
 
 // Path through the whole atmosphere against the vertical one, by the cosine of the zenith angle: 1 at the zenith, 40
 // at the horizon and below (Rozenberg, "Twilight", 1966).
@@ -55,11 +61,11 @@ FN Vec3 exp3(Vec3 v) { return Vec3(exp(v.x), exp(v.y), exp(v.z)); }
 
 // What ozone, far above all else, leaves of the sun's light. Low light crosses a thin shell 25 km up at a slant, and
 // from below the horizon it runs along it; ozone takes orange and green, so the evening sky overhead stays blue, which
-// scattering alone would leave grey (Hulburt 1953). Vertical optical depth of 300 Dobson units at sRGB's primaries.
+// scattering alone would leave grey (Hulburt 1953). Vertical optical depth of 340 Dobson units at sRGB's primaries.
 FN Vec3 ozoneTransmittance(Real cosZenith) {
   Real c = max(cosZenith, Real(0.0));
   Real path = Real(1.0) / sqrt(c * c + Real(0.00785)) + Real(250.0) * clamp(-cosZenith, Real(0.0), Real(0.08));
-  return exp3(Vec3(Real(-0.0200), Real(-0.0260), Real(-0.0013)) * path);
+  return exp3(Vec3(Real(-0.0240), Real(-0.0295), Real(-0.0015)) * path);
 }
 
 // Of sunlight from above the atmosphere down to a height.
@@ -105,6 +111,9 @@ FN SkyColumn make_skyColumn(Atmosphere air, Real heightM, Real cosSun) {
   Vec3 light = ozoneTransmittance(cosSun);
   column.airLight = light * twilight(cosSun, air.rayleighHeight);
   column.hazeLight = light * (air.hazeAlbedo * twilight(cosSun, air.hazeHeight));
+  // As skySource has it for the zenith, but for the phase functions.
+  Vec3 once = column.depth * exp3(-column.depth) * oneMinusExpOverX3(column.depth * (column.sunMass - Real(1.0)));
+  column.overhead = once * column.airLight * (Real(1.0) / (Real(4.0) * kPi));
   return column;
 }
 
@@ -126,7 +135,9 @@ FN SkySource skySource(SkyColumn column, Atmosphere air, Real cosView) {
   SkySource source;
   source.rayleigh = once * byAir * column.airLight;
   source.haze = once * byHaze * column.hazeLight;
-  source.isotropic = (source.rayleigh + source.haze) * again * (kMultipleScattering / (Real(4.0) * kPi));
+  source.isotropic = (source.rayleigh + source.haze) * again * (kMultipleScattering / (Real(4.0) * kPi)) +
+                     (Vec3(Real(1.0), Real(1.0), Real(1.0)) - exp3(-column.depth * eyeMass)) * column.overhead *
+                         kSkylightScattering;
   return source;
 }
 

@@ -1,13 +1,28 @@
-// What the land is made of at a place: by height above the sea, by slope, and by noise that breaks the borders.
+// What the land is made of at a place: by height above the sea, slope, curvature and noise.
 // Albedos are linear sRGB, after measured ones (grass .08 to .2 in green, conifers .04, sand .35, rock .2, snow .8).
 
-// Noise at a place, each value in [-1, 1]: over kilometres, hundreds and tens of metres, and metres (faded out where
-// a pixel cannot show it).
+// Noise at a place, each in [-1, 1] and faded out where a pixel cannot show it.
 struct LandNoise {
-  Real region;
-  Real grove;
-  Real tuft;
-  Real grain;
+  Real region;  // over kilometres
+  Real grove;   // hundreds of metres
+  Real tuft;    // tens of metres
+  Real clod;    // 8 m
+  Real grain;   // 1.3 m
+};
+
+// The top of a wood at a place.
+struct Crowns {
+  Vec2 slope;   // of the crown along x and z, per cell
+  Real height;  // 1 at the top of a tall tree, 0 and below between the trees
+  Real tree;    // [0, 1): the same all over a tree
+};
+
+// What a pixel of land is made of and how rough that is.
+struct LandSurface {
+  Vec3 albedo;
+  Real roughness;  // share of the detail's slope, [0, 1]
+  Real wooded;     // share of the crowns' slope, [0, 1]
+  Real open;       // share of the sky's light that reaches the surface, [0, 1]
 };
 
 FN Real smoothRise(Real low, Real high, Real x) {
@@ -15,32 +30,129 @@ FN Real smoothRise(Real low, Real high, Real x) {
   return t * t * (Real(3.0) - Real(2.0) * t);
 }
 
-FN Vec3 landAlbedo(Real heightM, Real normalUp, LandNoise noise) {
+// One tree: a dome around a place near its node of the lattice. `offset` is from the node, in cells.
+FN Crowns crownOf(Uint bits, Vec2 offset) {
+  Vec2 stem = Vec2(Real(bits & Uint(0xffu)), Real((bits >> Uint(8u)) & Uint(0xffu))) * Real(0.0025) -
+              Vec2(Real(0.32), Real(0.32));
+  Vec2 aside = offset - stem;
+  Real size = Real((bits >> Uint(16u)) & Uint(0xffu)) * Real(3.9215686e-3);
+  Real radius = Real(0.50) + Real(0.22) * size;
+  Real tall = Real(0.6) + Real(0.4) * size;
+  Crowns crown;
+  crown.height = tall * (Real(1.0) - dot(aside, aside) / (radius * radius));
+  crown.slope = aside * (Real(-2.0) * tall / (radius * radius));
+  crown.tree = Real(bits >> Uint(24u)) * Real(3.90625e-3);
+  return crown;
+}
+
+FN Crowns tallerCrown(Crowns a, Crowns b) {
+  Real second = b.height > a.height ? Real(1.0) : Real(0.0);
+  Crowns crown;
+  crown.slope = mix(a.slope, b.slope, second);
+  crown.height = max(a.height, b.height);
+  crown.tree = mix(a.tree, b.tree, second);
+  return crown;
+}
+
+// Trees on a lattice of one to a cell: the tallest crown at a position [0, 1] in a cell.
+FN Crowns crownsAt(Uvec2 cell, Vec2 inside) {
+  Uint west = cell.x * Uint(0x9e3779b1u);
+  Uint east = west + Uint(0x9e3779b1u);
+  Uint north = cell.y * Uint(0x85ebca77u);
+  Uint south = north + Uint(0x85ebca77u);
+  Vec2 back = inside - Vec2(Real(1.0), Real(1.0));
+  return tallerCrown(tallerCrown(crownOf(latticeBits(west, north), inside),
+                                 crownOf(latticeBits(east, north), Vec2(back.x, inside.y))),
+                     tallerCrown(crownOf(latticeBits(west, south), Vec2(inside.x, back.y)),
+                                 crownOf(latticeBits(east, south), back)));
+}
+
+// A wave of period 1 in [-1, 1] (x) and its slope (y): two parabolas a period.
+FN Vec2 bandWave(Real x) {
+  Real t = Real(2.0) * (x - floor(x)) - Real(1.0);
+  return Vec2(Real(4.0) * t * (Real(1.0) - abs(t)), Real(8.0) - Real(16.0) * abs(t));
+}
+
+// Layers of rock at a height: hard and soft in [-1, 1] (x), and how it changes with height, 1/m (y). `warpM` bends the
+// layers; footprintM is the height that a pixel covers.
+FN Vec2 rockStrata(Real heightM, Real warpM, Real footprintM) {
+  Real h = heightM + warpM;
+  Vec2 thick = bandWave(h / Real(47.0)) * saturate(Real(1.5) - footprintM / Real(12.0));
+  Vec2 middle = bandWave(h / Real(17.3) + Real(0.35) * thick.x) * saturate(Real(1.5) - footprintM / Real(4.3));
+  Vec2 thin = bandWave(h / Real(5.9) + Real(0.45) * middle.x) * saturate(Real(1.5) - footprintM / Real(1.5));
+  return Vec2(Real(0.42) * thick.x + Real(0.34) * middle.x + Real(0.24) * thin.x,
+              Real(0.42) / Real(47.0) * thick.y + Real(0.34) / Real(17.3) * middle.y + Real(0.24) / Real(5.9) * thin.y);
+}
+
+// The land at a height, with the upward part of its normal, its curvature (how much the normals 24 m apart diverge:
+// ridges positive, hollows negative), noise, strata in [-1, 1], the wood's crowns and how far a pixel tells trees apart.
+FN LandSurface landSurface(Real heightM, Real normalUp, Real curvature, LandNoise noise, Real strata, Crowns crowns,
+                           Real treeShare) {
   Real mixed = noise.grove * Real(0.6) + noise.tuft * Real(0.4);
+  Real fine = noise.clod * Real(0.55) + noise.grain * Real(0.45);
+  Real hollow = saturate(-curvature * Real(4.0));
+  Real ridge = saturate(curvature * Real(4.0));
   Real height = heightM + mixed * (Real(4.0) + Real(0.1) * abs(heightM));
 
-  Vec3 meadow = mix(Vec3(Real(0.070), Real(0.110), Real(0.028)), Vec3(Real(0.155), Real(0.150), Real(0.060)),
-                    saturate(Real(0.45) + Real(0.35) * noise.region + Real(0.30) * mixed + height * Real(0.0004)));
-  Vec3 forest = Vec3(Real(0.020), Real(0.040), Real(0.014)) * (Real(1.0) + Real(0.5) * noise.grain);
-  Vec3 heath = Vec3(Real(0.120), Real(0.105), Real(0.060));
-  Vec3 rock = mix(Vec3(Real(0.110), Real(0.100), Real(0.090)), Vec3(Real(0.210), Real(0.195), Real(0.175)),
-                  saturate(Real(0.5) + Real(0.5) * noise.tuft + Real(0.25) * noise.grain));
-  Vec3 sand = mix(Vec3(Real(0.340), Real(0.285), Real(0.190)), Vec3(Real(0.230), Real(0.195), Real(0.135)),
-                  saturate(Real(0.5) + Real(0.5) * noise.tuft));
-  Vec3 snow = Vec3(Real(0.780), Real(0.800), Real(0.830));
+  // Grass: lush in hollows, dry on ridges, in drifts of tens of metres and tussocks.
+  Real dry = saturate(Real(0.42) + Real(0.45) * noise.region + Real(0.40) * mixed + height * Real(0.0004) +
+                      Real(0.35) * (ridge - hollow) + Real(0.22) * fine);
+  Vec3 meadow = mix(Vec3(Real(0.046), Real(0.088), Real(0.020)), Vec3(Real(0.165), Real(0.148), Real(0.058)), dry);
+  Vec3 heath = mix(Vec3(Real(0.095), Real(0.088), Real(0.045)), Vec3(Real(0.125), Real(0.088), Real(0.062)),
+                   saturate(Real(0.5) + Real(0.8) * noise.tuft + Real(0.4) * noise.clod));
+  Vec3 rock = mix(Vec3(Real(0.088), Real(0.080), Real(0.074)), Vec3(Real(0.235), Real(0.212), Real(0.182)),
+                  saturate(Real(0.48) + Real(0.42) * strata + Real(0.25) * noise.tuft + Real(0.38) * fine));
+  Vec3 scree = mix(Vec3(Real(0.120), Real(0.112), Real(0.102)), Vec3(Real(0.205), Real(0.190), Real(0.168)),
+                   saturate(Real(0.5) + Real(0.5) * noise.tuft + Real(0.6) * noise.grain));
+  Vec3 sand = mix(Vec3(Real(0.350), Real(0.290), Real(0.195)), Vec3(Real(0.235), Real(0.198), Real(0.138)),
+                  saturate(Real(0.4) + Real(0.4) * noise.tuft + Real(0.3) * noise.grain));
+  // Foliage from dark conifers to lighter leaves, a tint of its own for each tree.
+  Real leafy = saturate(Real(0.45) + Real(0.7) * noise.region - height * Real(0.0009) + Real(0.3) * noise.tuft);
+  Vec3 foliage = mix(Vec3(Real(0.018), Real(0.036), Real(0.014)), Vec3(Real(0.042), Real(0.066), Real(0.018)), leafy) *
+                 (Real(1.0) + (Real(0.9) * crowns.tree + Real(0.8) * saturate(crowns.height) - Real(0.85)) * treeShare + Real(0.25) * noise.grain);
 
-  Real wooded = smoothRise(Real(-0.05), Real(0.30), noise.region * Real(0.55) + mixed * Real(0.65)) *
-                smoothRise(Real(8.0), Real(40.0), height) * smoothRise(Real(760.0), Real(560.0), height) *
-                smoothRise(Real(0.74), Real(0.84), normalUp);
-  Vec3 albedo = mix(meadow, heath, smoothRise(Real(500.0), Real(850.0), height));
-  albedo = mix(albedo, forest, wooded);
-  albedo = mix(albedo, rock, smoothRise(Real(0.86), Real(0.76), normalUp + Real(0.035) * mixed));
-  albedo = mix(albedo, rock, smoothRise(Real(850.0), Real(1050.0), height) * Real(0.8));
-  albedo = mix(albedo, sand, smoothRise(Real(3.6), Real(1.4), heightM + Real(1.5) * mixed) *
-                                 smoothRise(Real(0.86), Real(0.95), normalUp));
-  albedo = mix(albedo, snow, smoothRise(Real(930.0), Real(1060.0), height + Real(60.0) * noise.grove) *
-                                 smoothRise(Real(0.66), Real(0.80), normalUp));
+  // How dense the wood stands; near by each tree stands or does not.
+  Real density = smoothRise(Real(-0.10), Real(0.34),
+                            noise.region * Real(0.5) + mixed * Real(0.75) + Real(0.5) * hollow - Real(0.2) * ridge) *
+                 smoothRise(Real(6.0), Real(30.0), height) * smoothRise(Real(780.0), Real(540.0), height) *
+                 smoothRise(Real(0.70), Real(0.82), normalUp);
+  Real stands = smoothRise(Real(-0.05), Real(0.05), density * Real(1.1) - Real(0.05) - crowns.tree) *
+                smoothRise(Real(-0.05), Real(0.10), crowns.height);
+  Real wooded = mix(density, stands, treeShare);
+  Real under = density * density;  // shade and moss between the trees
+
+  Real cliff = smoothRise(Real(0.80), Real(0.68), normalUp + Real(0.05) * mixed + Real(0.05) * fine + Real(0.03) * strata);
+  Real stony = smoothRise(Real(0.90), Real(0.80), normalUp + Real(0.06) * mixed + Real(0.04) * fine - Real(0.06) * hollow);
+  Real bare = smoothRise(Real(800.0), Real(1020.0), height + Real(90.0) * ridge + Real(60.0) * fine);
+
+  Vec3 albedo = mix(meadow, heath, smoothRise(Real(480.0), Real(820.0), height));
+  albedo = albedo * (Real(1.0) + Real(0.42) * noise.grain + Real(0.20) * noise.clod + Real(0.10) * noise.tuft);
+  albedo = mix(albedo, scree, max(stony * smoothRise(Real(60.0), Real(420.0), height), bare * Real(0.9)));
+  albedo = mix(albedo, Vec3(Real(0.020), Real(0.030), Real(0.012)), under * Real(0.75) * (Real(1.0) - cliff));
+  albedo = mix(albedo, rock, cliff);
+  albedo = mix(albedo, foliage, wooded * (Real(1.0) - cliff));
+
+  // The beach, dark where the water wets it.
+  Real shore = smoothRise(Real(4.2), Real(1.8), heightM + Real(1.3) * mixed + Real(0.5) * fine) *
+               smoothRise(Real(0.84), Real(0.94), normalUp);
+  Real wet = smoothRise(Real(1.1), Real(0.3), heightM + Real(0.35) * mixed);
+  albedo = mix(albedo, sand * (Real(1.0) - Real(0.5) * wet), shore);
   // Below the water all turns to silt.
   albedo = mix(albedo, Vec3(Real(0.190), Real(0.170), Real(0.120)), smoothRise(Real(-1.0), Real(-8.0), heightM));
-  return albedo * (Real(1.0) + Real(0.12) * noise.tuft + Real(0.10) * noise.grain);
+
+  // Snow lies above a line, deep in hollows, thin on ridges and ledges, and slides from what is steep.
+  Real line = (height - Real(960.0)) / Real(110.0) + Real(0.9) * hollow - Real(0.5) * ridge + Real(0.45) * noise.grove +
+              Real(0.45) * noise.clod + Real(0.30) * noise.grain - Real(0.30) * strata -
+              Real(5.0) * max(Real(0.86) - normalUp, Real(0.0));
+  Real snowed = smoothRise(Real(-0.10), Real(0.14), line) * smoothRise(Real(0.56), Real(0.70), normalUp + Real(0.06) * fine);
+  Vec3 snow = Vec3(Real(0.760), Real(0.790), Real(0.830)) * (Real(1.0) + Real(0.05) * noise.tuft + Real(0.03) * noise.clod);
+  albedo = mix(albedo, snow, snowed);
+
+  LandSurface land;
+  land.wooded = wooded * (Real(1.0) - cliff) * (Real(1.0) - shore) * (Real(1.0) - snowed);
+  land.roughness = mix(mix(mix(Real(0.35), Real(0.7), max(stony, bare)), Real(1.0), cliff), Real(0.22), max(snowed, shore));
+  land.open = (Real(1.0) - Real(0.45) * hollow) *
+              (Real(1.0) - under * (Real(1.0) - cliff) * treeShare * Real(0.65) * saturate(Real(1.0) - crowns.height * Real(1.4)));
+  land.albedo = albedo;
+  return land;
 }

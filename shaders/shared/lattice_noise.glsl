@@ -48,3 +48,48 @@ FN Vec2 turnedLatticeNoise(Uvec2 cell, Vec2 inside) {
   Uvec2 turned = Uvec2(cell.x * Uint(3u) + cell.y * Uint(4u), cell.y * Uint(3u) - cell.x * Uint(4u));
   return latticeNoise(turned + Uvec2(Uint(whole.x), Uint(whole.y)), at - whole);
 }
+
+// What one corner of a simplex gives to simplexNoise: slope along x, y, z and value. `offset` is from the corner.
+FN Vec4 simplexCorner(Uint bits, Vec3 offset) {
+  Vec3 gradient = Vec3(Real(bits & Uint(0xffu)), Real((bits >> Uint(8u)) & Uint(0xffu)),
+                       Real((bits >> Uint(16u)) & Uint(0xffu))) * Real(7.843137254901961e-3) -
+                  Vec3(Real(1.0), Real(1.0), Real(1.0));
+  Real t = max(Real(0.5) - dot(offset, offset), Real(0.0));
+  Real t3 = t * t * t;
+  Real along = dot(gradient, offset);
+  Vec3 slope = gradient * (t3 * t) - offset * (Real(8.0) * t3 * along);
+  return Vec4(slope.x, slope.y, slope.z, t3 * t * along);
+}
+
+// Noise in space with its slope, for surfaces of any inclination: Perlin's simplex noise (after Gustavson, "Simplex
+// noise demystified", 2005), four corners where a cubic lattice has eight. `corner` is a point of the skewed lattice
+// (place + sum of place / 3 along each axis), `place` the position from there in cells, any sign, below 1e5. Slope
+// (xyz, per cell) and value (w): mean 0, standard deviation of the value about .3, within [-1.2, 1.2].
+FN Vec4 simplexNoise(Uvec3 corner, Vec3 place) {
+  Real skew = (place.x + place.y + place.z) / Real(3.0);
+  Vec3 cell = floor(place + Vec3(skew, skew, skew));
+  Real back = (cell.x + cell.y + cell.z) / Real(6.0);
+  Vec3 a = place - cell + Vec3(back, back, back);
+  // The axes by size: the longest is walked first.
+  Real xy = a.x >= a.y ? Real(1.0) : Real(0.0);
+  Real yz = a.y >= a.z ? Real(1.0) : Real(0.0);
+  Real zx = a.z > a.x ? Real(1.0) : Real(0.0);
+  Vec3 first = Vec3(xy * (Real(1.0) - zx), yz * (Real(1.0) - xy), zx * (Real(1.0) - yz));
+  Vec3 second = Vec3(max(xy, Real(1.0) - zx), max(yz, Real(1.0) - xy), max(zx, Real(1.0) - yz));
+  Uint px = Uint(0x9e3779b1u);
+  Uint py = Uint(0xc2b2ae3du);
+  Uint pz = Uint(0x85ebca77u);
+  Uint none = Uint(0u);
+  Uint root = (corner.x + Uint(int(cell.x))) * px + (corner.y + Uint(int(cell.y))) * py;
+  Uint row = (corner.z + Uint(int(cell.z))) * pz;
+  Uint toFirst = (first.x > Real(0.5) ? px : none) + (first.y > Real(0.5) ? py : none) +
+                 (first.z > Real(0.5) ? pz : none);
+  Uint toSecond = (second.x > Real(0.5) ? px : none) + (second.y > Real(0.5) ? py : none) +
+                  (second.z > Real(0.5) ? pz : none);
+  Vec3 sixth = Vec3(Real(1.0), Real(1.0), Real(1.0)) / Real(6.0);
+  Vec4 sum = simplexCorner(latticeBits(root, row), a) +
+             simplexCorner(latticeBits(root + toFirst, row), a - first + sixth) +
+             simplexCorner(latticeBits(root + toSecond, row), a - second + sixth * Real(2.0)) +
+             simplexCorner(latticeBits(root + px + py + pz, row), a - sixth * Real(3.0));
+  return sum * Real(75.0);
+}

@@ -23,5 +23,15 @@ vec2 turnedNoiseAt(vec2 place, int perChunk) {
   return turnedLatticeNoise(cell, inside);
 }
 
+// Noise in space at a place and a height above the sea: slope per metre and value. `perChunk` is a multiple of 3, so
+// that chunk corners are corners of the skewed lattice.
+vec4 spaceNoiseAt(vec2 place, float heightM, int perChunk) {
+  float scale = float(perChunk) / kChunkMetres;
+  ivec2 base = baseChunk * perChunk;
+  int skew = (baseChunk.x + baseChunk.y) * (perChunk / 3);
+  vec4 noise = simplexNoise(uvec3(ivec3(base.x, 0, base.y) + skew), vec3(place.x, heightM, place.y) * scale);
+  return vec4(noise.xyz * scale, noise.w);
+}
+
 // How much of detail of a size is left where a pixel covers `footprint`, both metres.
 float resolved(float size, float footprint) { return clamp(1.5 - 2.0 * footprint / size, 0.0, 1.0); }

@@ -2,7 +2,9 @@
 
 uniform float seaFloorM;  // depth of the floor where none is drawn
 
-const float kSeaSlope = 0.11;       // standard deviation of the waves' slope: a breeze of 1.5 m/s (Cox and Munk 1954)
+// Standard deviation of the waves' slope along each axis: a breeze of 7 m/s (Cox and Munk 1954: mean square of both
+// axes together 0.003 + 0.00512 m/s of wind).
+const float kSeaSlope = 0.14;
 const float kBrightest = 60000.0;   // what a half float keeps, with room for blending
 
 // Corners of four triangles from below the eye to infinity, relative to the eye and in homogeneous coordinates.
@@ -14,11 +16,24 @@ vec4 seaCorner(int vertex) {
               direction == 1 ? 1.0 : direction == 3 ? -1.0 : 0.0, 0.0);
 }
 
-// The waves' slope at a place, as far as pixels can show it; the rest of kSeaSlope is left to statistics.
-vec2 seaRipples(vec2 place, float footprint) {
+// The waves at a place.
+struct Waves {
+  vec2 slope;    // as far as pixels can show it
+  float hidden;  // standard deviation of what is left to statistics
+};
+
+// Three sizes of waves, which together have most of the slope; gusts over kilometres and hundreds of metres roughen
+// the sea by a fifth and leave slicks between them, so that the sun's glitter is not one even sheet from high above.
+Waves wavesAt(vec2 place, float footprint) {
   vec2 drift = vec2(1.1, 0.7) * frame.eye.w;
-  return (noiseAt(place + drift, 96) * resolved(10.0, footprint) +
-          turnedNoiseAt(place - drift * 0.6, 80) * resolved(2.4, footprint)) * (0.8 * kSeaSlope);
+  float swell = resolved(40.0, footprint), wave = resolved(10.0, footprint), ripple = resolved(2.4, footprint);
+  vec2 gusts = noiseAt(place + drift * 3.0, 1) * 0.7 + turnedNoiseAt(place + drift * 3.0, 1) * resolved(192.0, footprint);
+  float rough = kSeaSlope * clamp(1.0 + 0.28 * gusts.x, 0.75, 1.35);
+  Waves waves;
+  waves.slope = (noiseAt(place + drift * 2.0, 24) * (0.8 * swell) + noiseAt(place + drift, 96) * (1.4 * wave) +
+                 turnedNoiseAt(place - drift * 0.6, 80) * (1.6 * ripple)) * rough;
+  waves.hidden = rough * sqrt(1.0 - 0.08 * swell - 0.22 * wave - 0.3 * ripple);
+  return waves;
 }
 
 struct SeaLight {
@@ -30,21 +45,22 @@ struct SeaLight {
 SeaLight seaLight(vec3 relative, float depthM) {
   float distanceM = length(relative);
   vec3 toEye = -relative / distanceM;
-  vec2 slope = seaRipples(eyeFromBase.xz + relative.xz, distanceM * frame.depthToSea.w / max(toEye.y, 0.05));
-  vec3 normal = normalize(vec3(slope.x, 1.0, slope.y));
+  Waves waves = wavesAt(eyeFromBase.xz + relative.xz, distanceM * frame.depthToSea.w / max(toEye.y, 0.05));
+  vec3 normal = normalize(vec3(waves.slope.x, 1.0, waves.slope.y));
   float cosView = max(dot(toEye, normal), 0.02);
-  float reflectance = seaReflectance(cosView, kSeaSlope);
+  float reflectance = seaReflectance(cosView, waves.hidden);
 
   vec3 mirrored = reflect(-toEye, normal);
   mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.02), mirrored.z));
   SkySource source = skySource(frameColumn(), frameAtmosphere(), mirrored.y);
   vec3 sky = skyRadiance(source, dot(mirrored, frame.toSun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
 
-  // Waves that pixels do not show tilt the mirror: the slope that would send the sun here, against the ripples'.
+  // Waves that pixels do not show tilt the mirror: the slope that would send the sun here, against that of
+  // the waves that they show.
   vec3 halfway = normalize(toEye + frame.toSun.xyz);
   vec3 tilted = normalize(vec3(halfway.x - normal.x * halfway.y, halfway.y, halfway.z - normal.z * halfway.y));
   vec3 glitter = frame.sunLight.xyz * (step(0.0, frame.toSun.y) *
-                 sunGlitter(tilted, cosView, dot(halfway, toEye), kSeaSlope));
+                 sunGlitter(tilted, cosView, dot(halfway, toEye), waves.hidden));
 
   vec3 through = throughWater(depthM);
   vec3 body = litByFrame(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), 1.0) * (1.0 - through);

@@ -1,7 +1,7 @@
 // Where a frame's land and sea are, for the programs that give them light. After frame.glsl.
 
 uniform vec3 eyeFromBase;  // x, z: metres from the base (a chunk corner near the eye); y: height above the sea
-uniform ivec2 baseChunk;   // of the base, level 0, wrapped at 2^20
+uniform ivec2 baseChunk;   // of the base, level 0, wrapped to 20 bits with sign
 uniform float farM;        // where land ends
 
 const float kChunkMetres = 960.0;

@@ -33,6 +33,7 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simu
   u.columnHere = rgb(light.column.airHere, light.column.hazeHere);
   u.airLight = rgb(light.column.airLight * light.sunOutside * e);
   u.hazeLight = rgb(light.column.hazeLight * light.sunOutside * e);
+  u.overhead = rgb(light.column.overhead * light.sunOutside * e);
   const double height = std::max(view.position.y, 1.0);
   u.depthToSea = rgb(core::shared::f64::opticalDepthBetween(light.air, height, 0, height),
                      2 * std::tan(view.fovYRad / 2) / view.height);

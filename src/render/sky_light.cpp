@@ -30,8 +30,8 @@ constexpr double kGroundAlbedo = 0.12;
 // follows the light of other hours only partly: an eye that adapted fully would see no evening.
 constexpr double kNoonExposure = 0.08;  // where the level is kNoonLevel
 constexpr double kNoonLevel = 140;      // klx
-constexpr double kAdaptation = 0.7;     // exponent: 1 adapts fully
-constexpr double kDarkestLevel = 1e-3;  // klx, below which the eye adapts no further
+constexpr double kAdaptation = 0.82;    // exponent: 1 adapts fully
+constexpr double kDarkestLevel = 5e-3;  // klx, below which the eye adapts no further
 
 double luminance(const glm::dvec3& light) { return glm::dot(light, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 

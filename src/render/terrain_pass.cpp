@@ -36,8 +36,9 @@ std::array<float, N> inFloat(const std::array<double, N>& values) {
   return result;
 }
 
-// Low bits of a chunk index: enough for the table and for the noise's lattice, whatever the sign.
-int lowBits(std::int64_t index) { return static_cast<int>(index & 0xfffff); }
+// Low 20 bits of a chunk index, signed: enough for the table and for the noise's lattice, which then goes on
+// across the origin and has its seams 5e8 m out.
+int lowBits(std::int64_t index) { return (static_cast<int>(index & 0xfffff) ^ 0x80000) - 0x80000; }
 
 }  // namespace
 

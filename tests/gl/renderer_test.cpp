@@ -130,11 +130,13 @@ TEST_F(FrameTest, uniformBlockHasTheSameOffsetsOnBothSides) {
 #define MEMBER(name) \
   { "Frame." #name, offsetof(FrameUniforms, name) }
   const std::vector<std::pair<std::string, std::size_t>> members = {
-      MEMBER(viewProjection), MEMBER(ndcToRay),        MEMBER(eye),         MEMBER(viewport),
-      MEMBER(toSun),          MEMBER(sunLight),        MEMBER(skyLight),    MEMBER(groundLight),
-      MEMBER(sunDisc),        MEMBER(nightRadiance),   MEMBER(airRayleigh), MEMBER(airHaze),
-      MEMBER(columnDepth),    MEMBER(columnHere),      MEMBER(airLight),    MEMBER(hazeLight),
-      MEMBER(depthToSea),     MEMBER(horizonRayleigh), MEMBER(horizonHaze), MEMBER(horizonIsotropic)};
+      MEMBER(viewProjection),  MEMBER(ndcToRay),    MEMBER(eye),
+      MEMBER(viewport),        MEMBER(toSun),       MEMBER(sunLight),
+      MEMBER(skyLight),        MEMBER(groundLight), MEMBER(sunDisc),
+      MEMBER(nightRadiance),   MEMBER(airRayleigh), MEMBER(airHaze),
+      MEMBER(columnDepth),     MEMBER(columnHere),  MEMBER(airLight),
+      MEMBER(hazeLight),       MEMBER(overhead),    MEMBER(depthToSea),
+      MEMBER(horizonRayleigh), MEMBER(horizonHaze), MEMBER(horizonIsotropic)};
 #undef MEMBER
   for (const auto& [name, offset] : members) {
     const char* text = name.c_str();

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <optional>
 
 #include "skydrop/core/assets.h"
 #include "skydrop/render/aircraft_pass.h"
@@ -20,7 +21,7 @@
 namespace skydrop::render {
 namespace {
 
-constexpr double kGroundM = 100;
+constexpr double kGroundM = 1300;  // snow: no trees, whose far sides the sun does not reach anyway
 
 // What is hidden of the sun at each pixel of a frame, and where its piece of ground is.
 struct Shadow {
@@ -43,6 +44,18 @@ class ShadowGLTest : public test::FrameTest {
     renderer().add(std::move(land));
     renderer().add(std::move(shadows));
     renderer().add(std::make_unique<test::LightProbe>(light_));
+    ModelData data;
+    data.nodes = {{"cover", -1, glm::mat4(1), {0}}};
+    data.meshes = {{"cover", sphereMesh(kCoverM, 96, 48), 0}};
+    data.materials = {{"plain", {}, {}}};
+    cover_ = std::make_shared<const Model>(context(), data, "cover");
+    this->shadows().add([this](const game::Snapshot&, std::vector<ShadowCaster>& casters) {
+      if (!coverAt_) return;
+      const auto parts = [model = cover_, at = *coverAt_](const View& view, const DrawPart& draw) {
+        draw(*model, bodyMatrix(view, at, glm::dquat(1, 0, 0, 0)), ModelPose(*model));
+      };
+      casters.push_back({*coverAt_, kCoverM, std::numbers::pi * kCoverM * kCoverM, parts});
+    });
     features_ = {};
     settings_.sun = {35, 200};
   }
@@ -76,18 +89,20 @@ class ShadowGLTest : public test::FrameTest {
     const game::Snapshot kept = snapshot_;
     snapshot_.aircraft.present = castsShadows_ = false;
     const std::vector<glm::vec4> lit = lightOf(view);
+    // Once more with everything in the shadow of a large ball: what is left is the sky's light, pixel by
+    // pixel, because the ground is rough.
+    coverAt_ = glm::dvec3(view.position.x, kGroundM, view.position.z) + toSun() * 1500.0;
+    const std::vector<glm::vec4> dark = lightOf(view);
+    coverAt_.reset();
     snapshot_ = kept;
     castsShadows_ = true;
-    const SkyLight light = skyLight(settings_, view.position.y);
-    const double fromSun = light.sun.y * light.toSun.y;
-    const double share = fromSun / (fromSun + light.sky.y);  // of the sun in the light of level ground
     const double pixelM = 2 * std::tan(view.fovYRad / 2) * (view.position.y - kGroundM) / view.height;
     Shadow shadow;
     for (int y = 0; y < view.height; ++y) {
       for (int x = 0; x < view.width; ++x) {
         const auto i = static_cast<std::size_t>(y * view.width + x);
         const double hidden = (static_cast<double>(lit[i].y) - static_cast<double>(shaded[i].y)) /
-                              static_cast<double>(lit[i].y) / share;
+                              (static_cast<double>(lit[i].y) - static_cast<double>(dark[i].y));
         const glm::dvec3 ray = rayDirection(view, {x + 0.5, y + 0.5});
         const glm::dvec3 place = view.position + ray * ((kGroundM - view.position.y) / ray.y);
         shadow.hidden.push_back(hidden);
@@ -120,6 +135,9 @@ class ShadowGLTest : public test::FrameTest {
   ShadowPass* shadowPass_ = nullptr;
   std::vector<glm::vec4> light_;
   bool castsShadows_ = true;
+  static constexpr double kCoverM = 600;
+  std::optional<glm::dvec3> coverAt_;
+  std::shared_ptr<const Model> cover_;
 };
 
 TEST_F(ShadowGLTest, shadowLiesWhereTheSunsRayMeetsTheGround) {

@@ -296,6 +296,28 @@ TEST_F(TerrainGLTest, T19_noEndOfTheWorldShowsFromTheGroundTo6Km) {
   }
 }
 
+TEST_F(TerrainGLTest, farLandDoesNotShimmer) {
+  // 1500 m up, looking 20 degrees down over hills, in steps of 0.4 m along the view, each a small part of a
+  // pixel from 3 km on: the far land of one frame differs from that of the last by 1/255 in the mean and by
+  // less than 1 % of its pixels by more than 6/255 (outlines of hills). Noise that is not faded out changes
+  // pixels by its whole contrast, 20/255 and more; so does noise with a seam where the eye crosses z = 0.
+  useLand(std::make_shared<RaisedSource>(test::makeHillsSource(), 200));
+  core::Image last = drawLand(pose({700, 1500, 0.6}, 90, -20, 0));
+  for (int step = 1; step <= 4; ++step) {
+    const core::Image now = drawLand(pose({700, 1500, 0.6 - 0.4 * step}, 90, -20, 0));
+    double sum = 0;
+    std::size_t counted = 0, jumped = 0;
+    for (std::size_t i = 320 * 40 * 4; i < 320 * 100 * 4; ++i, ++counted) {  // from above the horizon to 3 km
+      const int change = std::abs(now.rgba[i] - last.rgba[i]);
+      sum += change;
+      jumped += change > 6;
+    }
+    EXPECT_LT(sum / static_cast<double>(counted), 1.0) << step;
+    EXPECT_LT(jumped, counted / 100) << step;
+    last = now;
+  }
+}
+
 TEST_F(TerrainGLTest, theSeaLiesAtHeightZeroAndHidesItsFloor) {
   // Straight down over deep water: the scene's depth is that of the plane y = 0, whatever the floor does.
   class DepthProbe final : public Pass {
