@@ -50,12 +50,6 @@ vec3 normalAt(LandTexel texel, vec2 aside) {
   return unpackedNormal(texture(chunkNormals, vec3((texel.at.xy + aside + 0.5) / 241.0, texel.at.z)).rg);
 }
 
-// The normal of the land at a place (metres from the base).
-vec3 landNormal(vec2 place, float distanceM) {
-  LandTexel texel = landTexel(place, distanceM);
-  return texel.metres > 0.0 ? normalAt(texel, vec2(0.0)) : vec3(0.0, 1.0, 0.0);
-}
-
 // How much the normals diverge over 24 m (or a texel, where that is wider): ridges positive, hollows negative. Sums of
 // two neighbours on each axis; at a chunk's border the last sample stands for the one outside.
 float landCurvature(LandTexel texel) {
@@ -67,51 +61,89 @@ float landCurvature(LandTexel texel) {
 }
 
 const float kTreeMetres = 8.0;  // between trees
-const float kClodMetres = 8.0;
-const float kGrainMetres = 1.333;
 
-// Light from the land (or the sea's floor) at a place `relative` to the eye, without what lies between.
-vec3 landLight(vec3 relative) {
+// A place of the land, seen from where the frame is.
+struct LandSight {
+  vec2 place;       // metres from the base
+  float heightM;    // above the sea
+  float footprint;  // what a pixel covers, metres
+  float treeShare;  // how much of single trees is shown
+  vec3 normal;      // of the samples
+  LandTexel texel;
+};
+
+LandSight landSight(vec3 relative) {
   float distanceM = length(relative);
-  vec2 place = eyeFromBase.xz + relative.xz;
-  float heightM = eyeFromBase.y + relative.y;
-  LandTexel texel = landTexel(place, distanceM);
-  vec3 normal = texel.metres > 0.0 ? normalAt(texel, vec2(0.0)) : vec3(0.0, 1.0, 0.0);
-  // What a pixel covers, wider where the land is seen at a slant.
-  float facing = clamp(-dot(normal, relative) / distanceM, 0.25, 1.0);
-  float footprint = distanceM * frame.depthToSea.w / sqrt(facing);
+  LandSight sight;
+  sight.place = eyeFromBase.xz + relative.xz;
+  sight.heightM = eyeFromBase.y + relative.y;
+  sight.texel = landTexel(sight.place, distanceM);
+  sight.normal = sight.texel.metres > 0.0 ? normalAt(sight.texel, vec2(0.0)) : vec3(0.0, 1.0, 0.0);
+  // Wider where the land is seen at a slant.
+  float facing = -dot(sight.normal, relative) / distanceM;
+  sight.footprint = distanceM * frame.depthToSea.w / sqrt(clamp(facing, 0.25, 1.0));
+  // Crowns are painted on the ground: close by and along it that shows, and woods are drawn as scrub.
+  sight.treeShare = resolved(kTreeMetres, sight.footprint) * smoothstep(60.0, 200.0, distanceM) *
+                    smoothstep(0.08, 0.30, facing);
+  return sight;
+}
 
-  vec2 wide = noiseAt(place, 1), middle = turnedNoiseAt(place, 1), fine = noiseAt(place, 24);
-  float middleShare = resolved(192.0, footprint), fineShare = resolved(40.0, footprint);
-  vec4 clod = spaceNoiseAt(place, heightM, 120) * resolved(kClodMetres, footprint);
-  vec4 grain = spaceNoiseAt(place, heightM, 720) * resolved(kGrainMetres, footprint);
+// All but the finest.
+LandNoise coarseNoise(LandSight sight) {
+  vec2 wide = noiseAt(sight.place, 1), middle = turnedNoiseAt(sight.place, 1), fine = noiseAt(sight.place, 24);
+  float middleShare = resolved(192.0, sight.footprint), fineShare = resolved(40.0, sight.footprint);
   LandNoise noise;
   noise.region = wide.x * 0.7 + middle.y * 0.3 * middleShare;
   noise.grove = (middle.x * 0.65 + fine.y * 0.35 * fineShare) * middleShare;
   noise.tuft = fine.x * fineShare;
+  noise.clod = 0.0;
+  noise.grain = 0.0;
+  return noise;
+}
+
+vec3 litLand(LandSurface land, vec3 normal, float sunShare) {
+  vec3 light = frame.sunLight.xyz * (max(dot(normal, frame.toSun.xyz), 0.0) * sunShare) +
+               mix(frame.groundLight.xyz, frame.skyLight.xyz, 0.5 + 0.5 * normal.y) * land.open;
+  return land.albedo / kPi * light;
+}
+
+// Light from the land (or the sea's floor) at a place `relative` to the eye, without what lies between.
+#ifdef RICH_LAND
+const float kClodMetres = 8.0;
+const float kGrainMetres = 1.333;
+
+vec3 landLight(vec3 relative) {
+  LandSight sight = landSight(relative);
+  LandNoise noise = coarseNoise(sight);
+  vec4 clod = spaceNoiseAt(sight.place, sight.heightM, 120) * resolved(kClodMetres, sight.footprint);
+  vec4 grain = spaceNoiseAt(sight.place, sight.heightM, 720) * resolved(kGrainMetres, sight.footprint);
   noise.clod = clod.w;
   noise.grain = grain.w;
 
   uvec2 cell;
   vec2 inside;
-  latticeOf(place, int(kChunkMetres / kTreeMetres), cell, inside);
+  latticeOf(sight.place, int(kChunkMetres / kTreeMetres), cell, inside);
   Crowns crowns = crownsAt(cell, inside);
-  float treeShare = resolved(kTreeMetres, footprint);
-  vec2 strata = rockStrata(heightM, 22.0 * noise.grove + 9.0 * noise.tuft, footprint);
-
-  LandSurface land = landSurface(heightM, normal.y, landCurvature(texel), noise, strata.x, crowns, treeShare);
+  vec2 strata = rockStrata(sight.heightM, 22.0 * noise.grove + 9.0 * noise.tuft, sight.footprint);
+  vec3 normal = sight.normal;
+  LandSurface land =
+      landSurface(sight.heightM, normal.y, landCurvature(sight.texel), noise, strata.x, crowns, sight.treeShare);
 
   // Detail as slope: of clods and grains, of ledges where the rock is bare, of the trees' crowns.
   vec3 slope = (clod.xyz * (0.10 * kClodMetres) + grain.xyz * (0.18 * kGrainMetres)) * land.roughness +
                vec3(0.0, strata.y * 3.0 * smoothstep(0.85, 0.6, normal.y), 0.0);
-  slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * treeShare), land.wooded);
+  slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * sight.treeShare), land.wooded);
   vec3 bumped = normalize(normal - (slope - normal * dot(slope, normal)));
-
-  float up = 0.5 + 0.5 * bumped.y;
-  vec3 light = frame.sunLight.xyz * (max(dot(bumped, frame.toSun.xyz), 0.0) * castShadowShare(relative)) +
-               mix(frame.groundLight.xyz, frame.skyLight.xyz, up) * land.open;
-  return land.albedo / kPi * light;
+  return litLand(land, bumped, castShadowShare(relative));
 }
+#else
+vec3 landLight(vec3 relative) {
+  LandSight sight = landSight(relative);
+  Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
+  LandSurface land = landSurface(sight.heightM, sight.normal.y, 0.0, coarseNoise(sight), 0.0, noCrowns, 0.0);
+  return litLand(land, sight.normal, castShadowShare(relative));
+}
+#endif
 
 vec3 landAsSeen(vec3 relative) {
   return mix(horizonRadiance(normalize(relative)), throughHaze(landLight(relative), relative), leftOfLight(relative));

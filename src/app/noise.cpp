@@ -52,7 +52,7 @@ core::Image sliceOf(const TextureData& texture, int layer) {
 void exportPng(const TextureData& texture, const std::filesystem::path& folder, const std::string& name) {
   if (!texture.isVolume()) return core::writePng(folder / (name + ".png"), sliceOf(texture, 0));
   for (int layer = 0; layer < texture.depth; ++layer) {
-    char number[16];
+    char number[24];
     std::snprintf(number, sizeof number, "-%03d.png", layer);
     core::writePng(folder / (name + number), sliceOf(texture, layer));
   }

@@ -1,5 +1,8 @@
 #include "skydrop/render/render_settings.h"
 
+#include <array>
+#include <string_view>
+
 namespace skydrop::render {
 
 void describe(core::SettingsVisitor& visitor, CameraSettings& s) {
@@ -51,7 +54,12 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
   visitor.flag("smoothModels", s.smoothModels,
                {"Draws the edges of aircraft and packages with four samples a pixel; off, they are jagged."});
   visitor.leaveGroup();
-  visitor.enterGroup("land", "Ways to look at the land's mesh.");
+  visitor.enterGroup("land", "The land's surface, and ways to look at its mesh.");
+  static constexpr std::array<std::string_view, 2> kDetails = {"plain", "rich"};
+  visitor.choice(
+      "detail", s.landDetail, kDetails,
+      {"Rich land has single trees, layers of rock and rough ground, and takes half again the time of plain.",
+       core::TakesEffect::variant});
   visitor.flag("wireframe", s.wireframe, {"Draws the land as lines."});
   visitor.flag("terrainNormals", s.terrainNormals,
                {"Draws a stroke along the normal of each vertex of the land."});

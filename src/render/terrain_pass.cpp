@@ -36,6 +36,13 @@ std::array<float, N> inFloat(const std::array<double, N>& values) {
   return result;
 }
 
+// The variant of the land's shaders.
+std::vector<std::string> landDefines(const FrameContext& context) {
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  if (context.settings.landDetail == LandDetail::rich) defines.emplace_back("RICH_LAND");
+  return defines;
+}
+
 // Low 20 bits of a chunk index, signed: enough for the table and for the noise's lattice, which then goes on
 // across the origin and has its seams 5e8 m out.
 int lowBits(std::int64_t index) { return (static_cast<int>(index & 0xfffff) ^ 0x80000) - 0x80000; }
@@ -94,7 +101,7 @@ void TerrainPass::draw(FrameContext& context) {
     drawLines(context);
   } else {
     drawDepth(context);
-    drawLand(context.shaders.shader("fullscreen.vert", "terrain/land.frag", context.defines), view);
+    drawLand(context.shaders.shader("fullscreen.vert", "terrain/land.frag", landDefines(context)), view);
     if (!context.shadows.empty()) drawShadows(context);
     if (view.position.y > 0) drawSea(context);
   }
@@ -158,7 +165,7 @@ void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
 // tested for lying behind the land: elsewhere the land is beyond the volume, or there is none.
 void TerrainPass::drawShadows(FrameContext& context) {
   const gl::Functions& api = context_.api();
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  std::vector<std::string> defines = landDefines(context);
   defines.push_back(context.shadows.define());
   gl::Shader& shader = context.shaders.shader("shadow/volume.vert", "terrain/shadowed_land.frag", defines);
   shader.use();

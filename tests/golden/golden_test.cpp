@@ -1,6 +1,6 @@
-// Golden frames: the program itself renders, headless, and the picture is compared with the one that was looked
-// at and blessed (SKYDROP_BLESS=1). tests/golden/<name>.png are the references; a failure leaves actual,
-// reference and difference in the artifact folder.
+// Golden frames: the program itself renders, headless, and the picture is compared with the one that was
+// looked at and blessed (SKYDROP_BLESS=1). tests/golden/<name>.png are the references; a failure leaves
+// actual, reference and difference in the artifact folder.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -38,9 +38,25 @@ const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all = {
       {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
       {"takeoff", {"--time", "1"}},
-      {"mountainsAtNoon", withoutHud({"--pose", "6500,1000,-1800,340,-6,0", "--set", "render.sun.elevationDegrees=60"})},
+      {"mountainsAtNoon",
+       withoutHud({"--pose", "6500,1000,-1800,340,-6,0", "--set", "render.sun.elevationDegrees=60"})},
       {"coast", withoutHud({"--pose", "5000,700,6000,220,-10,0"})},
       {"steepBankOverValley", withoutHud({"--pose", "8000,1100,-7500,200,-10,50"})},
+      {"lowSunOverRidges",
+       withoutHud({"--pose=2500,700,-1200,-38,2,0", "--set", "render.sun.elevationDegrees=6", "--set",
+                   "render.sun.azimuthDegrees=265"})},
+      {"snowLine", withoutHud({"--pose=8600,1050,-2900,-62,3,0", "--set", "render.sun.elevationDegrees=35",
+                               "--set", "render.sun.azimuthDegrees=200"})},
+      {"duskCoast", withoutHud({"--pose=5000,450,6000,220,-6,0", "--set", "render.sun.elevationDegrees=1"})},
+      {"fiftyMetresAboveAValley",
+       withoutHud({"--pose=3600,446,-5300,100,5,0", "--set", "render.sun.elevationDegrees=28", "--set",
+                   "render.sun.azimuthDegrees=240"})},
+      {"sixKilometresUp",
+       withoutHud({"--pose=-2000,6000,3000,-40,-22,0", "--set", "render.sun.elevationDegrees=30", "--set",
+                   "render.sun.azimuthDegrees=230"})},
+      {"underParachute", withoutHud({"--autopilot", "--time", "88", "--pose=-3381,78,-937,-102,-7,0"})},
+      {"cockpit", {"--time", "3", "--set", "view.camera=cockpit"}},
+      {"plainLand", withoutHud({"--pose=2500,700,-1200,-38,2,0", "--set", "render.land.detail=plain"})},
       {"straightDown", withoutHud({"--pose", "3600,1500,4600,0,-90,0"})},
       {"menuOpen", {"--time", "1", "--menu"}},
       {"dropText", {"--autopilot", "--time", "66.6"}},
@@ -51,14 +67,14 @@ const std::vector<Golden>& goldens() {
 class GoldenFrame : public testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenFrame, isThePictureThatWasBlessed) {
-  // The program's frame equals the reference within two limits, and the limits are narrow enough to see a shift
-  // of one pixel and 2 % of brightness.
+  // The program's frame equals the reference within two limits, and the limits are narrow enough to see a
+  // shift of one pixel and 2 % of brightness.
   const Golden& golden = GetParam();
   const char* backend = std::getenv("SKYDROP_TEST_BACKEND");
   const TemporaryFolder folder;
   const std::filesystem::path picture = folder.path() / (std::string(golden.name) + ".png");
-  std::vector<std::string> words = {"render", "--size", "320x180", "--out", picture.string(),
-                                    "--backend", backend ? backend : "egl"};
+  std::vector<std::string> words = {
+      "render", "--size", "320x180", "--out", picture.string(), "--backend", backend ? backend : "egl"};
   words.insert(words.end(), golden.words.begin(), golden.words.end());
   const ProcessResult result = runSkydrop(words);
   if (result.exitCode == 3) GTEST_SKIP() << result.err;

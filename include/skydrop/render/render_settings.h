@@ -28,12 +28,19 @@ struct AtmosphereSettings {
   double hazeAnisotropy = 0.7;  // g of its phase function
 };
 
+// How much of the land's surface is worked out.
+enum class LandDetail {
+  plain,  // colours down to 40 m, and the samples' normals
+  rich    // trees, strata, clods and grains, hollows and ridges
+};
+
 struct RenderSettings {
   CameraSettings camera;
   SunSettings sun;
   AtmosphereSettings atmosphere;
   double exposureStops = 0;  // on top of the automatic exposure
   bool smoothModels = true;  // four samples a pixel for aircraft and packages
+  LandDetail landDetail = LandDetail::rich;
   bool wireframe = false;
   bool terrainNormals = false;
 };

@@ -9,4 +9,4 @@
 
 in vec2 ndc;
 out vec4 color;
-void main() { color = vec4(landNormal(floor(gl_FragCoord.xy) * 8.0, 10.0), 1.0); }
+void main() { color = vec4(normalAt(landTexel(floor(gl_FragCoord.xy) * 8.0, 10.0), vec2(0.0)), 1.0); }
