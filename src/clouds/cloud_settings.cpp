@@ -1,6 +1,7 @@
 #include "skydrop/clouds/cloud_settings.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace skydrop::clouds {
 namespace {
@@ -10,6 +11,34 @@ namespace {
 constexpr double kShapePeriodAtOne = 2400, kDetailPeriodAtOne = 8000, kWeatherPeriodAtOne = 1000;
 
 }  // namespace
+
+void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
+  const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
+                          std::string_view help) {
+    visitor.number(name, value, {unit, min, max, help, core::TakesEffect::live, true});
+  };
+  visitor.choice("resolution", s.resolution, kMarchResolutionNames,
+                 {"Rays a pixel: one for each, for each 2 x 2 or for each 4 x 4; edges are always sharp.",
+                  core::TakesEffect::variant});
+  number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.");
+  number("stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
+         "Length of a step far from the eye, as a share of the distance.");
+  number("stepDepth", s.stepDepth, "1", 0.02, 5,
+         "Most optical depth of a step; denser places take shorter ones.");
+  number("leastTransmittance", s.leastTransmittance, "1", 1e-5, 0.1,
+         "Where no more than this comes through, a ray ends.");
+  visitor.integer("sunSamples", s.sunSamples,
+                  {"1", 1, 128, "Samples of density on the way to the sun; more makes finer shadows.",
+                   core::TakesEffect::variant});
+  number("sunReachM", s.sunReachM, "m", 10, 2000,
+         "How far those samples reach before the light grid takes over.");
+  visitor.flag("lightGrid", s.lightGrid,
+               {"Looks the way to the sun up in a grid; off, samples go all the way: exact and slow.",
+                core::TakesEffect::variant});
+  number("lightCellM", s.lightCellM, "m", 20, 400,
+         "Cell of the light grid near the eye; five times that far away.");
+  visitor.flag("detail", s.detail, {"Wears the edges with detail; off, evenly.", core::TakesEffect::variant});
+}
 
 void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
   const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
@@ -33,15 +62,22 @@ void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
   number("typeShift", s.typeShift, "1", -1, 1,
          "From the weather map's types towards stratus (-1) or cumulus (1).");
   number("erosion", s.erosion, "1", 0, 0.9, "How much of the edges detail takes away.");
+  number("forwardShare", s.forwardShare, "1", 0, 1,
+         "Share of the light that goes nearly straight on; more makes silver edges against the sun.");
   number("fadeDistance", s.fadeDistance, "m", 1000, 60000, "Where clouds have faded out.");
   number("windSpeed", s.windSpeed, "m/s", 0, 60, "How fast the clouds drift.");
   number("windDirection", s.windDirection, "deg", 0, 360, "Compass direction from which the wind blows.");
+  visitor.choice("tier", s.tier, kCloudTierNames,
+                 {"How exactly clouds are drawn: sets the rows of the march.", core::TakesEffect::variant});
+  visitor.group("march", s.march, "How exactly clouds are drawn, row by row.");
 }
 
 double shapePeriod(const CloudSettings& settings) { return kShapePeriodAtOne / settings.scale; }
 double detailPeriod(const CloudSettings& settings) { return kDetailPeriodAtOne / settings.higherScale; }
 double weatherPeriod(const CloudSettings& settings) {
-  return std::max(kWeatherPeriodAtOne / settings.weatherScale, 2 * settings.fadeDistance);
+  const double least = std::max(kWeatherPeriodAtOne / settings.weatherScale, 2 * settings.fadeDistance);
+  const double shape = shapePeriod(settings);
+  return std::ceil(least / shape) * shape;
 }
 
 }  // namespace skydrop::clouds

@@ -1,10 +1,37 @@
 // The knobs of a cloud layer: the thesis's seven weather parameters in SI units, and what an artist needs
-// besides.
+// besides; and how exactly the layer is drawn.
 #pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
 
 #include "skydrop/core/settings.h"
 
 namespace skydrop::clouds {
+
+// From no clouds at all to what the others are judged by. What a tier says stands in
+// assets/clouds/<name>.json: rows of MarchSettings.
+enum class CloudTier { off, low, medium, high, ultra, reference };
+inline constexpr std::array<std::string_view, 6> kCloudTierNames = {"off",  "low",   "medium",
+                                                                    "high", "ultra", "reference"};
+
+enum class MarchResolution { full, half, quarter };
+inline constexpr std::array<std::string_view, 3> kMarchResolutionNames = {"full", "half", "quarter"};
+
+// How a layer is marched through: all that trades accuracy for time. Defaults are those of the tier high.
+struct MarchSettings {
+  MarchResolution resolution = MarchResolution::full;
+  double stepM = 16;          // length of a step where air is clear
+  double stepGrowth = 0.006;  // a step is at least this share of its distance
+  double stepDepth = 0.35;    // most optical depth of a step; more is halved
+  double leastTransmittance = 0.01;
+  std::int64_t sunSamples = 2;  // of density on the way to the sun
+  double sunReachM = 120;       // length of that way, with the light grid; without: all of it
+  bool lightGrid = true;        // the rest of the way is looked up
+  double lightCellM = 80;       // of the grid near the eye
+  bool detail = true;           // detail wears the edges; off: its mean does
+};
 
 struct CloudSettings {
   double densityThreshold = 0.534;
@@ -19,16 +46,22 @@ struct CloudSettings {
   double coverage = 0.5;
   double typeShift = 0;
   double erosion = 0.35;
+  double forwardShare = 0.15;
   double fadeDistance = 24000;
 
   double windSpeed = 8;
   double windDirection = 250;
+
+  CloudTier tier = CloudTier::high;
+  MarchSettings march;
 };
 
+void describe(core::SettingsVisitor& visitor, MarchSettings& settings);
 void describe(core::SettingsVisitor& visitor, CloudSettings& settings);
 
 // Sides of the periods with which the noise textures repeat, metres. The weather map's is at least twice the
-// distance at which clouds have faded out.
+// distance at which clouds have faded out, and a whole number of the shape's: the field before erosion
+// repeats with it.
 double shapePeriod(const CloudSettings& settings);
 double detailPeriod(const CloudSettings& settings);
 double weatherPeriod(const CloudSettings& settings);

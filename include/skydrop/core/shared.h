@@ -41,6 +41,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/marker.glsl"
 #include "shared/cloud_noise.glsl"
 #include "shared/cloud_medium.glsl"
+#include "shared/cloud_light.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -70,6 +71,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/marker.glsl"
 #include "shared/cloud_noise.glsl"
 #include "shared/cloud_medium.glsl"
+#include "shared/cloud_light.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

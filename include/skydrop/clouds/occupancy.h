@@ -1,0 +1,44 @@
+// Where a cloud layer can hold cloud at all: a coarse, conservative picture of the whole field, which repeats
+// with the weather map. Rays leap over what is empty; where nothing is occupied nothing is drawn. Immutable;
+// any thread.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "skydrop/clouds/cloud_field.h"
+
+namespace skydrop::clouds {
+
+class Occupancy {
+ public:
+  static constexpr int kSide = 256;     // cells of a weather period, east and south
+  static constexpr int kRows = 16;      // from the base of the layer to its top
+  static constexpr int kFarthest = 15;  // distances are counted up to this
+
+  // About 20 ms.
+  Occupancy(const FoldedNoise& noise, const CloudSettings& settings);
+
+  bool isEmpty() const { return occupied_ == 0; }
+  double occupiedShare() const { return static_cast<double>(occupied_) / (kSide * kSide * kRows); }
+
+  // How many cells, along the axis that needs most, lie between a cell and the nearest occupied one: 0 is
+  // occupied itself; with d all cells nearer than d in every axis are empty. East and south wrap around;
+  // there is nothing below the lowest row and above the highest. Order: x fastest, then row, then z.
+  std::span<const std::uint8_t> distances() const { return distances_; }
+  // The cell's column wraps; its row has to be in [0, kRows).
+  int distance(const glm::ivec3& cell) const;  // x, row, z
+
+  // The cell of a place in the field (drift taken off), the row unclamped: outside [0, kRows) there is no
+  // cloud.
+  glm::ivec3 cellOf(const glm::dvec3& place) const;
+
+ private:
+  CloudSettings settings_;
+  std::vector<std::uint8_t> distances_;
+  std::int64_t occupied_ = 0;
+};
+
+}  // namespace skydrop::clouds

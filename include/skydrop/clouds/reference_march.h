@@ -1,0 +1,52 @@
+// The march through a cloud layer in double precision, on the processor: what the compute shader is judged
+// by. No grid, no skipping, no tiers: steps of one length, midpoint samples, the analytic integral over each
+// step, all of the way to the sun sampled anew at every step. Any thread.
+#pragma once
+
+#include <functional>
+#include <glm/vec3.hpp>
+
+#include "skydrop/clouds/cloud_field.h"
+
+namespace skydrop::clouds {
+
+// A ray from the eye: metres, unit direction, [beginM, endM] of it.
+struct MarchRay {
+  glm::dvec3 origin{0};
+  glm::dvec3 direction{0, 0, -1};
+  double beginM = 0;
+  double endM = 1e30;  // where the scene's surface is
+};
+
+struct MarchLight {
+  glm::dvec3 toSun{0, 1, 0};  // unit; a sine of elevation below kLeastSunSine is raised to it
+  double anisotropy = 0;      // g, [-0.95, 0.95]
+  double forwardShare = 0;    // [0, 1]
+};
+
+struct MarchSteps {
+  int steps = 2048;
+  int sunSamples = 128;
+};
+
+// Light that a ray brings, per illuminance of each source (1/sr), and what is left of the light behind it.
+struct MarchResult {
+  double sun = 0, sky = 0, ground = 0;
+  double transmittance = 1;
+  double distanceM = 1e30;  // mean of where the light comes from; the far marker where there is no cloud
+};
+
+// A medium: extinction (1/m, >= 0) at a place, between two heights, out to a distance from the eye.
+struct MarchMedium {
+  std::function<double(const glm::dvec3&)> extinction;
+  double baseM = 0, topM = 0;
+  double fadeDistanceM = 1e30;
+};
+MarchMedium mediumOf(const CloudField& field);  // the field has to outlive it
+
+MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, const MarchRay& ray,
+                           const MarchSteps& steps = {});
+// Optical depth from a place to the top of the layer, towards the sun.
+double sunDepth(const MarchMedium& medium, const glm::dvec3& toSun, const glm::dvec3& place, int samples);
+
+}  // namespace skydrop::clouds

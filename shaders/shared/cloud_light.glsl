@@ -1,0 +1,105 @@
+// How light goes through a cloud layer: spans of rays, the integral over a step, scattering. After guards.glsl,
+// atmosphere.glsl (phase function) and cloud_medium.glsl. Lengths in metres, extinction in 1/m.
+
+// A stretch of a ray, in lengths along its direction; empty where end <= begin.
+struct RaySpan {
+  Real begin;
+  Real end;
+};
+
+FN RaySpan make_raySpan(Real begin, Real end) {
+  RaySpan span;
+  span.begin = begin;
+  span.end = end;
+  return span;
+}
+
+// The stretch ahead of the start (t >= 0) where one coordinate lies in [low, high]. A ray that runs along the planes is
+// inside for all its length or not at all; on a plane counts as inside. low > high: empty.
+FN RaySpan raySpanBetween(Real at, Real direction, Real low, Real high) {
+  if (low > high) return make_raySpan(Real(0.0), Real(0.0));
+  if (abs(direction) < Real(1e-12)) {
+    return make_raySpan(Real(0.0), at >= low && at <= high ? Real(1e30) : Real(0.0));
+  }
+  Real toLow = (low - at) / direction;
+  Real toHigh = (high - at) / direction;
+  Real first = toLow < toHigh ? toLow : toHigh;
+  Real last = toLow < toHigh ? toHigh : toLow;
+  return make_raySpan(max(first, Real(0.0)), max(last, Real(0.0)));
+}
+
+FN RaySpan overlap(RaySpan a, RaySpan b) {
+  return make_raySpan(a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end);
+}
+
+FN RaySpan raySpanOfBox(Vec3 origin, Vec3 direction, Vec3 low, Vec3 high) {
+  RaySpan span = raySpanBetween(origin.x, direction.x, low.x, high.x);
+  span = overlap(span, raySpanBetween(origin.y, direction.y, low.y, high.y));
+  return overlap(span, raySpanBetween(origin.z, direction.z, low.z, high.z));
+}
+
+// What a step of this optical depth takes from the light behind it, in [0, 1]: 1 - exp(-depth) without cancellation
+// (relative error below 5e-6 for depths of 1e-9 and more; 1 for infinite depth; 0 for a depth that is not positive).
+FN Real stepOpacity(Real depth) {
+  if (!(depth > Real(0.0))) return Real(0.0);
+  return depth < Real(0.5) ? depth * oneMinusExpOverX(depth) : Real(1.0) - exp(-depth);
+}
+
+// Scattering many times, as a sum of octaves of single scattering: each has less light, meets less extinction and
+// scatters more evenly (Wrenninge, "Art-directable multiple volumetric scattering", 2015).
+CONST Real kOctaveLight = Real(0.55);
+CONST Real kOctaveDepth = Real(0.35);
+CONST Real kOctaveAnisotropy = Real(0.6);
+
+// g of the forward lobe: the silver edge of a cloud against the sun.
+CONST Real kForwardAnisotropy = Real(0.85);
+
+// Phase function times light of the four octaves, for the cosine between view ray and sun ray; the same all along a
+// ray. forwardShare of the light, [0, 1], goes into the forward lobe, the rest into one of mean cosine g.
+FN Vec4 cloudPhases(Real cosAngle, Real g, Real forwardShare) {
+  Real share = saturate(forwardShare);
+  Vec4 phases = Vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
+  Real light = Real(1.0);
+  Real narrow = Real(1.0);
+  for (int octave = 0; octave < 4; ++octave) {
+    Real wide = henyeyGreenstein(cosAngle, g * narrow);
+    phases[octave] = light * mix(wide, henyeyGreenstein(cosAngle, kForwardAnisotropy * narrow), share);
+    light *= kOctaveLight;
+    narrow *= kOctaveAnisotropy;
+  }
+  return phases;
+}
+
+// Light that reaches a place through an optical depth towards the sun and turns into the view ray there, per
+// illuminance of the sun: 1/sr.
+FN Real scatteredSun(Vec4 phases, Real sunDepth) {
+  Real depth = max(sunDepth, Real(0.0));
+  return phases.x * exp(-depth) + phases.y * exp(-kOctaveDepth * depth) +
+         phases.z * exp(-kOctaveDepth * kOctaveDepth * depth) +
+         phases.w * exp(-kOctaveDepth * kOctaveDepth * kOctaveDepth * depth);
+}
+
+// Light of sky and ground at a height fraction, scattered evenly, per illuminance of a level surface that faces them
+// (half of all directions each): less of the sky deeper in the layer, less of the ground higher up.
+FN Real scatteredSky(Real heightFraction) {
+  return (Real(0.25) + Real(0.75) * saturate(heightFraction)) / (Real(2.0) * kPi);
+}
+
+FN Real scatteredGround(Real heightFraction) { return (Real(1.0) - saturate(heightFraction)) / (Real(2.0) * kPi); }
+
+// The way towards the sun is cut into n parts that grow with the distance: part i, 0 .. n - 1, begins here and ends
+// where the next begins.
+FN Real sunPartBegin(Real i, Real n, Real wayM) {
+  Real share = i / n;
+  return wayM * share * share;
+}
+
+// The least sine of the sun's elevation that light in clouds is worked out for (2 degrees): below, the way through a
+// layer of the flat earth would grow without bound.
+CONST Real kLeastSunSine = Real(0.035);
+
+// What is left of a cloud's density at a distance from the eye: all up to 0.6 of the distance where clouds have faded.
+FN Real cloudFade(Real distanceM, Real fadeDistanceM) {
+  Real t = saturate((fadeDistanceM - distanceM) / (Real(0.4) * fadeDistanceM));
+  return t * t * (Real(3.0) - Real(2.0) * t);
+}
