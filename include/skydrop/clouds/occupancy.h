@@ -18,7 +18,8 @@ class Occupancy {
   static constexpr int kRows = 16;      // from the base of the layer to its top
   static constexpr int kFarthest = 15;  // distances are counted up to this
 
-  // About 20 ms.
+  // 10 ms for the default settings, 14 ms at most; conservative for lookups in 32 bits and for filters that
+  // know 1/256 of a texel.
   Occupancy(const FoldedNoise& noise, const CloudSettings& settings);
 
   bool isEmpty() const { return occupied_ == 0; }

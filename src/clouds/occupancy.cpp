@@ -1,0 +1,306 @@
+#include "skydrop/clouds/occupancy.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+
+#include "skydrop/core/shared.h"
+
+namespace skydrop::clouds {
+namespace {
+
+namespace f32 = core::shared::f32;
+
+constexpr int kSide = Occupancy::kSide, kRows = Occupancy::kRows;
+
+// Added to all that a cell holds, in full scale of the textures: what a lookup in 32 bits, or by a filter
+// that knows 1/256 of a texel only, may fetch from beyond the cell's border.
+constexpr float kSlack = 1.0f / 256;
+
+// The texels that filtering may touch in one cell, along one axis: two stretches of a common length, a power
+// of two, that cover them.
+struct Window {
+  std::size_t first, second;
+};
+
+struct Windows {
+  std::size_t side;    // texels until they repeat, a power of two
+  std::size_t length;  // of a stretch
+  std::vector<Window> cells;
+};
+
+// `count` cells of so many texels each, the first beginning at a texel coordinate (texels are centred on
+// whole numbers).
+Windows windowsOf(int side, int count, double begin, double texelsPerCell) {
+  Windows windows{static_cast<std::size_t>(side), 1, {}};
+  const std::int64_t wrap = side - 1;
+  const auto texelsOf = [&](int cell) {
+    const double from = std::floor(begin + cell * texelsPerCell),
+                 to = std::ceil(begin + (cell + 1) * texelsPerCell);
+    return std::array{static_cast<std::int64_t>(from), static_cast<std::int64_t>(to)};
+  };
+  // Lengths of the cells of one axis differ by one at most, so the longest power of two that fits the
+  // shortest covers half of the longest.
+  std::int64_t shortest = side;
+  for (int cell = 0; cell < count; ++cell) {
+    const auto [from, to] = texelsOf(cell);
+    shortest = std::min(shortest, to - from + 1);
+  }
+  windows.length = std::bit_floor(static_cast<std::size_t>(shortest));
+  for (int cell = 0; cell < count; ++cell) {
+    const auto [from, to] = texelsOf(cell);
+    const std::int64_t second = to + 1 - static_cast<std::int64_t>(windows.length);
+    windows.cells.push_back({static_cast<std::size_t>(from & wrap), static_cast<std::size_t>(second & wrap)});
+  }
+  return windows;
+}
+
+// into[i] = max(a[i], b[i]); may be one of them.
+void maxima(const float* a, const float* b, float* into, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) into[i] = a[i] < b[i] ? b[i] : a[i];
+}
+
+// Maximum over each window, along lines that stand one after the other in memory: `side` texels become as
+// many as there are cells.
+void maximaAlong(const Windows& windows, const float* lines, std::size_t count, float* into) {
+  const std::size_t side = windows.side;
+  std::vector<float> line(2 * side);
+  for (std::size_t k = 0; k < count; ++k, lines += side) {
+    std::copy_n(lines, side, line.begin());
+    std::copy_n(lines, side, line.begin() + static_cast<std::ptrdiff_t>(side));
+    for (std::size_t reach = 1; reach < windows.length; reach *= 2) {
+      maxima(line.data(), line.data() + reach, line.data(), 2 * side - reach);
+    }
+    for (const Window& window : windows.cells) *into++ = std::max(line[window.first], line[window.second]);
+  }
+}
+
+// Maximum over each window, across `side` lines of a length: they become as many lines as there are cells.
+void maximaAcross(const Windows& windows, const float* lines, std::size_t length, float* into) {
+  const std::size_t side = windows.side;
+  std::vector<float> reached(lines, lines + side * length), next(windows.length > 1 ? side * length : 0);
+  for (std::size_t reach = 1; reach < windows.length; reach *= 2) {
+    for (std::size_t k = 0; k < side; ++k) {
+      maxima(&reached[k * length], &reached[((k + reach) & (side - 1)) * length], &next[k * length], length);
+    }
+    reached.swap(next);
+  }
+  for (const Window& window : windows.cells) {
+    maxima(&reached[window.first * length], &reached[window.second * length], into, length);
+    into += length;
+  }
+}
+
+// Largest base density of each cell, at (z * kRows + row) * kSide + x.
+std::vector<float> largestBase(const FoldedNoise& noise, const CloudSettings& settings) {
+  const int side = noise.shapeSide;
+  const auto n = static_cast<std::size_t>(side);
+  const double period = shapePeriod(settings), texelsPerMetre = side / period;
+  // The weather map repeats after a whole number of shapes.
+  const double texelsPerCell = std::round(weatherPeriod(settings) / period) * side / kSide;
+  const Windows level = windowsOf(side, kSide, -0.5, texelsPerCell);
+  const Windows rows = windowsOf(side, kRows, settings.cloudHeight * texelsPerMetre - 0.5,
+                                 settings.thickness / kRows * texelsPerMetre);
+  std::vector<float> layer(kRows * n), layers(n * kRows * kSide), cells(std::size_t{kSide} * kRows * kSide);
+  for (std::size_t z = 0; z < n; ++z) {
+    maximaAcross(rows, &noise.base[z * n * n], n, layer.data());
+    maximaAlong(level, layer.data(), kRows, &layers[z * kRows * kSide]);
+  }
+  maximaAcross(level, layers.data(), std::size_t{kRows} * kSide, cells.data());
+  return cells;
+}
+
+// Largest value of a quantity of the weather map in each column of cells, at z * kSide + x.
+template <class Quantity>
+std::vector<float> largestWeather(const FoldedNoise& noise, Quantity quantity) {
+  const auto n = static_cast<std::size_t>(noise.weatherSide);
+  const Windows windows =
+      windowsOf(noise.weatherSide, kSide, -0.5, static_cast<double>(noise.weatherSide) / kSide);
+  std::vector<float> texels(n * n), lines(n * kSide), columns(std::size_t{kSide} * kSide);
+  std::transform(noise.weather.begin(), noise.weather.end(), texels.begin(), quantity);
+  maximaAlong(windows, texels.data(), n, lines.data());
+  maximaAcross(windows, lines.data(), kSide, columns.data());
+  return columns;
+}
+
+// Largest profile over the heights of each row, by type. At one height the profile is linear in the type
+// below stratocumulus and above it, so its maximum over a row is convex there: chords between tabulated types
+// lie above it, and over a range of types it is greatest at an end of the range or at stratocumulus.
+class ProfileTable {
+ public:
+  using Rows = std::array<float, kRows>;
+
+  ProfileTable() {
+    constexpr int kHeights = 32;      // a row
+    constexpr float kSteepest = 10;   // of any profile, per height fraction
+    constexpr float kBeyond = 1e-3f;  // rounding of the height
+    constexpr float kBetween = kSteepest * (0.5f / (kRows * kHeights) + kBeyond);
+    for (int type = 0; type <= kTypes; ++type) {
+      for (int row = 0; row < kRows; ++row) {
+        float most = 0;
+        for (int k = 0; k <= kHeights; ++k) {
+          const float height = static_cast<float>(row * kHeights + k) / (kRows * kHeights);
+          most = std::max(most, f32::cloudProfile(height, static_cast<float>(type) / kTypes));
+        }
+        table_[static_cast<std::size_t>(type)][static_cast<std::size_t>(row)] = most + kBetween;
+      }
+    }
+  }
+
+  Rows largest(float lowestType, float highestType) const {
+    Rows most;
+    most.fill(0);
+    raise(most, lowestType);
+    raise(most, highestType);
+    if (lowestType < 0.5f && highestType > 0.5f) raise(most, 0.5f);
+    return most;
+  }
+
+ private:
+  static constexpr int kTypes = 32;  // even: stratocumulus is one of them
+
+  void raise(Rows& most, float type) const {
+    const float at = f32::saturate(type) * kTypes;
+    const int below = std::min(static_cast<int>(at), kTypes - 1);
+    const float share = at - static_cast<float>(below);
+    const Rows& a = table_[static_cast<std::size_t>(below)];
+    const Rows& b = table_[static_cast<std::size_t>(below) + 1];
+    for (std::size_t row = 0; row < most.size(); ++row) {
+      most[row] = std::max(most[row], a[row] + (b[row] - a[row]) * share);
+    }
+  }
+
+  std::array<Rows, kTypes + 1> table_;
+};
+
+// The cells of a row from west to east, a bit each.
+using BitRow = std::array<std::uint64_t, kSide / 64>;
+
+BitRow either(const BitRow& a, const BitRow& b) {
+  BitRow both;
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] = a[i] | b[i];
+  return both;
+}
+
+// With both neighbours, around the end.
+BitRow widened(const BitRow& row) {
+  BitRow wide;
+  constexpr std::size_t kLast = kSide / 64 - 1;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    wide[i] =
+        row[i] | row[i] << 1 | row[i] >> 1 | row[(i + kLast) & kLast] >> 63 | row[(i + 1) & kLast] << 63;
+  }
+  return wide;
+}
+
+// Row r of the slice z is at z * kRows + r.
+using BitVolume = std::vector<BitRow>;
+
+std::size_t rowAt(int z, int row) {
+  return static_cast<std::size_t>(z & (kSide - 1)) * kRows + static_cast<std::size_t>(row);
+}
+
+// Every cell that has an occupied one next to it, corners included.
+BitVolume dilated(const BitVolume& volume) {
+  BitVolume slices(volume.size()), all(volume.size());
+  for (int z = 0; z < kSide; ++z) {
+    for (int row = 0; row < kRows; ++row) {
+      BitRow grown = volume[rowAt(z, row)];
+      if (row > 0) grown = either(grown, volume[rowAt(z, row - 1)]);
+      if (row < kRows - 1) grown = either(grown, volume[rowAt(z, row + 1)]);
+      slices[rowAt(z, row)] = widened(grown);
+    }
+  }
+  for (int z = 0; z < kSide; ++z) {
+    for (int row = 0; row < kRows; ++row) {
+      const BitRow sides = either(slices[rowAt(z - 1, row)], slices[rowAt(z + 1, row)]);
+      all[rowAt(z, row)] = either(slices[rowAt(z, row)], sides);
+    }
+  }
+  return all;
+}
+
+// Counts up the distances of all cells whose bit is not set.
+void countMissing(const BitVolume& volume, std::vector<std::uint8_t>& distances) {
+  // Eight bits as eight bytes, 1 for a bit that is 0.
+  static const auto kMissing = [] {
+    std::array<std::array<std::uint8_t, 8>, 256> table{};
+    for (std::size_t bits = 0; bits < 256; ++bits) {
+      for (std::size_t k = 0; k < 8; ++k) table[bits][k] = (bits >> k & 1) == 0;
+    }
+    return table;
+  }();
+  std::uint8_t* at = distances.data();
+  for (const BitRow& row : volume) {
+    for (const std::uint64_t word : row) {
+      for (int shift = 0; shift < 64; shift += 8, at += 8) {
+        // No byte overflows, so eight are added at once.
+        std::uint64_t sum, missing;
+        std::memcpy(&sum, at, 8);
+        std::memcpy(&missing, kMissing[word >> shift & 255].data(), 8);
+        sum += missing;
+        std::memcpy(at, &sum, 8);
+      }
+    }
+  }
+}
+
+BitVolume occupiedCells(const FoldedNoise& noise, const CloudSettings& settings) {
+  BitVolume occupied(std::size_t{kSide} * kRows, BitRow{});
+  if (!(settings.coverage > 0 && settings.thickness > 0)) return occupied;
+  const std::vector<float> base = largestBase(noise, settings);
+  const std::vector<float> coverage = largestWeather(noise, [](const glm::vec3& w) { return w.x; });
+  const std::vector<float> highestType = largestWeather(noise, [](const glm::vec3& w) { return w.z; });
+  const std::vector<float> lowestType = largestWeather(noise, [](const glm::vec3& w) { return -w.z; });
+  static const ProfileTable kProfiles;
+  const auto threshold = static_cast<float>(settings.densityThreshold),
+             coverageScale = static_cast<float>(2 * settings.coverage),
+             typeShift = static_cast<float>(settings.typeShift);
+  for (std::size_t column = 0; column < coverage.size(); ++column) {
+    const std::size_t x = column % kSide, z = column / kSide;
+    const float covered = f32::saturate((coverage[column] + kSlack) * coverageScale);
+    const ProfileTable::Rows profile =
+        kProfiles.largest(typeShift - lowestType[column] - kSlack, typeShift + highestType[column] + kSlack);
+    for (std::size_t row = 0; row < kRows; ++row) {
+      const float above = base[(z * kRows + row) * kSide + x] + kSlack - threshold;
+      // As cloudShapeDensity() has it.
+      const bool isOccupied = above > 0 && above * profile[row] > (1 - covered) * (1 - threshold);
+      occupied[z * kRows + row][x / 64] |= std::uint64_t{isOccupied} << (x % 64);
+    }
+  }
+  return occupied;
+}
+
+}  // namespace
+
+Occupancy::Occupancy(const FoldedNoise& noise, const CloudSettings& settings)
+    : settings_(settings), distances_(std::size_t{kSide} * kRows * kSide, 0) {
+  BitVolume reached = occupiedCells(noise, settings);
+  for (const BitRow& row : reached) {
+    for (const std::uint64_t word : row) occupied_ += std::popcount(word);
+  }
+  for (int distance = 0; distance < kFarthest; ++distance) {
+    countMissing(reached, distances_);
+    if (distance + 1 < kFarthest) reached = dilated(reached);
+  }
+}
+
+int Occupancy::distance(const glm::ivec3& cell) const {
+  assert(cell.y >= 0 && cell.y < kRows);
+  return distances_[rowAt(cell.z, cell.y) * kSide + static_cast<std::size_t>(cell.x & (kSide - 1))];
+}
+
+glm::ivec3 Occupancy::cellOf(const glm::dvec3& place) const {
+  const auto along = [&](double metres) {
+    const double periods = metres / weatherPeriod(settings_);
+    return static_cast<int>((periods - std::floor(periods)) * kSide);
+  };
+  constexpr double kFarRow = 1e9;  // any place has a row that an int holds
+  const double row = std::floor((place.y - settings_.cloudHeight) / settings_.thickness * kRows);
+  return {along(place.x), static_cast<int>(std::clamp(row, -kFarRow, kFarRow)), along(place.z)};
+}
+
+}  // namespace skydrop::clouds
