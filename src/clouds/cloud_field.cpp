@@ -34,16 +34,18 @@ glm::vec4 texelOf(const core::TextureData& texture, std::size_t index) {
   return {channel(0), channel(1), channel(2), channel(3)};
 }
 
-// The density's functions in one precision.
+// The medium's functions in one precision.
 struct InFloat {
   using Real = float;
   using Vec2 = f32::Vec2;
   using Vec3 = f32::Vec3;
   using Vec4 = f32::Vec4;
-  static Real density(const CloudSettings& s, Real height, Vec4 weather, Real base, Real detail) {
-    const f32::CloudMedium medium{static_cast<Real>(s.densityThreshold), static_cast<Real>(s.coverage),
-                                  static_cast<Real>(s.typeShift), static_cast<Real>(s.erosion)};
-    return f32::cloudDensity(medium, height, weather, base, detail);
+  using Medium = f32::CloudMedium;
+  static Real shapeDensity(const Medium& medium, Real height, Vec4 weather, Real base) {
+    return f32::cloudShapeDensity(medium, height, weather, base);
+  }
+  static Real eroded(const Medium& medium, Real height, Real density, Real detail) {
+    return f32::erodedDensity(medium, height, density, detail);
   }
 };
 
@@ -52,9 +54,12 @@ struct InDouble {
   using Vec2 = f64::Vec2;
   using Vec3 = f64::Vec3;
   using Vec4 = f64::Vec4;
-  static Real density(const CloudSettings& s, Real height, Vec4 weather, Real base, Real detail) {
-    return f64::cloudDensity({s.densityThreshold, s.coverage, s.typeShift, s.erosion}, height, weather, base,
-                             detail);
+  using Medium = f64::CloudMedium;
+  static Real shapeDensity(const Medium& medium, Real height, Vec4 weather, Real base) {
+    return f64::cloudShapeDensity(medium, height, weather, base);
+  }
+  static Real eroded(const Medium& medium, Real height, Real density, Real detail) {
+    return f64::erodedDensity(medium, height, density, detail);
   }
 };
 
@@ -149,12 +154,17 @@ typename Shared::Real CloudField::densityAs(const glm::dvec3& position) const {
   const auto placeIn = [&](double period) {
     return Vec3(inPeriods(carried.x, period), inPeriods(carried.y, period), inPeriods(carried.z, period));
   };
+  const typename Shared::Medium medium{
+      static_cast<Real>(settings_.densityThreshold), static_cast<Real>(settings_.coverage),
+      static_cast<Real>(settings_.typeShift), static_cast<Real>(settings_.erosion)};
   const Vec3 inMap = placeIn(weatherPeriod(settings_));
-  return Shared::density(
-      settings_, static_cast<Real>(height),
-      mapAt<Shared>(noise_->weather, noise_->weatherSide, Vec2(inMap.x, inMap.z)),
-      volumeAt<Real>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(settings_))),
-      volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(settings_))));
+  const Real shape =
+      Shared::shapeDensity(medium, static_cast<Real>(height),
+                           mapAt<Shared>(noise_->weather, noise_->weatherSide, Vec2(inMap.x, inMap.z)),
+                           volumeAt<Real>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(settings_))));
+  if (!(shape > 0)) return 0;  // most places: the detail is not even fetched
+  return Shared::eroded(medium, static_cast<Real>(height), shape,
+                        volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(settings_))));
 }
 
 double CloudField::density(const glm::dvec3& position) const { return densityAs<InDouble>(position); }
