@@ -1,2 +1,2 @@
-// The land's depth is all that is drawn of its mesh; terrain/shade.frag gives it light.
+// The land's depth is all that is drawn of its mesh; terrain/land.frag gives it light.
 void main() {}

@@ -1,7 +1,6 @@
 #include "frame.glsl"
 #include "shared/lattice_noise.glsl"
 #include "shared/land_material.glsl"
-#include "shadow/cast_shadows.glsl"
 #include "terrain/surface.glsl"
 #include "terrain/noise.glsl"
 #include "terrain/land.glsl"
@@ -10,8 +9,9 @@ in vec2 ndc;
 out vec4 color;
 
 void main() {
-  float viewZ = landViewZ(ivec2(gl_FragCoord.xy));
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  float viewZ = landViewZ(pixel);
   if (viewZ >= kFarMarker) discard;
-  color = vec4(landAsSeen((frame.ndcToRay * vec4(ndc, 1.0, 0.0)).xyz * viewZ), 1.0);
+  color = vec4(landAsSeen((frame.ndcToRay * vec4(ndc, 1.0, 0.0)).xyz * viewZ, pixel), 1.0);
   gl_FragDepth = depthOfViewZ(viewZ, frame.eye.y);
 }

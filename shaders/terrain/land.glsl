@@ -1,8 +1,8 @@
-// Normals and colours of the land at any place. After terrain/noise.glsl, shared/land_material.glsl and
-// shadow/cast_shadows.glsl.
+// Normals and colours of the land at any place. After terrain/noise.glsl and shared/land_material.glsl.
 
 layout(binding = 1) uniform sampler2DArray chunkNormals;
 layout(binding = 2) uniform usampler2D chunkTable;  // slots by level and place: 32 x 32 cells a level; 0xffff: none
+layout(binding = 4) uniform sampler2D sunShares;    // what shadows leave of the sun at each pixel
 
 uniform float chunkSplit[7];  // from this distance on the samples of a level are fine enough
 
@@ -107,12 +107,13 @@ vec3 litLand(LandSurface land, vec3 normal, float sunShare) {
   return land.albedo / kPi * light;
 }
 
-// Light from the land (or the sea's floor) at a place `relative` to the eye, without what lies between.
+// Light from the land (or the sea's floor) at a place `relative` to the eye, without what lies between;
+// `sunShare` of the sun is not in shadow.
 #ifdef RICH_LAND
 const float kClodMetres = 8.0;
 const float kGrainMetres = 1.333;
 
-vec3 landLight(vec3 relative) {
+vec3 landLight(vec3 relative, float sunShare) {
   LandSight sight = landSight(relative);
   LandNoise noise = coarseNoise(sight);
   vec4 clod = spaceNoiseAt(sight.place, sight.heightM, 120) * resolved(kClodMetres, sight.footprint);
@@ -134,17 +135,18 @@ vec3 landLight(vec3 relative) {
                vec3(0.0, strata.y * 3.0 * smoothstep(0.85, 0.6, normal.y), 0.0);
   slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * sight.treeShare), land.wooded);
   vec3 bumped = normalize(normal - (slope - normal * dot(slope, normal)));
-  return litLand(land, bumped, castShadowShare(relative));
+  return litLand(land, bumped, sunShare);
 }
 #else
-vec3 landLight(vec3 relative) {
+vec3 landLight(vec3 relative, float sunShare) {
   LandSight sight = landSight(relative);
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
   LandSurface land = landSurface(sight.heightM, sight.normal.y, 0.0, coarseNoise(sight), 0.0, noCrowns, 0.0);
-  return litLand(land, sight.normal, castShadowShare(relative));
+  return litLand(land, sight.normal, sunShare);
 }
 #endif
 
-vec3 landAsSeen(vec3 relative) {
-  return mix(horizonRadiance(normalize(relative)), throughHaze(landLight(relative), relative), leftOfLight(relative));
+vec3 landAsSeen(vec3 relative, ivec2 pixel) {
+  vec3 light = landLight(relative, texelFetch(sunShares, pixel, 0).r);
+  return mix(horizonRadiance(normalize(relative)), throughHaze(light, relative), leftOfLight(relative));
 }

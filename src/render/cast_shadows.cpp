@@ -1,7 +1,6 @@
 #include "skydrop/render/cast_shadows.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -97,30 +96,21 @@ void CastShadows::finish() {
   for (std::size_t i = 0; i < shadows_.size(); ++i) maps_[i].texture.generateMipmaps();
 }
 
-std::string CastShadows::define() const { return "CAST_SHADOWS " + std::to_string(shadows_.size()); }
-
-void CastShadows::bind(gl::Shader& shader) const {
-  std::array<glm::vec4, 3 * kMost> values{};
+void CastShadows::drawVolumes(gl::Shader& shader) const {
   for (std::size_t i = 0; i < shadows_.size(); ++i) {
     const CastShadow& shadow = shadows_[i];
-    values[3 * i] = toVec4(shadow.middle, 1 / shadow.mapHalfWidthM());
-    values[3 * i + 1] = toVec4(shadow.right, shadow.radiusM);
-    values[3 * i + 2] = toVec4(shadow.up, shadow.reachM);
-    maps_[i].texture.bind(kFirstUnit + static_cast<GLuint>(i));
+    const auto end = [&](double behindM) {
+      return toVec4(shadow.middle + shadow.down * behindM, shadow.halfWidthM(behindM));
+    };
+    shader.setVec4("casterMiddle", toVec4(shadow.middle, 1 / shadow.mapHalfWidthM()));
+    shader.setVec4("casterRight", toVec4(shadow.right, shadow.radiusM));
+    shader.setVec4("casterUp", toVec4(shadow.up, shadow.reachM));
+    shader.setVec4("volumeBegin", end(-shadow.radiusM));
+    shader.setVec4("volumeEnd", end(shadow.lengthM));
+    maps_[i].texture.bind(kMapUnit);
+    empty_.bind();
+    empty_.context().drawArrays(GL_TRIANGLE_STRIP, 0, kBoxStrip);
   }
-  shader.setVec4s("castShadows", std::span(values).first(3 * shadows_.size()));
-}
-
-void CastShadows::drawVolume(gl::Shader& shader, const CastShadow& shadow) const {
-  const auto end = [&](double behindM) {
-    return toVec4(shadow.middle + shadow.down * behindM, shadow.halfWidthM(behindM));
-  };
-  shader.setVec4("volumeBegin", end(-shadow.radiusM));
-  shader.setVec4("volumeEnd", end(shadow.lengthM));
-  shader.setVec3("volumeRight", glm::vec3(shadow.right));
-  shader.setVec3("volumeUp", glm::vec3(shadow.up));
-  empty_.bind();
-  empty_.context().drawArrays(GL_TRIANGLE_STRIP, 0, kBoxStrip);
 }
 
 }  // namespace skydrop::render

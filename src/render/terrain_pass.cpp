@@ -10,6 +10,7 @@ namespace skydrop::render {
 namespace {
 
 constexpr GLuint kHeightsUnit = 0, kNormalsUnit = 1, kTableUnit = 2, kDepthUnit = 3;  // as in shaders/terrain
+constexpr GLuint kSunShareUnit = 4;
 constexpr GLsizei kSeaVertices = 12;  // four triangles (shaders/terrain/sea.glsl)
 constexpr int kPatchSide = terrain::kPatchCells + 1;
 constexpr GLsizei kPatchIndices = 3 * terrain::kTrianglesPerPatch;
@@ -102,7 +103,6 @@ void TerrainPass::draw(FrameContext& context) {
   } else {
     drawDepth(context);
     drawLand(context.shaders.shader("fullscreen.vert", "terrain/land.frag", landDefines(context)), view);
-    if (!context.shadows.empty()) drawShadows(context);
     if (view.position.y > 0) drawSea(context);
   }
   if (context.settings.terrainNormals) {
@@ -133,12 +133,36 @@ void TerrainPass::drawPatches(gl::Shader& shader, const View& view, GLenum mode)
 
 void TerrainPass::drawDepth(FrameContext& context) {
   const View& view = context.frame.view;
-  if (!depth_)
-    depth_ = gl::FrameBuffer(context_, view.width, view.height, {0, GL_DEPTH_COMPONENT32F}, "land depth");
-  depth_.resize(view.width, view.height);
-  depth_.bind();
+  if (!surface_) {
+    surface_ =
+        gl::FrameBuffer(context_, view.width, view.height, {GL_R16F, GL_DEPTH_COMPONENT32F}, "land surface");
+    surface_.setClearColor(1, 1, 1, 1);
+  }
+  surface_.resize(view.width, view.height);
+  surface_.bind();
+  context_.api().ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), view, GL_TRIANGLES);
-  depth_.unBind();
+  context_.api().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (!context.shadows.empty()) drawShadows(context);
+  surface_.unBind();
+}
+
+// Before the land is lit, so that it is lit once, and only pixels that may be in shadow ask for shadows:
+// those where the inner faces of a shadow's volume lie behind the land. What the shadows leave is multiplied.
+void TerrainPass::drawShadows(FrameContext& context) {
+  const gl::Functions& api = context_.api();
+  gl::Shader& shader = context.shaders.shader("shadow/volume.vert", "terrain/sun_share.frag");
+  shader.use();
+  setSurface(shader, context.frame.view);
+  api.Enable(GL_CULL_FACE);
+  api.CullFace(GL_FRONT);
+  api.DepthFunc(GL_LEQUAL);
+  api.DepthMask(GL_FALSE);
+  api.Enable(GL_BLEND);
+  api.BlendFunc(GL_ZERO, GL_SRC_COLOR);
+  api.TextureBarrier();  // the depth is target and texture at once, to be read alone
+  context.shadows.drawVolumes(shader);
+  context_.setDefaultState();
 }
 
 void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
@@ -147,36 +171,19 @@ void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
   shader.setIvec2("baseChunk", {lowBits(base.x), lowBits(base.z)});
   shader.setFloat("farM", static_cast<float>(farDistanceM_));
   textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
-  if (depth_) depth_.depthTexture().bind(kDepthUnit);
+  if (surface_) surface_.depthTexture().bind(kDepthUnit);
 }
 
 void TerrainPass::setLand(gl::Shader& shader, const View& view) const {
   setSurface(shader, view);
   shader.setFloats("chunkSplit", inFloat(lod_.split));
+  if (surface_) surface_.colorTexture().bind(kSunShareUnit);
 }
 
 void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
   shader.use();
   setLand(shader, view);
   triangle_.draw();
-}
-
-// Over the land, so that only pixels that may be in shadow pay for it. The inner faces of a shadow's volume,
-// tested for lying behind the land: elsewhere the land is beyond the volume, or there is none.
-void TerrainPass::drawShadows(FrameContext& context) {
-  const gl::Functions& api = context_.api();
-  std::vector<std::string> defines = landDefines(context);
-  defines.push_back(context.shadows.define());
-  gl::Shader& shader = context.shaders.shader("shadow/volume.vert", "terrain/shadowed_land.frag", defines);
-  shader.use();
-  setLand(shader, context.frame.view);
-  context.shadows.bind(shader);
-  api.Enable(GL_CULL_FACE);
-  api.CullFace(GL_FRONT);
-  api.DepthFunc(GL_LEQUAL);
-  api.DepthMask(GL_FALSE);
-  for (const CastShadow& shadow : context.shadows.all()) context.shadows.drawVolume(shader, shadow);
-  context_.setDefaultState();
 }
 
 // Separate from the land, so that only pixels that show water pay for it: a software renderer runs both sides

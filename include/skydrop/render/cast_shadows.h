@@ -8,7 +8,6 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <string>
 #include <vector>
 
 #include "skydrop/render/gl/context.h"
@@ -51,21 +50,18 @@ class CastShadows {
  public:
   static constexpr std::size_t kMost = 4;     // in one frame
   static constexpr GLsizei kMapTexels = 256;  // a side: 5 cm on the aircraft
-  static constexpr GLuint kFirstUnit = 9;     // of the maps' textures, as in shaders/shadow/cast_shadows.glsl
+  static constexpr GLuint kMapUnit = 9;       // as in shaders/shadow/cast_shadows.glsl
 
   bool empty() const { return shadows_.empty(); }
-  const std::vector<CastShadow>& all() const { return shadows_; }
   void clear() { shadows_.clear(); }
   // Adds a shadow (at most kMost) and returns its map, to be drawn into: coverage, as a target without depth.
   gl::FrameBuffer& add(gl::Context& context, const CastShadow& shadow);
   // After the maps were drawn: makes their mip levels.
   void finish();
 
-  // What a program with this define needs: the textures and uniforms of all shadows.
-  std::string define() const;  // "CAST_SHADOWS n"
-  void bind(gl::Shader& shader) const;
-  // Draws the inner faces of the volume of one shadow with a program of shadow/volume.vert, which is in use.
-  void drawVolume(gl::Shader& shader, const CastShadow& shadow) const;
+  // Draws the volume of each shadow with a program of shadow/volume.vert and shadow/cast_shadows.glsl, which
+  // is in use. Each ray from the eye meets the inner faces of a volume once, its outer faces once or never.
+  void drawVolumes(gl::Shader& shader) const;
 
  private:
   struct Map {

@@ -1,6 +1,6 @@
-// Draws endless land and the sea: the mesh's depth alone first, then light for each pixel from that depth, so
-// that each pixel is shaded once, and its normal does not depend on how coarse the mesh is
-// (docs/terrain-streaming.md).
+// Draws endless land and the sea: the mesh's depth alone first, and shadows upon it; then light for each
+// pixel from these, so that each pixel is shaded once, and its normal does not depend on how coarse the mesh
+// is (docs/terrain-streaming.md).
 #pragma once
 
 #include <vector>
@@ -31,7 +31,7 @@ class TerrainPass final : public Pass {
   void draw(FrameContext& context) override;
 
   // Reversed depth of the land alone, without the sea, of the last frame drawn (not of a wireframe).
-  const gl::Texture& landDepth() const { return depth_.depthTexture(); }
+  const gl::Texture& landDepth() const { return surface_.depthTexture(); }
 
   // The mesh of the last frame taken, through a program whose vertex shader includes terrain/patch.glsl, and
   // one triangle over the target through a program that includes terrain/surface.glsl; into whatever is
@@ -56,7 +56,7 @@ class TerrainPass final : public Pass {
   ChunkTextures textures_;
   gl::Buffer indices_, instances_;
   gl::VertexArray patches_;
-  gl::FrameBuffer depth_;
+  gl::FrameBuffer surface_;  // depth of the land alone, and the share of the sun that shadows leave
   FullscreenTriangle triangle_;
   gl::VertexArray seaPlane_;  // without buffers
   GLsizei instanceCount_ = 0;

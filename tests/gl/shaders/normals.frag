@@ -4,7 +4,6 @@
 #include "shared/land_material.glsl"
 #include "terrain/surface.glsl"
 #include "terrain/noise.glsl"
-#include "shadow/cast_shadows.glsl"
 #include "terrain/land.glsl"
 
 in vec2 ndc;

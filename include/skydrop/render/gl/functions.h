@@ -119,6 +119,7 @@
   X(STENCILFUNC, StencilFunc)                                       \
   X(STENCILMASK, StencilMask)                                       \
   X(STENCILOP, StencilOp)                                           \
+  X(TEXTUREBARRIER, TextureBarrier)                                 \
   X(TEXTUREPARAMETERF, TextureParameterf)                           \
   X(TEXTUREPARAMETERFV, TextureParameterfv)                         \
   X(TEXTUREPARAMETERI, TextureParameteri)                           \
