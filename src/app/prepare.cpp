@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "app/cloud_tier.h"
 #include "app/preset_shelf.h"
 #include "app/quality_preset.h"
 #include "app/user_settings.h"
@@ -32,17 +33,27 @@ using Layer = std::function<void(const core::SettingsTable&)>;
 
 // All settings, layer upon layer; `player` applies the player's own. All or nothing: throws core::DataError.
 void compose(Run& run, const scene::Scene& scene, const Layer& player) {
-  // Which preset lies at the bottom is said by the layers above it.
-  Settings wish;
-  const core::SettingsTable wishTable(wish);
-  applyScene(wishTable, scene);
-  player(wishTable);
-  applyOverrides(wishTable, run.overrides);
-  const Quality quality = qualityFor(wish.quality, run.softwareRenderer);
+  // Which files lie at the bottom is said by the layers above them: first the quality, then, with its preset
+  // among these layers, the tier of the clouds.
+  const auto wishOver = [&](const Layer& bottom) {
+    Settings wish;
+    const core::SettingsTable wishTable(wish);
+    bottom(wishTable);
+    applyScene(wishTable, scene);
+    player(wishTable);
+    applyOverrides(wishTable, run.overrides);
+    return wish;
+  };
+  const Quality quality =
+      qualityFor(wishOver([](const core::SettingsTable&) {}).quality, run.softwareRenderer);
+  const QualityPreset preset = readQualityPreset(quality);
+  const Layer applyQuality = [&](const core::SettingsTable& table) { applyPreset(table, preset); };
+  const clouds::CloudTier tier = wishOver(applyQuality).clouds.tier;
 
   Settings base;
   const core::SettingsTable baseTable(base);
-  applyPreset(baseTable, readQualityPreset(quality));
+  applyCloudTier(baseTable, readCloudTier(cloudTierPath(tier)));
+  applyQuality(baseTable);
   applyScene(baseTable, scene);
   Settings own = base;
   player(core::SettingsTable(own));
@@ -89,6 +100,23 @@ std::vector<std::string> changedPaths(Settings before, const Run& run) {
   return changed;
 }
 
+bool holds(const std::vector<std::string>& paths, const std::string& path) {
+  return std::find(paths.begin(), paths.end(), path) != paths.end();
+}
+
+// The rows that a quality or a tier takes along when it is picked.
+std::vector<std::string> rowsThatFollow(const core::SettingsTable& table,
+                                        const std::vector<std::string>& picked) {
+  const bool quality = holds(picked, "quality");
+  std::vector<std::string> rows;
+  if (quality) rows = presetPaths();
+  if (!quality && !holds(picked, "clouds.tier")) return rows;
+  for (const core::Field& field : table.fields()) {
+    if (belongsToCloudTier(field.path)) rows.push_back(field.path);
+  }
+  return rows;
+}
+
 // What the menu says comes after what the command line said.
 void forgetOverrides(Run& run, const std::string& path) {
   std::erase_if(run.overrides, [&](const std::string& set) { return set.starts_with(path + "="); });
@@ -133,8 +161,10 @@ std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string
     run.playerTable.at(path).set(run.table.at(path).get());
     forgetOverrides(run, path);
   }
-  if (std::find(paths.begin(), paths.end(), "quality") == paths.end()) return paths;
-  for (const std::string& path : presetPaths()) {
+  const std::vector<std::string> following = rowsThatFollow(run.table, paths);
+  if (following.empty()) return paths;
+  for (const std::string& path : following) {
+    if (holds(paths, path)) continue;  // chosen too: a preset of the player's, a reset of everything
     run.playerTable.at(path).set(run.baseTable.at(path).get());
     forgetOverrides(run, path);
   }
@@ -142,7 +172,7 @@ std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string
   compose(run, run.setup.scene, ownChoices(run));
   std::vector<std::string> changed = changedPaths(before, run);
   for (const std::string& path : paths) {
-    if (std::find(changed.begin(), changed.end(), path) == changed.end()) changed.push_back(path);
+    if (!holds(changed, path)) changed.push_back(path);
   }
   return changed;
 }

@@ -21,7 +21,7 @@ struct Run {
 
   Settings settings;
   core::SettingsTable table;
-  Settings base;  // defaults, the quality's preset and the scene: what a reset goes back to
+  Settings base;  // defaults, tier, the quality's preset and the scene: what a reset goes back to
   core::SettingsTable baseTable;
   Settings player;  // base, the player's file and the menu, without --set: saved is what differs from base
   core::SettingsTable playerTable;
@@ -46,9 +46,9 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line);
 // on the machine. Throws core::DataError.
 void useSoftwareRenderer(Run& run);
 
-// Takes over what the menu changed in `table`; it comes after --set. A quality that was picked takes the rows
-// along that presets set, whatever the player had set them to. Returns the paths of all that changed. Throws
-// core::DataError.
+// Takes over what the menu changed in `table`; it comes after --set. A quality or a tier of the clouds that was
+// picked takes the rows along that its files set, whatever the player had set them to, but for rows that were
+// changed together with it. Returns the paths of all that changed. Throws core::DataError.
 std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string>& paths);
 
 // Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays.

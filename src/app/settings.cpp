@@ -38,6 +38,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("streaming", settings.streaming,
                 "How fine and how far the land is drawn, and what it may cost.");
   visitor.group("render", settings.render, "Sun, air, cameras and exposure.");
+  visitor.group("clouds", settings.clouds, "The cloud layer.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("view", settings.view, "How the game is looked at.");
   visitor.group("input", settings.input, "How the game is steered.");

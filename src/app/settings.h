@@ -1,5 +1,6 @@
-// Every setting of the program: the modules' structs, composed. Precedence, later wins: defaults, the
-// quality's preset, scene, the player's file (fly only, or where --user-dir is given), --set, menu.
+// Every setting of the program: the modules' structs, composed. Precedence, later wins: defaults, the tier of
+// the clouds, the quality's preset, scene, the player's file (fly only, or where --user-dir is given), --set,
+// menu.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 #include "app/command_line.h"
 #include "app/gamepad.h"
 #include "skydrop/audio/audio_settings.h"
+#include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/core/settings.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/flight/airplane_settings.h"
@@ -49,6 +51,7 @@ struct Settings {
   terrain::TerrainSettings terrain;
   terrain::TerrainStreamingSettings streaming;
   render::RenderSettings render;
+  clouds::CloudSettings clouds;
   audio::AudioSettings audio;
   ViewSettings view;
   InputSettings input;

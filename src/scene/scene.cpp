@@ -151,7 +151,9 @@ EffectSet requiredEffects(const Scene& scene) {
     effects.insert(Effect::aircraft);
     effects.insert(Effect::terrain);
   }
-  if (!effects.contains(Effect::terrain) && !effects.contains(Effect::aircraft)) effects.erase(Effect::haze);
+  const bool seesSomething = effects.contains(Effect::terrain) || effects.contains(Effect::clouds) ||
+                             effects.contains(Effect::aircraft);
+  if (!seesSomething) effects.erase(Effect::haze);
   return effects;
 }
 

@@ -51,7 +51,8 @@ struct ConfigurationMenu::Parts {
   // Of the last frame.
   std::map<std::string, MenuRowPlace> places;
   ItemPlaces items;
-  std::vector<const Field*> typedRows;  // numbers, in their order, for Tab
+  std::vector<const MenuSection*> homes;  // the section of each field of the table
+  std::vector<const Field*> typedRows;    // numbers, in their order, for Tab
   BindingsPlaces bindings;
   ScreenRect window;
   float titleHeight = 0;
@@ -61,7 +62,7 @@ struct ConfigurationMenu::Parts {
   void setText(const Field& field, std::string_view text, MenuResult& result);
   void setAll(const SettingsTable& table, std::span<const SettingValue> values,
               std::vector<std::string>& changed);
-  void resetGroup(const SettingsTable& table, const std::string& group, MenuResult& result);
+  void resetSection(const MenuContent& content, const MenuSection& section, MenuResult& result);
 
   bool section(const std::string& name, const std::string& group, const std::string& title, bool openAtFirst);
   void drawTop(const MenuContent& content, MenuResult& result);
@@ -81,6 +82,15 @@ void remember(std::vector<std::string>& paths, const std::string& path) {
 }
 
 }  // namespace
+
+const MenuSection* sectionOf(std::span<const MenuSection> sections, const Field& field) {
+  const MenuSection* deepest = nullptr;
+  for (const MenuSection& section : sections) {
+    if (!belongsTo(field, section.group)) continue;
+    if (!deepest || section.group.size() > deepest->group.size()) deepest = &section;
+  }
+  return deepest;
+}
 
 // Of a widget: clamped to the range.
 void ConfigurationMenu::Parts::set(const Field& field, double value, MenuResult& result) {
@@ -119,10 +129,11 @@ void ConfigurationMenu::Parts::setAll(const SettingsTable& table, std::span<cons
   }
 }
 
-void ConfigurationMenu::Parts::resetGroup(const SettingsTable& table, const std::string& group,
-                                          MenuResult& result) {
-  for (const Field& field : table.fields()) {
-    if (belongsTo(field, group)) set(field, field.defaultValue, result);
+void ConfigurationMenu::Parts::resetSection(const MenuContent& content, const MenuSection& section,
+                                            MenuResult& result) {
+  const std::vector<Field>& fields = content.table.fields();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (homes[i] == &section) set(fields[i], fields[i].defaultValue, result);
   }
 }
 
@@ -182,8 +193,9 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
                                            const RowFilter& filter, MenuResult& result) {
   std::vector<const Field*> shown;
   int changed = 0;
-  for (const Field& field : content.table.fields()) {
-    if (!belongsTo(field, section.group)) continue;
+  for (std::size_t i = 0; i < homes.size(); ++i) {
+    if (homes[i] != &section) continue;
+    const Field& field = content.table.fields()[i];
     changed += field.isDefault() ? 0 : 1;
     if (filter.matches(field, section.title)) shown.push_back(&field);
   }
@@ -223,7 +235,7 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
   if (changed > 0 && !filter.isActive()) {
     ImGui::PushID(section.group.c_str());
     if (placedButton("Reset this section", "reset " + section.group, items)) {
-      resetGroup(content.table, section.group, result);
+      resetSection(content, section, result);
     }
     ImGui::PopID();
   }
@@ -285,7 +297,7 @@ void ConfigurationMenu::Parts::drawTop(const MenuContent& content, MenuResult& r
   step("Redo", "redo", history.redoSteps(), "Ctrl+Y", redoKey, [&] { return history.redo(); });
   ImGui::SameLine();
   if (placedButton("Reset all", "reset all", items)) {
-    for (const MenuSection& section : content.sections) resetGroup(content.table, section.group, result);
+    for (const MenuSection& section : content.sections) resetSection(content, section, result);
   }
   tooltip("Sets every row of this menu to its default. It can be undone.");
   if (found) {
@@ -359,6 +371,10 @@ MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& 
   parts.items.clear();
   parts.bindings = {};
   parts.held = false;
+  parts.homes.clear();
+  for (const Field& field : content.table.fields()) {
+    parts.homes.push_back(sectionOf(content.sections, field));
+  }
   const float line = context.text().pixels;
   const bool placed = parts.placedWidth != context.width() || parts.placedHeight != context.height();
   parts.placedWidth = context.width();

@@ -670,5 +670,20 @@ TEST_F(EscapeMenuTest, aRestingMouseDoesNotHoldTheKeysBack) {
   EXPECT_EQ(menu.selected(), 1);
 }
 
+TEST_F(MenuTest, aSubgroupWithASectionOfItsOwnIsShownThereAlone) {
+  // Its rows, its note of what was changed and its reset; the group above it has the rest.
+  sections = {{"aircraft", "Aircraft", true}, {"aircraft.wing", "Wing", true}};
+  settings.aircraft.mass = 2000;
+  settings.aircraft.wing.span = 20;
+  driver.frames(2);
+  EXPECT_GT(place("aircraft.wing.span").value.top, place("aircraft.quality").value.bottom);
+  EXPECT_GT(place("aircraft.wing.span").value.top, menu.place("section aircraft.wing")->top);
+  clickOn("reset aircraft");
+  EXPECT_NE(settings.aircraft.mass, 2000);
+  EXPECT_EQ(settings.aircraft.wing.span, 20);
+  clickOn("reset aircraft.wing");
+  EXPECT_NE(settings.aircraft.wing.span, 20);
+}
+
 }  // namespace
 }  // namespace skydrop::ui

@@ -39,6 +39,8 @@ TEST(Scene, targetsCallForWhatTheyRestOn) {
 TEST(Scene, hazeWithoutAnySurfaceIsNotCalledFor) {
   const Scene scene = parseScene(R"({"schema": 1, "effects": ["sky", "haze"]})", "a.json");
   EXPECT_FALSE(requiredEffects(scene).contains(Effect::haze));
+  const Scene clouded = parseScene(R"({"schema": 1, "effects": ["clouds", "haze"]})", "a.json");
+  EXPECT_TRUE(requiredEffects(clouded).contains(Effect::haze)) << "it veils clouds too";
 }
 
 TEST(Scene, startAndSeedAreRead) {

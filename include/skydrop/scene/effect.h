@@ -1,5 +1,5 @@
-// The effects that a scene can call for. What is not in a scene's set is not constructed: no memory, no thread,
-// no shader, no dispatch.
+// The effects that a scene can call for. What is not in a scene's set is not constructed: no memory, no
+// thread, no shader, no dispatch.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@ namespace skydrop::scene {
 enum class Effect {
   sky,       // sky gradient, sun, light of both
   terrain,   // endless land and sea
+  clouds,    // a layer of volumetric clouds that drifts with the wind
   haze,      // extinction and in-scattering between eye and surface
   aircraft,  // the airplane: its flight, its model, its camera
   targets,   // targets, packages, score
@@ -19,8 +20,8 @@ enum class Effect {
   hud,       // instruments, navigation bar, messages
 };
 
-inline constexpr std::array<std::string_view, 7> kEffectNames = {"sky",     "terrain", "haze", "aircraft",
-                                                                 "targets", "sound",   "hud"};
+inline constexpr std::array<std::string_view, 8> kEffectNames = {"sky",      "terrain", "clouds", "haze",
+                                                                 "aircraft", "targets", "sound",  "hud"};
 
 class EffectSet {
  public:

@@ -19,12 +19,16 @@
 
 namespace skydrop::ui {
 
-// A collapsing section with the fields of one group of the table, its subgroups included.
+// A collapsing section with the fields of one group of the table, its subgroups included but for those that
+// have a section of their own.
 struct MenuSection {
   std::string group;  // path in the table: "aircraft"
   std::string title;  // "Aircraft"
   bool open = false;  // at first
 };
+
+// The section that shows the field; null: none.
+const MenuSection* sectionOf(std::span<const MenuSection> sections, const core::Field& field);
 
 // A preset as the menu lists it.
 struct PresetEntry {
