@@ -1,12 +1,13 @@
 // skydrop noise: makes, checks, exports and reads the noise textures of the clouds.
-#include <chrono>
 #include <cstdio>
 
 #include "app/noise_store.h"
 #include "app/open_context.h"
+#include "app/stopwatch.h"
 #include "app/verbs.h"
 #include "skydrop/clouds/noise_cache.h"
 #include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
 #include "skydrop/core/image.h"
 #include "skydrop/render/noise_maker.h"
 
@@ -15,16 +16,6 @@ namespace {
 
 using clouds::NoiseTexture;
 using core::TextureData;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 std::string nameOf(NoiseTexture texture) { return std::string(clouds::noiseLayout(texture).name); }
 
@@ -61,9 +52,7 @@ void exportPng(const TextureData& texture, const std::filesystem::path& folder, 
 void exportTexture(const CommandLine& line, const TextureData& texture, const std::string& name) {
   if (!line.noise.folder) return;
   const std::filesystem::path& folder = *line.noise.folder;
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) throw core::DataError(folder.string(), "", "cannot make the folder: " + failed.message());
+  core::makeFolder(folder);
   switch (line.noise.format) {
     case NoiseFormat::dds:
       return core::writeDds(folder / (name + ".dds"), texture, core::DdsHeader::legacy);

@@ -1,20 +1,12 @@
 #include "app/noise_store.h"
 
-#include <cstdlib>
-
+#include "app/xdg_folder.h"
 #include "skydrop/clouds/noise_cache.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::app {
 
-std::filesystem::path cacheFolder() {
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/') {
-    return std::filesystem::path(cache) / "skydrop";
-  }
-  if (const char* home = std::getenv("HOME"); home && *home)
-    return std::filesystem::path(home) / ".cache" / "skydrop";
-  return {};
-}
+std::filesystem::path cacheFolder() { return xdgFolder("XDG_CACHE_HOME", ".cache"); }
 
 StoredNoise NoiseStore::get(clouds::NoiseTexture texture, std::uint32_t seed, std::stop_token stop) const {
   StoredNoise stored;

@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <glm/trigonometric.hpp>
@@ -11,6 +10,7 @@
 #include "app/prepare.h"
 #include "app/stage.h"
 #include "app/statistics_json.h"
+#include "app/stopwatch.h"
 #include "app/verbs.h"
 #include "skydrop/core/fixed_step.h"
 
@@ -18,16 +18,6 @@ namespace skydrop::app {
 namespace {
 
 constexpr Size kDefaultSize{1280, 720};
-
-class Stopwatch {
- public:
-  double ms() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 void place(render::Camera& camera, const Pose& pose) {
   camera.setMode(render::CameraMode::free);

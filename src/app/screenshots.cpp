@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "skydrop/core/file.h"
+
 namespace skydrop::app {
 namespace {
 
@@ -21,7 +23,7 @@ Screenshots::Screenshots(std::filesystem::path folder) : folder_(std::move(folde
 std::filesystem::path Screenshots::save(const core::Image& image) {
   const std::filesystem::path file =
       folder_ / ("skydrop-" + timeStamp() + "-" + std::to_string(count_ + 1) + ".png");
-  std::filesystem::create_directories(folder_);
+  core::makeFolder(folder_);
   core::writePng(file, image);
   ++count_;
   return file;

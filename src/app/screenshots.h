@@ -12,8 +12,7 @@ class Screenshots {
   // The folder is made by the first one.
   explicit Screenshots(std::filesystem::path folder);
 
-  // Writes skydrop-DATE-TIME-NUMBER.png and returns its whole name. Throws core::DataError,
-  // std::filesystem::filesystem_error.
+  // Writes skydrop-DATE-TIME-NUMBER.png and returns its whole name. Throws core::DataError.
   std::filesystem::path save(const core::Image& image);
   int count() const { return count_; }
 

@@ -1,10 +1,10 @@
 #include "app/user_settings.h"
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/settings.h"
+#include "app/xdg_folder.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/settings_file.h"
 
@@ -29,15 +29,7 @@ void readUserSettings(const core::SettingsTable& table, Bindings& bindings,
   applyFile(table, bindings, userSettingsFile(folder));
 }
 
-std::filesystem::path defaultUserFolder() {
-  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config && *config == '/') {
-    return std::filesystem::path(config) / "skydrop";
-  }
-  if (const char* home = std::getenv("HOME"); home && *home) {
-    return std::filesystem::path(home) / ".config" / "skydrop";
-  }
-  return {};
-}
+std::filesystem::path defaultUserFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config"); }
 
 std::optional<std::string> loadOrSetAside(const std::filesystem::path& file,
                                           const std::function<void()>& load) {

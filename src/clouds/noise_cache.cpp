@@ -74,9 +74,7 @@ CachedNoise loadNoise(const std::filesystem::path& folder, NoiseTexture texture,
 void saveNoise(const std::filesystem::path& folder, NoiseTexture texture, std::uint32_t seed,
                const core::TextureData& made) {
   assert(isSizedFor(made, texture));
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) throw core::DataError(folder.string(), "", "cannot make the folder: " + failed.message());
+  core::makeFolder(folder);
   CacheHeader header;
   header.digest = noiseDigest(made);
   const std::vector<std::byte> dds = core::encodeDds(made, core::DdsHeader::dx10);

@@ -96,4 +96,10 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
   writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
 }
 
+void makeFolder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw DataError(path.string(), "cannot make the folder", error.message());
+}
+
 }  // namespace skydrop::core

@@ -1,7 +1,6 @@
 #include "skydrop/core/settings_file.h"
 
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
@@ -31,9 +30,7 @@ nlohmann::json readSettingsFile(const std::filesystem::path& file) {
 void writeSettingsFile(const std::filesystem::path& file, const nlohmann::json& members) {
   nlohmann::json json = members;
   json["schema"] = kSettingsSchema;
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
-  if (error) throw DataError(file.parent_path().string(), "cannot make the folder", error.message());
+  makeFolder(file.parent_path());
   writeFileAtomically(file, json.dump(2) + "\n");
 }
 

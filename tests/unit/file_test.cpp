@@ -56,6 +56,21 @@ TEST_F(FileTest, missingFilesAndFoldersAreNamed) {
   EXPECT_THROW(readFile(folder_), DataError);
 }
 
+TEST_F(FileTest, foldersAreMadeWithThoseTheyLieIn) {
+  // All of a path that is missing is made, and making it again is no failure; a file in the way is named.
+  makeFolder(folder_ / "outer" / "inner");
+  makeFolder(folder_ / "outer" / "inner");
+  EXPECT_TRUE(fs::is_directory(folder_ / "outer" / "inner"));
+  writeFileAtomically(folder_ / "file", "x");
+  try {
+    makeFolder(folder_ / "file" / "inner");
+    FAIL();
+  } catch (const DataError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              (folder_ / "file" / "inner").string() + ": cannot make the folder: Not a directory");
+  }
+}
+
 TEST_F(FileTest, aFileBeyondTheLimitIsRefused) {
   writeFileAtomically(folder_ / "a.bin", std::string(1000, 'x'));
   EXPECT_EQ(readFile(folder_ / "a.bin", 1000).size(), 1000u);

@@ -20,4 +20,7 @@ std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
+// Makes a folder and those that it lies in, as far as they are missing.
+void makeFolder(const std::filesystem::path& path);
+
 }  // namespace skydrop::core

@@ -1,11 +1,11 @@
 #include "app/accuracy/integrator_study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "app/machine.h"
+#include "app/stopwatch.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/flight/airplane_settings.h"
 #include "skydrop/flight/rigid_body.h"
@@ -20,8 +20,7 @@ constexpr int kReferenceRate = 15360;  // Hz: the fourth-order error is 128^4 ti
 constexpr int kRepetitions = 20;       // of the timed run; the fastest counts
 
 flight::RigidBody tumblingBody(Integrator integrator) {
-  flight::RigidBody body(1, glm::dvec3(0), glm::dquat(1, 0, 0, 0),
-                         glm::dmat3(10, 0, 0, 0, 20, 0, 0, 0, 26));
+  flight::RigidBody body(1, glm::dvec3(0), glm::dquat(1, 0, 0, 0), glm::dmat3(10, 0, 0, 0, 20, 0, 0, 0, 26));
   flight::BodyState state = body.state();
   state.angularVelocity = {1, 15, 1};
   body.setState(state);
@@ -46,10 +45,9 @@ double angleBetween(const glm::dquat& a, const glm::dquat& b) {
 double cost(Integrator integrator, int rate) {
   double fastest = 1e300;
   for (int repetition = 0; repetition < kRepetitions; ++repetition) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     attitudeAfter(integrator, rate);
-    const std::chrono::duration<double, std::micro> passed = std::chrono::steady_clock::now() - begin;
-    fastest = std::min(fastest, passed.count() / kSeconds);
+    fastest = std::min(fastest, watch.seconds() * 1e6 / kSeconds);
   }
   return fastest;
 }
@@ -59,8 +57,10 @@ double cost(Integrator integrator, int rate) {
 StudyResult integratorStudy() {
   StudyResult result;
   result.title = "Integrators of the rigid body";
-  result.method = "A torque-free body of inertia (10, 20, 26) kg m^2 that starts with (1, 15, 1) rad/s (hard case P01), "
-                  "against rkmk4 at " + std::to_string(kReferenceRate) + " Hz.";
+  result.method =
+      "A torque-free body of inertia (10, 20, 26) kg m^2 that starts with (1, 15, 1) rad/s (hard case P01), "
+      "against rkmk4 at " +
+      std::to_string(kReferenceRate) + " Hz.";
   result.errorName = "attitude error after 10 s, degrees";
   result.costName = "microseconds for a simulated second";
   result.clock = "wall clock, the fastest of " + std::to_string(kRepetitions) + " runs";
@@ -69,7 +69,8 @@ StudyResult integratorStudy() {
   for (std::size_t i = 0; i < flight::kIntegratorNames.size(); ++i) {
     const auto integrator = static_cast<Integrator>(i);
     for (const int rate : {30, 60, 120, 240}) {
-      const bool isDefault = integrator == flight::AirplaneSettings{}.integrator && rate == core::FixedStep::kStepsPerSecond;
+      const bool isDefault =
+          integrator == flight::AirplaneSettings{}.integrator && rate == core::FixedStep::kStepsPerSecond;
       result.rows.push_back({std::string(flight::kIntegratorNames[i]) + " at " + std::to_string(rate) + " Hz",
                              angleBetween(attitudeAfter(integrator, rate), reference), cost(integrator, rate),
                              isDefault ? "default" : ""});

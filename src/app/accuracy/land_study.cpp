@@ -1,7 +1,6 @@
 #include "app/accuracy/land_study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "app/open_context.h"
 #include "app/prepare.h"
 #include "app/stage.h"
+#include "app/stopwatch.h"
 
 namespace skydrop::app {
 namespace {
@@ -27,10 +27,10 @@ Frame drawFrame(Stage& stage, const game::Snapshot& snapshot) {
   std::vector<double> times;
   for (int i = 0; i < kTimedFrames; ++i) {
     stage.renderer().finish();
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     stage.draw(snapshot, kSize, Streaming::asItComes);
     stage.renderer().finish();
-    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    times.push_back(watch.ms());
   }
   std::nth_element(times.begin(), times.begin() + kTimedFrames / 2, times.end());
   return {stage.renderer().readBack(), times[kTimedFrames / 2]};
@@ -66,8 +66,10 @@ StudyResult landStudy() {
   };
   StudyResult result;
   result.title = "Detail of the land";
-  result.method = "The first view of the scene `terrain` at 640 x 360, by `streaming.pixelError` (the vertical error "
-                  "that the mesh may show, in pixels), against " + std::to_string(kReferenceError).substr(0, 3) + " px.";
+  result.method =
+      "The first view of the scene `terrain` at 640 x 360, by `streaming.pixelError` (the vertical error "
+      "that the mesh may show, in pixels), against " +
+      std::to_string(kReferenceError).substr(0, 3) + " px.";
   result.errorName = "error of the picture, root mean square of 8-bit steps";
   result.costName = "ms a frame";
   result.clock = "wall clock between glFinish calls, median of " + std::to_string(kTimedFrames);
