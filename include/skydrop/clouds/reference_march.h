@@ -19,9 +19,11 @@ struct MarchRay {
 };
 
 struct MarchLight {
-  glm::dvec3 toSun{0, 1, 0};  // unit; a sine of elevation below kLeastSunSine is raised to it
-  double anisotropy = 0;      // g, [-0.95, 0.95]
-  double forwardShare = 0;    // [0, 1]
+  // Unit; for the way through the layer a sine of its elevation below kLeastSunSine is raised to it. At the
+  // horizon and below the sun lights nothing.
+  glm::dvec3 toSun{0, 1, 0};
+  double anisotropy = 0;    // g, [-0.95, 0.95]
+  double forwardShare = 0;  // [0, 1]
 };
 
 struct MarchSteps {
@@ -44,9 +46,13 @@ struct MarchMedium {
 };
 MarchMedium mediumOf(const CloudField& field);  // the field has to outlive it
 
+// No steps, no length or a layer without thickness leave the background. Directions that are not of length 1
+// throw core::RangeError. In a smooth medium errors fall with the square of both numbers of steps; in the
+// default clouds 2048 x 128 is within 5e-4 of 8192 x 512 and takes 2 ms a ray in the mean, 15 ms in thick
+// cloud.
 MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, const MarchRay& ray,
                            const MarchSteps& steps = {});
-// Optical depth from a place to the top of the layer, towards the sun.
+// Optical depth from a place to the top of the layer, towards the sun. Parts as sunPartBegin() cuts them.
 double sunDepth(const MarchMedium& medium, const glm::dvec3& toSun, const glm::dvec3& place, int samples);
 
 }  // namespace skydrop::clouds

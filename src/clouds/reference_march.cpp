@@ -1,0 +1,89 @@
+#include "skydrop/clouds/reference_march.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "skydrop/core/error.h"
+#include "skydrop/core/shared.h"
+
+namespace skydrop::clouds {
+namespace {
+
+namespace f64 = core::shared::f64;
+
+void requireUnit(const glm::dvec3& direction, std::string_view name) {
+  constexpr double kRounding = 1e-5;  // of a vector that was made in 32 bits
+  if (std::abs(glm::dot(direction, direction) - 1) <= kRounding) return;
+  throw core::RangeError("the direction " + std::string(name) + " has to be of length 1");
+}
+
+// With the sine of its elevation raised to what light is worked out for.
+glm::dvec3 raised(const glm::dvec3& toSun) {
+  if (toSun.y >= f64::kLeastSunSine) return toSun;
+  const double sine = f64::kLeastSunSine, level = std::hypot(toSun.x, toSun.z);
+  // Straight down has no compass direction; any does for light that is not there.
+  const glm::dvec2 towards = level > 0 ? glm::dvec2(toSun.x, toSun.z) / level : glm::dvec2(1, 0);
+  const double cosine = std::sqrt(1 - sine * sine);
+  return {towards.x * cosine, sine, towards.y * cosine};
+}
+
+}  // namespace
+
+MarchMedium mediumOf(const CloudField& field) {
+  const CloudSettings& settings = field.settings();
+  return {[&field](const glm::dvec3& place) { return field.density(place) * field.settings().extinction; },
+          settings.cloudHeight, settings.cloudHeight + settings.thickness, settings.fadeDistance};
+}
+
+double sunDepth(const MarchMedium& medium, const glm::dvec3& toSun, const glm::dvec3& place, int samples) {
+  requireUnit(toSun, "to the sun");
+  const glm::dvec3 direction = raised(toSun);
+  const f64::RaySpan span = f64::raySpanBetween(place.y, direction.y, medium.baseM, medium.topM);
+  const double way = span.end - span.begin;
+  double depth = 0;
+  for (int i = 0; i < samples; ++i) {
+    const double begin = f64::sunPartBegin(i, samples, way), end = f64::sunPartBegin(i + 1, samples, way);
+    depth += medium.extinction(place + direction * (span.begin + (begin + end) / 2)) * (end - begin);
+  }
+  return depth;
+}
+
+MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, const MarchRay& ray,
+                           const MarchSteps& steps) {
+  requireUnit(light.toSun, "to the sun");
+  requireUnit(ray.direction, "of the ray");
+  const f64::RaySpan span =
+      f64::overlap(f64::raySpanBetween(ray.origin.y, ray.direction.y, medium.baseM, medium.topM),
+                   f64::make_raySpan(ray.beginM, std::min(ray.endM, medium.fadeDistanceM)));
+  MarchResult result;
+  const double thickness = medium.topM - medium.baseM;
+  if (steps.steps <= 0 || !(span.end > span.begin && thickness > 0)) return result;
+
+  const double step = (span.end - span.begin) / steps.steps;
+  const f64::Vec4 phases =
+      f64::cloudPhases(glm::dot(ray.direction, light.toSun), light.anisotropy, light.forwardShare);
+  double passed = 0, opacity = 0, distance = 0;
+  for (int i = 0; i < steps.steps; ++i) {
+    const double at = span.begin + (i + 0.5) * step;
+    const glm::dvec3 place = ray.origin + ray.direction * at;
+    const double depth = medium.extinction(place) * f64::cloudFade(at, medium.fadeDistanceM) * step;
+    if (!(depth > 0)) continue;
+    // expm1 and one exp of the sum: the shared series is made for 32 bits.
+    const double share = std::exp(-passed) * -std::expm1(-depth);
+    passed += depth;
+    const double height = (place.y - medium.baseM) / thickness;
+    if (light.toSun.y > 0) {
+      result.sun += share * f64::scatteredSun(phases, sunDepth(medium, light.toSun, place, steps.sunSamples));
+    }
+    result.sky += share * f64::scatteredSky(height);
+    result.ground += share * f64::scatteredGround(height);
+    opacity += share;
+    distance += share * at;
+  }
+  result.transmittance = std::exp(-passed);
+  if (opacity > 0) result.distanceM = distance / opacity;
+  return result;
+}
+
+}  // namespace skydrop::clouds
