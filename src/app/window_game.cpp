@@ -18,12 +18,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using scene::Effect;
 
-constexpr double kNoticeSeconds = 3, kNewsSeconds = 8;
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
 constexpr std::size_t kShownFrames = 240;                           // in the graph of the menu
-constexpr double kFreeCameraSpeed = 120;                            // m/s
-constexpr double kFreeCameraTurn = 1.2;                             // rad/s
 
 volatile std::sig_atomic_t endRequested = 0;
 
@@ -91,7 +88,7 @@ void WindowGame::tellOfSoftware() {
        std::string(kQualityNames[static_cast<std::size_t>(run_->quality)]) +
        "; --set quality=high, or the menu (F1)");
   if (window_.takeSoftwareNews()) {
-    notices_.push_back({"No graphics card: low quality, a small window. F1 changes that.", kNewsSeconds});
+    notices_.add("No graphics card: low quality, a small window. F1 changes that.", Notices::kNewsSeconds);
   }
 }
 
@@ -192,7 +189,7 @@ void WindowGame::handleEvents() {
 void WindowGame::showControls() {
   for (const GamepadMessage& message : controls_.takeMessages()) {
     std::fprintf(stderr, "skydrop: %s\n", message.text.c_str());
-    if (message.isNews) notice(message.text);
+    if (message.isNews) notices_.add(message.text);
   }
   if (!overlay_->menuOpen) controls_.stopWaiting();
   if (controls_.takeChange()) overlay_->showKeys(controls_.help(), controls_.hudKeys());
@@ -201,11 +198,8 @@ void WindowGame::showControls() {
 void WindowGame::handleAction(Action action) {
   switch (action) {
     case Action::camera:
-      stage_->camera().nextMode();
-      if (stage_->camera().mode() == render::CameraMode::free) stage_->freeCamera();
-      rideAgain_.reset();
-      run_->settings.view.camera = stage_->camera().mode();
-      notice("Camera: " + std::string(render::cameraModeName(stage_->camera().mode())));
+      run_->settings.view.camera = camera_.next(*stage_);
+      notices_.add("Camera: " + std::string(render::cameraModeName(run_->settings.view.camera)));
       break;
     case Action::pause:
       paused_ = !paused_;
@@ -227,11 +221,11 @@ void WindowGame::handleAction(Action action) {
       break;
     case Action::freeze:
       toggle("view.freezeTime");
-      notice(isFrozen() ? "Time is frozen: the keys move the camera" : "Time goes on");
+      notices_.add(isFrozen() ? "Time is frozen: the keys move the camera" : "Time goes on");
       break;
     case Action::mute:
       toggle("audio.mute");
-      notice(run_->settings.audio.mute ? "Sound off" : "Sound on");
+      notices_.add(run_->settings.audio.mute ? "Sound off" : "Sound on");
       break;
     default:
       break;  // flight actions: PlayerInput::step
@@ -245,20 +239,8 @@ void WindowGame::toggle(const std::string& path) {
   applyMenuChanges({path});
 }
 
-// While time is held the camera is free where it was; afterwards it rides again, unless another was chosen.
-void WindowGame::freezeOrGoOn() {
-  render::Camera& camera = stage_->camera();
-  if (isFrozen() && camera.mode() != render::CameraMode::free) {
-    rideAgain_ = camera.mode();
-    stage_->freeCamera();
-  } else if (!isFrozen() && rideAgain_) {
-    camera.setMode(*std::exchange(rideAgain_, std::nullopt));
-  }
-}
-
 void WindowGame::advance(double seconds) {
-  for (game::Message& message : notices_) message.secondsLeft -= seconds;
-  std::erase_if(notices_, [](const game::Message& message) { return message.secondsLeft <= 0; });
+  notices_.pass(seconds);
   if (isPaused()) {
     clock_.discardPending();
     controls_.input().forgetTaps();
@@ -267,8 +249,8 @@ void WindowGame::advance(double seconds) {
   for (int due = clock_.advance(seconds); due > 0; --due) {
     game::Controls controls = controls_.input().step();
     if (stage_->camera().mode() == render::CameraMode::free) {
-      moveFreeCamera(controls);
-      controls = {};
+      PlayerCamera::move(stage_->camera(), controls);
+      controls = {};  // the aircraft flies on by itself
     }
     if (isFrozen()) continue;
     simulation_->step(controls);
@@ -278,18 +260,8 @@ void WindowGame::advance(double seconds) {
   if (simulation_->finished() && !replayEnded_) {
     replayEnded_ = true;
     paused_ = true;
-    notice("The replay has ended");
+    notices_.add("The replay has ended");
   }
-}
-
-// The keys of the aircraft move the free camera: thrust and brake along the view, roll turns, pitch looks up
-// and down, yaw climbs and sinks. The aircraft flies on by itself.
-void WindowGame::moveFreeCamera(const game::Controls& controls) {
-  render::Camera& camera = stage_->camera();
-  const double metres = kFreeCameraSpeed * core::FixedStep::kStepSeconds;
-  const double radians = kFreeCameraTurn * core::FixedStep::kStepSeconds;
-  camera.move({0, controls.yaw * metres, (controls.thrust - controls.brake) * metres});
-  camera.turn(controls.roll * radians, -controls.pitch * radians);
 }
 
 game::Snapshot WindowGame::snapshotToDraw() {
@@ -297,7 +269,7 @@ game::Snapshot WindowGame::snapshotToDraw() {
   snapshot.autopilot = simulation_->pilot() == Pilot::autopilot;
   snapshot.paused = isPaused();
   snapshot.frozen = isFrozen();
-  snapshot.messages.insert(snapshot.messages.end(), notices_.begin(), notices_.end());
+  notices_.addTo(snapshot);
   return snapshot;
 }
 
@@ -355,7 +327,7 @@ void WindowGame::servePreset(const ui::PresetRequest& request) {
   try {
     const MenuDesk::Served served = desk_.serve(request, run_->table, overlay_->menu());
     error_.clear();
-    notice(served.notice);
+    notices_.add(served.notice);
     if (!served.changedPaths.empty()) applyMenuChanges(served.changedPaths);
   } catch (const std::exception& refusal) {
     error_ = refusal.what();
@@ -376,7 +348,7 @@ void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
   const bool needsNewLand = std::any_of(changedPaths.begin(), changedPaths.end(),
                                         [](const std::string& path) { return path.starts_with("terrain."); });
   if (needsNewLand && run_->setup.record) {
-    notice("The land keeps its shape while a flight is recorded");
+    notices_.add("The land keeps its shape while a flight is recorded");
   } else if (needsNewLand) {
     buildScene();
     return;
@@ -384,7 +356,7 @@ void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
   simulation_->applySettings(changedPaths);
   stage_->apply(run_->settings);
   window_.apply(run_->settings.view);
-  freezeOrGoOn();
+  camera_.follow(*stage_, isFrozen());
   if (audio_) audio_->apply(run_->settings.audio);
   if (sound_) sound_->apply(run_->settings.audio);
 }
@@ -407,7 +379,7 @@ void WindowGame::reloadSceneFile() {
   reloadScene(*run_, line_);
   error_.clear();
   buildScene();
-  notice("The scene was loaded anew");
+  notices_.add("The scene was loaded anew");
 }
 
 void WindowGame::reloadPlayerFile() {
@@ -415,20 +387,18 @@ void WindowGame::reloadPlayerFile() {
   error_.clear();
   controls_.bindingsWereReplaced();
   applyAll(changed);
-  notice("The settings were loaded anew");
+  notices_.add("The settings were loaded anew");
 }
 
 void WindowGame::saveScreenshot() {
   screenshotWanted_ = false;
   try {
-    notice("Saved " + screenshots_.save(stage_->renderer().readBack()).string());
+    notices_.add("Saved " + screenshots_.save(stage_->renderer().readBack()).string());
   } catch (const std::exception& refusal) {
     error_ = refusal.what();
-    notice(error_);
+    notices_.add(error_);
   }
 }
-
-void WindowGame::notice(std::string text) { notices_.push_back({std::move(text), kNoticeSeconds}); }
 
 core::FrameStatistics WindowGame::statistics(std::size_t frames) {
   core::FrameStatistics statistics;

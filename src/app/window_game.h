@@ -17,7 +17,9 @@
 #include "app/imgui_input.h"
 #include "app/loading_screen.h"
 #include "app/menu_desk.h"
+#include "app/notices.h"
 #include "app/overlay.h"
+#include "app/player_camera.h"
 #include "app/player_controls.h"
 #include "app/pointer_rest.h"
 #include "app/prepare.h"
@@ -47,10 +49,8 @@ class WindowGame {
   void handleEvents();
   void handleAction(Action action);
   void toggle(const std::string& path);
-  void freezeOrGoOn();
   void showControls();
   void advance(double seconds);
-  void moveFreeCamera(const game::Controls& controls);
   void drawFrame(double seconds);
   void applyMenuChanges(const std::vector<std::string>& paths);
   void applyAll(const std::vector<std::string>& changedPaths);
@@ -62,7 +62,6 @@ class WindowGame {
   void saveScreenshot();
   void report();
   void keepChoices();
-  void notice(std::string text);
   game::Snapshot snapshotToDraw();
   core::FrameStatistics statistics(std::size_t frames = render::Renderer::kKeptTimes);
   void finish();
@@ -83,19 +82,19 @@ class WindowGame {
   std::optional<ImGuiInput> imguiInput_;  // for the overlay's context
   GlfwJoysticks joysticks_;
   PlayerControls controls_;
+  PlayerCamera camera_;
   MenuDesk desk_;
   PointerRest pointer_;
   bool pointerMoved_ = false;
   core::FixedStep clock_;
 
   bool paused_ = false;
-  std::optional<render::CameraMode> rideAgain_;  // after a freeze
   bool screenshotWanted_ = false;
   bool replayEnded_ = false;
   bool menuWasOpen_ = false;
   Screenshots screenshots_;
   std::string error_;  // of the last reload, shown in the menu
-  std::vector<game::Message> notices_;
+  Notices notices_;
   std::vector<game::GameEvent> events_;  // of the steps since the last frame
   FrameTimes times_;
   core::FrameStatistics shownStatistics_;
