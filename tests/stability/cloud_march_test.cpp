@@ -7,22 +7,23 @@
 #include <cmath>
 #include <glm/vector_relational.hpp>
 #include <limits>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "skydrop/clouds/noise_textures.h"
 #include "skydrop/clouds/reference_march.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
+#include "support/cloud_noise.h"
 
 namespace skydrop::clouds {
 namespace {
 
 namespace f32 = core::shared::f32;
 namespace f64 = core::shared::f64;
+
+using test::cloudySettings, test::quickNoise;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFarMarker = 1e30;
@@ -307,23 +308,6 @@ TEST(Stability, C24_rayThatMeetsNothingHasTheFarMarker) {
   expectBackground(referenceMarch(faded, afternoon(), slantedRay(), {64, 8}));
   faded.fadeDistanceM = 0;
   expectBackground(referenceMarch(faded, afternoon(), {{0, 2000, 0}, {1, 0, 0}}, {64, 8}));
-}
-
-// A shape of 32^3 from the detail texture keeps this quick; the march does not care.
-std::shared_ptr<const FoldedNoise> quickNoise() {
-  static const auto noise = [] {
-    const core::TextureData detail = makeNoise(NoiseTexture::detail, 0);
-    return std::make_shared<const FoldedNoise>(
-        foldNoise(detail, detail, makeNoise(NoiseTexture::weather, 0)));
-  }();
-  return noise;
-}
-
-CloudSettings cloudySettings() {
-  CloudSettings settings;
-  settings.densityThreshold = 0.3;  // the quick noise is thinner than the real one
-  settings.coverage = 0.9;
-  return settings;
 }
 
 TEST(Stability, C30_layersWithoutThicknessAreEmptyAndCoincidentOnesAddUp) {

@@ -10,6 +10,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/core/shared.h"
+#include "support/cloud_noise.h"
 
 namespace skydrop::clouds {
 namespace {
@@ -17,15 +18,7 @@ namespace {
 namespace f32 = core::shared::f32;
 namespace f64 = core::shared::f64;
 
-// A shape of 32^3 from the detail texture keeps this quick; the medium does not care.
-std::shared_ptr<const FoldedNoise> quickNoise() {
-  static const auto noise = [] {
-    const core::TextureData detail = makeNoise(NoiseTexture::detail, 0);
-    return std::make_shared<const FoldedNoise>(
-        foldNoise(detail, detail, makeNoise(NoiseTexture::weather, 0)));
-  }();
-  return noise;
-}
+using test::quickNoise;
 
 glm::dvec3 randomPlace(core::RandomStream& random, double extent) {
   return {random.nextUnit() * extent, 1400 + random.nextUnit() * 2200, random.nextUnit() * extent};
