@@ -22,8 +22,13 @@ class NoiseStore {
  public:
   explicit NoiseStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // From the cache, or made on this thread (1.4 s for the shape). A damaged file is remade. An empty texture
-  // when it was stopped before it was made.
+  // From the cache; an empty texture where it is not there or damaged.
+  StoredNoise find(clouds::NoiseTexture texture, std::uint32_t seed) const;
+  // Puts it there; the line to warn with where that fails, else empty.
+  std::string keep(clouds::NoiseTexture texture, std::uint32_t seed, const core::TextureData& made) const;
+
+  // From the cache, or made on this thread (1.4 s for the shape) and kept. A damaged file is remade. An empty
+  // texture when it was stopped before it was made.
   StoredNoise get(clouds::NoiseTexture texture, std::uint32_t seed, std::stop_token stop = {}) const;
 
  private:

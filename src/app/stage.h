@@ -8,6 +8,7 @@
 
 #include "app/command_line.h"
 #include "app/settings.h"
+#include "skydrop/clouds/cloud_field.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
 #include "skydrop/core/job_pool.h"
@@ -32,6 +33,7 @@ class Stage {
     std::shared_ptr<const terrain::HeightSource> ground;
     std::optional<int> workers;
     bool measuring = false;  // times are asked for: a software renderer may be slowed down for them
+    std::shared_ptr<const clouds::FoldedNoise> cloudNoise = nullptr;  // with clouds only
   };
 
   // The context must outlive the stage. Throws core::DataError (shader, model).

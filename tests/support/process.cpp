@@ -9,6 +9,8 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "support/shared_noise.h"
+
 namespace skydrop::test {
 
 void applyEnvironment(const std::vector<std::string>& environment) {
@@ -76,7 +78,8 @@ ProcessResult runProcess(const std::vector<std::string>& words, const std::vecto
 
 ProcessResult runSkydrop(std::vector<std::string> words, double timeoutSeconds) {
   words.insert(words.begin(), SKYDROP_PROGRAM);
-  return runProcess(words, {"DISPLAY", "WAYLAND_DISPLAY"}, timeoutSeconds);
+  return runProcess(words, {"DISPLAY", "WAYLAND_DISPLAY", "XDG_CACHE_HOME=" + sharedCacheHome().string()},
+                    timeoutSeconds);
 }
 
 }  // namespace skydrop::test

@@ -18,7 +18,7 @@ ProcessResult runProcess(const std::vector<std::string>& words, const std::vecto
 // In a child before exec: "NAME=value" sets a variable, "NAME" alone takes it away.
 void applyEnvironment(const std::vector<std::string>& environment);
 
-// Runs the built skydrop, without a display.
+// Runs the built skydrop, without a display, with the cache that all tests share.
 ProcessResult runSkydrop(std::vector<std::string> words, double timeoutSeconds = 60);
 
 }  // namespace skydrop::test

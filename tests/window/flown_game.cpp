@@ -1,11 +1,14 @@
 #include "window/flown_game.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+
+#include "support/shared_noise.h"
 
 namespace skydrop::test {
 namespace {
@@ -45,10 +48,13 @@ FlownGame::FlownGame(Launch launch)
                                     "--user-dir", userFolder().string()};
   if (launch.sized)
     words.insert(words.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});
+  if (std::ranges::find(launch.words, "--scene") == launch.words.end())
+    words.insert(words.end(), {"--scene", "terrain"});
   words.insert(words.end(), launch.words.begin(), launch.words.end());
   process_ = std::make_unique<BackgroundProcess>(
       words,
-      std::vector<std::string>{"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1"},
+      std::vector<std::string>{"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
+                               "XDG_CACHE_HOME=" + sharedCacheHome().string()},
       log);
   if (!waitFor([](const nlohmann::json&) { return true; }))
     throw std::runtime_error("it does not draw: " + this->log());

@@ -1,0 +1,46 @@
+#include "support/shared_noise.h"
+
+#include <array>
+#include <utility>
+
+#include "skydrop/clouds/noise_cache.h"
+
+namespace skydrop::test {
+namespace {
+
+constexpr std::uint32_t kSeed = 0;
+
+std::filesystem::path folder() { return sharedCacheHome() / "skydrop"; }
+
+core::TextureData textureOf(clouds::NoiseTexture texture) {
+  clouds::CachedNoise cached = clouds::loadNoise(folder(), texture, kSeed);
+  if (cached.state == clouds::CacheState::good) return std::move(cached.texture);
+  core::TextureData made = clouds::makeNoise(texture, kSeed);
+  clouds::saveNoise(folder(), texture, kSeed, made);
+  return made;
+}
+
+}  // namespace
+
+std::filesystem::path sharedCacheHome() {
+  return std::filesystem::path(SKYDROP_BINARY_DIR) / "tests" / "cache";
+}
+
+std::shared_ptr<const clouds::FoldedNoise> sharedNoise() {
+  using enum clouds::NoiseTexture;
+  static const auto noise = std::make_shared<const clouds::FoldedNoise>(
+      clouds::foldNoise(textureOf(shape), textureOf(detail), textureOf(weather)));
+  return noise;
+}
+
+void copySharedNoise(const std::filesystem::path& cacheFolder) {
+  static_cast<void>(sharedNoise());
+  std::filesystem::create_directories(cacheFolder);
+  for (const clouds::NoiseTexture texture : clouds::kNoiseTextures) {
+    std::filesystem::copy_file(clouds::noiseCacheFile(folder(), texture, kSeed),
+                               clouds::noiseCacheFile(cacheFolder, texture, kSeed),
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+}
+
+}  // namespace skydrop::test
