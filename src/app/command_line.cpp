@@ -145,7 +145,7 @@ class Parser {
   }
 
   void addCommon(CLI::App& verb) {
-    text(verb, "--scene", "NAME|FILE", "the scene (terrain)", [this](const std::string& t) { line_.scene = t; });
+    text(verb, "--scene", "NAME|FILE", std::string("the scene (") + kDefaultScene + ")", [this](const std::string& t) { line_.scene = t; });
     text(verb, "--preset", "NAME|FILE", "a preset that the menu saved, for this run; --set comes after it",
          [this](const std::string& t) {
            if (t.empty()) throw UsageError("--preset: the name is empty");

@@ -3,6 +3,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/bindings.h"
+#include "app/cloud_noise.h"
 #include "app/frame_times.h"
 #include "app/menu_desk.h"
 #include "app/open_context.h"
@@ -43,13 +44,22 @@ void buildTwice(Overlay& overlay, const OverlayFrame& frame, Stage& stage) {
 int render(const CommandLine& line) {
   const std::unique_ptr<Run> run = prepareRun(line);
   if (run->warning) std::fprintf(stderr, "skydrop: %s\n", run->warning->c_str());
+  std::optional<CloudNoise> cloudNoise;  // got ready while the rest is
+  if (scene::requiredEffects(run->setup.scene).contains(scene::Effect::clouds))
+    cloudNoise.emplace(NoiseStore(cacheFolder()), CloudNoise::Maker::processor);
   const Size size = line.size.value_or(kDefaultSize);
   const auto context = openContext(line.backend, size);
   Simulation simulation(run->setup, run->settings, run->table);
   // While land is made this thread waits: its processor makes land too.
   const int workers = line.workers.value_or(core::JobPool::defaultWorkerCount() + 1);
-  Stage stage(*context, {simulation.effects(), simulation.ground(), workers, line.stats.has_value()},
+  Stage stage(*context,
+              {simulation.effects(), simulation.ground(), workers, line.stats.has_value(),
+               cloudNoise ? cloudNoise->wait() : nullptr},
               run->settings);
+  if (cloudNoise) {
+    for (const std::string& message : cloudNoise->takeMessages())
+      std::fprintf(stderr, "skydrop: %s\n", message.c_str());
+  }
   if (line.pose) place(stage.camera(), *line.pose);
   std::unique_ptr<Overlay> overlay;
   if (simulation.effects().contains(scene::Effect::hud) || line.menu) {

@@ -1,6 +1,7 @@
 #include "app/window_game.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -21,6 +22,7 @@ using scene::Effect;
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
 constexpr std::size_t kShownFrames = 240;                           // in the graph of the menu
+constexpr double kShareOfClouds = 0.25;                             // in the bar of the loading picture
 
 volatile std::sig_atomic_t endRequested = 0;
 
@@ -58,6 +60,7 @@ WindowGame::WindowGame(const CommandLine& line)
       desk_(run_->userFolder),
       screenshots_(screenshotFolder(*run_)) {
   if (window_.context().isSoftware()) useSoftwareRenderer(*run_);
+  beginClouds();
   std::vector<std::string> warnings;
   if (run_->warning) warnings.push_back(*run_->warning);
   window_.apply(run_->settings.view);
@@ -92,16 +95,29 @@ void WindowGame::tellOfSoftware() {
   }
 }
 
+// The noise of the clouds, beside everything else; it stays for as long as scenes call for it.
+void WindowGame::beginClouds() {
+  if (!scene::requiredEffects(run_->setup.scene).contains(Effect::clouds)) return cloudNoise_.reset();
+  if (cloudNoise_) return;
+  using Maker = CloudNoise::Maker;
+  cloudNoise_.emplace(NoiseStore(cacheFolder()),
+                      window_.context().isSoftware() ? Maker::processor : Maker::graphics);
+}
+
 // Everything that a scene's effects call for, anew. Time does not begin before the land in view is there.
+// Without a stage when the player quit before there could be one.
 void WindowGame::buildScene() {
   sound_.reset();
   stage_.reset();
+  beginClouds();
   {
     LoadingScreen screen(window_, *overlay_);
     screen.show({"Getting ready", 0});
+    if (!awaitClouds(screen)) return;
     simulation_.emplace(run_->setup, run_->settings, run_->table);
     const scene::EffectSet& effects = simulation_->effects();
-    const Stage::Setup setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value()};
+    const Stage::Setup setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value(),
+                             cloudNoise_ ? cloudNoise_->get() : nullptr};
     stage_ = std::make_unique<Stage>(window_.context(), setup, run_->settings);
     stage_->addOverlay();
     if (effects.contains(Effect::sound)) {
@@ -119,21 +135,30 @@ void WindowGame::buildScene() {
   lastFrame_ = Clock::now();
 }
 
+// False when the player quit meanwhile.
+bool WindowGame::awaitClouds(LoadingScreen& screen) {
+  if (!cloudNoise_) return true;
+  bool lostFocus = false;
+  while (!cloudNoise_->get()) {
+    handleEventsWhileLoading(lostFocus);
+    if (ends()) return false;
+    cloudNoise_->makePart(window_.context());
+    const double progress = cloudNoise_->progress();
+    screen.show({"Making the clouds: " + std::to_string(std::lround(100 * progress)) + " %",
+                 kShareOfClouds * progress});
+  }
+  for (const std::string& message : cloudNoise_->takeMessages()) warn(message);
+  if (lostFocus) paused_ = true;
+  return true;
+}
+
 void WindowGame::load(LoadingScreen& screen) {
-  using Kind = render::gl::WindowEvent::Kind;
   const game::Snapshot& start = simulation_->world().now();
   bool lostFocus = false;
   stage_->load(start, window_.size());  // the workers begin with what is seen first, then the shaders
   stage_->warmUp(start, window_.size());
   while (!ends()) {
-    for (const render::gl::WindowEvent& event : window_.pollEvents()) {
-      if (event.kind == Kind::key && event.code == key::kEscape && event.pressed)
-        window_.context().setShouldClose(true);
-      if (event.kind == Kind::focus) lostFocus = !event.pressed;
-      if (event.pressed) continue;
-      imguiInput_->handle(event, window_.context().pixelsPerUnit());  // what was held is let go
-      controls_.handle(event, false);
-    }
+    handleEventsWhileLoading(lostFocus);
     const Stage::LandProgress land = stage_->load(start, window_.size());
     const double share =
         land.wanted > 0 ? static_cast<double>(land.ready) / static_cast<double>(land.wanted) : 1;
@@ -144,6 +169,18 @@ void WindowGame::load(LoadingScreen& screen) {
   if (lostFocus) paused_ = true;
 }
 
+void WindowGame::handleEventsWhileLoading(bool& lostFocus) {
+  using Kind = render::gl::WindowEvent::Kind;
+  for (const render::gl::WindowEvent& event : window_.pollEvents()) {
+    if (event.kind == Kind::key && event.code == key::kEscape && event.pressed)
+      window_.context().setShouldClose(true);
+    if (event.kind == Kind::focus) lostFocus = !event.pressed;
+    if (event.pressed) continue;
+    imguiInput_->handle(event, window_.context().pixelsPerUnit());  // what was held is let go
+    controls_.handle(event, false);
+  }
+}
+
 void WindowGame::run() {
   lastFrame_ = Clock::now();
   while (!ends()) {
@@ -151,6 +188,7 @@ void WindowGame::run() {
     const double seconds = std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count();
     handleEvents();
     watchFiles();
+    if (!stage_) break;
     if (window_.isHidden()) paused_ = true;
     advance(seconds);
     if (!window_.isHidden()) {
@@ -420,9 +458,11 @@ core::FrameStatistics WindowGame::statistics(std::size_t frames) {
 }
 
 void WindowGame::finish() {
-  stage_->renderer().finish();
-  if (line_.stats) writeStatistics(*line_.stats, statistics());
-  if (line_.record) game::writeInputLog(*line_.record, simulation_->recording());
+  if (stage_) {
+    stage_->renderer().finish();
+    if (line_.stats) writeStatistics(*line_.stats, statistics());
+  }
+  if (line_.record && simulation_) game::writeInputLog(*line_.record, simulation_->recording());
   keepChoices();
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cloud_noise.h"
 #include "app/command_line.h"
 #include "app/file_watch.h"
 #include "app/frame_times.h"
@@ -44,7 +45,10 @@ class WindowGame {
  private:
   void tellOfSoftware();
   void buildScene();
+  void beginClouds();
+  bool awaitClouds(LoadingScreen& screen);
   void load(LoadingScreen& screen);
+  void handleEventsWhileLoading(bool& lostFocus);
   bool ends();
   void handleEvents();
   void handleAction(Action action);
@@ -73,6 +77,7 @@ class WindowGame {
   CommandLine line_;
   std::unique_ptr<Run> run_;
   GameWindow window_;
+  std::optional<CloudNoise> cloudNoise_;  // with clouds only
   std::optional<Simulation> simulation_;
   std::unique_ptr<Overlay> overlay_;  // before the stage, whose pass draws its fonts
   std::unique_ptr<Stage> stage_;

@@ -12,6 +12,7 @@ namespace {
 app::CommandLine commandLine() {
   app::CommandLine line;
   line.verb = app::Verb::render;
+  line.scene.emplace("terrain");
   return line;
 }
 

@@ -1,4 +1,4 @@
-// The game as the program runs it, without a window: scene, land, passes and HUD of the shipped scene, drawn
+// The game as the program runs it, without a window: scene, land, passes and HUD of the scene `terrain`, drawn
 // headless from a camera that the benchmark moves. A frame ends when the renderer has finished it.
 #pragma once
 

@@ -18,7 +18,7 @@ namespace {
 void frameWithAColdShaderCache(benchmark::State& state) {
   const test::TemporaryFolder folder;
   const std::string command = "MESA_SHADER_CACHE_DISABLE=true '" SKYDROP_PROGRAM
-                              "' render --size 320x180 --out '" +
+                              "' render --scene terrain --size 320x180 --out '" +
                               (folder.path() / "frame.png").string() + "' > /dev/null";
   double worst = 0;
   for (auto _ : state) {

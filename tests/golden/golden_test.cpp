@@ -3,6 +3,7 @@
 // actual, reference and difference in the artifact folder.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <ostream>
 #include <string>
@@ -22,7 +23,7 @@ constexpr ImageLimits kSoftwareRounding{48, 0.02};
 
 struct Golden {
   const char* name;
-  std::vector<std::string> words;  // after `skydrop render`
+  std::vector<std::string> words;  // after `skydrop render`; the scene `terrain` unless they name another
   ImageLimits limits = kSoftwareRounding;
   const char* flatBecause = nullptr;  // why it exists although a shift or a brighter frame would not show
 };
@@ -75,6 +76,8 @@ TEST_P(GoldenFrame, isThePictureThatWasBlessed) {
   const std::filesystem::path picture = folder.path() / (std::string(golden.name) + ".png");
   std::vector<std::string> words = {
       "render", "--size", "320x180", "--out", picture.string(), "--backend", backend ? backend : "egl"};
+  if (std::ranges::find(golden.words, "--scene") == golden.words.end())
+    words.insert(words.end(), {"--scene", "terrain"});
   words.insert(words.end(), golden.words.begin(), golden.words.end());
   const ProcessResult result = runSkydrop(words);
   if (result.exitCode == 3) GTEST_SKIP() << result.err;

@@ -23,8 +23,21 @@ TEST(Scene, shippedScenesLoadAndAreListed) {
   for (const std::string& name : names) EXPECT_EQ(loadScene(name).name, name);
 }
 
-TEST(Scene, theEmptySceneCallsForNothing) {
-  EXPECT_EQ(requiredEffects(loadScene("empty")), EffectSet());
+TEST(Scene, theEmptySceneCallsForNothing) { EXPECT_EQ(requiredEffects(loadScene("empty")), EffectSet()); }
+
+TEST(Scene, theScenesWithWeatherAreTheLandWithClouds) {
+  // Same land, same start, same targets: only the clouds come on top.
+  const Scene land = loadScene("terrain");
+  EffectSet effects = land.effects;
+  EXPECT_FALSE(effects.contains(Effect::clouds)) << "what it does not name costs nothing";
+  effects.insert(Effect::clouds);
+  for (const char* name : {"clear", "fair", "overcast"}) {
+    const Scene scene = loadScene(name);
+    EXPECT_EQ(requiredEffects(scene), effects) << name;
+    EXPECT_EQ(scene.seed, land.seed);
+    EXPECT_EQ(scene.start.position, land.start.position);
+    EXPECT_EQ(scene.start.headingDegrees, land.start.headingDegrees);
+  }
 }
 
 TEST(Scene, targetsCallForWhatTheyRestOn) {
@@ -45,7 +58,8 @@ TEST(Scene, hazeWithoutAnySurfaceIsNotCalledFor) {
 
 TEST(Scene, startAndSeedAreRead) {
   const Scene scene = parseScene(
-      R"({"schema": 1, "seed": 9, "start": {"position": [1, 2, -3.5], "heading": 270, "speed": 80}})", "b.json");
+      R"({"schema": 1, "seed": 9, "start": {"position": [1, 2, -3.5], "heading": 270, "speed": 80}})",
+      "b.json");
   EXPECT_EQ(scene.name, "b");
   EXPECT_EQ(scene.seed, 9u);
   EXPECT_EQ(scene.start.position, glm::dvec3(1, 2, -3.5));
@@ -58,13 +72,16 @@ TEST(Scene, badScenesAreRefusedWithFilePlaceAndReason) {
   EXPECT_EQ(refusalOf(R"({})"), "a.json: schema: is missing");
   EXPECT_EQ(refusalOf(R"({"schema": 2})"), "a.json: schema: 2 is not 1");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "wings": 2})"), "a.json: wings: unknown member");
-  EXPECT_EQ(refusalOf(R"({"schema": 1, "seed": -1})"), "a.json: seed: -1 is out of range 0.0 to 9.007199254740992e+15");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "seed": -1})"),
+            "a.json: seed: -1 is out of range 0.0 to 9.007199254740992e+15");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "seed": 1.5})"), "a.json: seed: 1.5 is not a whole number");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "effects": ["fire"]})"), "a.json: effects: unknown effect \"fire\"");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"position": [1, 2]}})"),
             "a.json: start.position: is not a list of three numbers");
-  EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"speed": "fast"}})"), "a.json: start.speed: \"fast\" is not a number");
-  EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"position": [1e400, 0, 0]}})").substr(0, 12), "a.json: JSON");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"speed": "fast"}})"),
+            "a.json: start.speed: \"fast\" is not a number");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"position": [1e400, 0, 0]}})").substr(0, 12),
+            "a.json: JSON");
   EXPECT_EQ(refusalOf(R"({"schema": 1, )").substr(0, 33), "a.json: JSON: parse error at line");
 }
 
@@ -81,7 +98,9 @@ TEST(Scene, unknownNamesListWhatThereIs) {
     loadScene("nowhere");
     FAIL();
   } catch (const core::DataError& error) {
-    EXPECT_EQ(std::string(error.what()), "nowhere: scene: there is none of this name; there are: empty, terrain");
+    EXPECT_EQ(std::string(error.what()),
+              "nowhere: scene: there is none of this name; "
+              "there are: clear, empty, fair, overcast, terrain");
   }
 }
 

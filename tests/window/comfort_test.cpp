@@ -117,5 +117,31 @@ TEST(Loading, aPictureComesBeforeTheLandAndTimeAfterIt) {
   EXPECT_GT(flown.statistics().at("terrain").at("generated").get<int>(), 0);
 }
 
+TEST(Loading, aSceneWithCloudsWaitsForTheirNoise) {
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown({"--scene", "fair"});
+  const json effects = flown.statistics().at("effects");
+  EXPECT_NE(std::find(effects.begin(), effects.end(), "clouds"), effects.end()) << effects;
+  EXPECT_EQ(timesIn(flown.log(), "noise"), 0) << flown.log();
+}
+
+TEST(Loading, quittingWhileTheNoiseIsMadeIsPrompt) {
+  // With an empty cache the shape alone takes more than a second: asked to end as soon as the window is
+  // there, the program ends well and has not waited for it.
+  SKIP_WITHOUT_DISPLAY();
+  const TemporaryFolder folder;
+  const std::string log = (folder.path() / "log").string();
+  VirtualDisplay display(FlownGame::kDisplayWidth, FlownGame::kDisplayHeight, log);
+  BackgroundProcess game(
+      {SKYDROP_PROGRAM, "--scene", "fair", "--user-dir", (folder.path() / "user").string()},
+      {"DISPLAY=" + display.name(), "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
+       "XDG_CACHE_HOME=" + folder.path().string()},
+      log);
+  display.xdotool({"search", "--sync", "--name", "^Skydrop$"});
+  game.askToEnd();
+  EXPECT_EQ(game.wait(20), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "skydrop"));
+}
+
 }  // namespace
 }  // namespace skydrop::test

@@ -21,7 +21,7 @@ class FlownGame {
   static constexpr int kWidth = 640, kHeight = 360;
 
   struct Launch {
-    std::vector<std::string> words = {};
+    std::vector<std::string> words = {};    // the scene `terrain` unless they name another
     std::string userSettings = {};          // the player's file, none if empty
     bool sized = true;                      // kWidth x kHeight by the command line
     std::filesystem::path userFolder = {};  // empty: one of its own

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/process.h"
+#include "support/shared_noise.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::test {
@@ -32,6 +33,8 @@ TEST(Program, usageErrorsExitWithTwoAndOneLine) {
       {"render", "--out", out, "--set", "aircraft.rollFactor=1e9"},
       {"render", "--out", out, "--set", "aircraft.rollFactor=nan"},
       {"render", "--out", out, "--set", "aircraft.rollFactor"},
+      {"render", "--out", out, "--set", "clouds.coverage=2"},
+      {"render", "--out", out, "--set", "clouds.tier=best"},
       {"simulate", "--seconds", "many"},
       {"accuracy", "nothing-of-this-name"},
       {"noise", "--format", "bmp"},
@@ -91,6 +94,33 @@ TEST(Program, noiseIsMadeOnceAndKept) {
   EXPECT_TRUE(isOneLine(damaged));
   EXPECT_NE(damaged.err.find(detail.string() + ": damaged"), std::string::npos) << damaged.err;
   EXPECT_EQ(noise({}).err, "");
+}
+
+TEST(Program, aSceneWithCloudsGetsTheirNoiseAndOthersDoNot) {
+  // What the cache has not is made and kept; a damaged file is said in one line; without clouds nothing is
+  // looked for.
+  const TemporaryFolder folder;
+  const std::filesystem::path cache = folder.path() / "cache" / "skydrop";
+  const auto frameOf = [&](const std::string& scene) {
+    return runProcess({SKYDROP_PROGRAM, "render", "--scene", scene, "--size", "64x36", "--set",
+                       "streaming.viewDistanceM=2000", "--out", (folder.path() / "a.png").string()},
+                      {"XDG_CACHE_HOME=" + (folder.path() / "cache").string()});
+  };
+  EXPECT_EQ(frameOf("terrain").exitCode, 0);
+  EXPECT_FALSE(std::filesystem::exists(cache));
+  copySharedNoise(cache);
+  const std::filesystem::path weather = cache / "weather-1-0.noise";
+  ASSERT_TRUE(std::filesystem::remove(weather));
+  const ProcessResult first = frameOf("clear");
+  EXPECT_EQ(first.exitCode, 0);
+  EXPECT_EQ(first.err, "");
+  ASSERT_TRUE(std::filesystem::exists(weather));
+  std::filesystem::resize_file(weather, 100);
+  const ProcessResult damaged = frameOf("overcast");
+  EXPECT_EQ(damaged.exitCode, 0);
+  EXPECT_TRUE(isOneLine(damaged));
+  EXPECT_NE(damaged.err.find(weather.string() + ": damaged"), std::string::npos) << damaged.err;
+  EXPECT_EQ(frameOf("fair").err, "");
 }
 
 TEST(Program, withoutADisplayItNamesRenderAndExitsWithThree) {

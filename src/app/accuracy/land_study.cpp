@@ -52,6 +52,7 @@ double rootMeanSquare(const core::Image& a, const core::Image& b) {
 StudyResult landStudy() {
   CommandLine line;
   line.verb = Verb::accuracy;
+  line.scene.emplace("terrain");
   const auto run = prepareRun(line);
   const double shipped = run->settings.streaming.pixelError;
   const auto context = openContext(std::nullopt, kSize);
