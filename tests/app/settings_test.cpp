@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -73,6 +74,55 @@ TEST(Settings, theThesisAircraftParametersHaveItsValues) {
         << "they come first, in the thesis's order";
     EXPECT_EQ(table.fields()[i++].defaultValue, value) << name;
   }
+}
+
+TEST(Settings, theThesisWeatherParametersHaveRowsThatTakeEffectAtOnce) {
+  // Its seven come first, in its order (density threshold, scale, HG, SIGMA, higher scale, weather scale,
+  // cloud height), with its values where its units are ours; every number of the weather is live.
+  Settings settings;
+  const core::SettingsTable table(settings);
+  const std::pair<const char*, double> values[] = {
+      {"densityThreshold", .534}, {"scale", .595},       {"anisotropy", .119},  {"extinction", .08},
+      {"higherScale", 20},        {"weatherScale", .02}, {"cloudHeight", 1555},
+  };
+  scene::EffectSet effects;
+  effects.insert(scene::Effect::clouds);
+  const auto sections = menuSections(effects);
+  const auto first = std::ranges::find(table.fields(), "clouds", &core::Field::group);
+  std::size_t i = 0;
+  for (auto field = first; field != table.fields().end() && field->group == "clouds"; ++field, ++i) {
+    EXPECT_EQ(ui::sectionOf(sections, *field)->title, "Weather") << field->path;
+    if (field->kind == core::FieldKind::number) {
+      EXPECT_EQ(field->takesEffect, core::TakesEffect::live) << field->path;
+    }
+    if (i >= std::size(values)) continue;
+    EXPECT_EQ(field->path, std::string("clouds.") + values[i].first);
+    EXPECT_EQ(field->defaultValue, values[i].second) << field->path;
+  }
+  EXPECT_GT(i, std::size(values));
+}
+
+TEST(Settings, everyEndOfEveryRowOfTheCloudsIsAccepted) {
+  // By --set, as by a slider that is pulled to its end; what lies a little beyond is refused.
+  Settings settings;
+  const core::SettingsTable table(settings);
+  CommandLine line;
+  line.verb = Verb::simulate;
+  int rows = 0;
+  for (const core::Field& field : table.fields()) {
+    if (!field.path.starts_with("clouds.")) continue;
+    ++rows;
+    for (const double end : {field.min, field.max}) {
+      core::setField(field, end);
+      line.set = {field.path + "=" + core::fieldText(field)};
+      EXPECT_EQ(prepareRun(line)->table.at(field.path).get(), end) << line.set[0];
+    }
+    if (field.kind != core::FieldKind::number) continue;
+    for (const double beyond : {std::nextafter(field.min, -1e9), std::nextafter(field.max, 1e9)}) {
+      EXPECT_THROW(core::setField(field, beyond), core::RangeError) << field.path;
+    }
+  }
+  EXPECT_GT(rows, 20);
 }
 
 TEST(Settings, theMenuOfTheWholeGameHasEveryFieldInOneSection) {
