@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/model/visibility.h"
+#include "render/visibility.h"
 
 namespace skydrop::render {
 namespace {

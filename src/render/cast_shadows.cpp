@@ -1,12 +1,14 @@
 #include "skydrop/render/cast_shadows.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <numbers>
 
+#include "render/visibility.h"
 #include "skydrop/render/sky_light.h"
 
 namespace skydrop::render {
@@ -49,22 +51,14 @@ CastShadow castShadow(const View& view, const glm::dvec3& middle, double radiusM
 }
 
 bool maySeeVolume(const View& view, const CastShadow& shadow) {
-  const double tangentY = std::tan(view.fovYRad / 2), tangentX = tangentY * view.aspect();
-  int beyond[5] = {};
-  for (int corner = 0; corner < 8; ++corner) {
-    const double behind = corner & 1 ? shadow.lengthM : -shadow.radiusM;
+  std::array<glm::dvec3, 8> corners;
+  for (unsigned i = 0; i < corners.size(); ++i) {
+    const double behind = i & 1 ? shadow.lengthM : -shadow.radiusM;
     const double half = shadow.halfWidthM(behind);
-    const glm::dvec3 p = view.worldToView *
-                         (shadow.middle + shadow.down * behind + shadow.right * (corner & 2 ? half : -half) +
-                          shadow.up * (corner & 4 ? half : -half));
-    const double ahead = -p.z;
-    beyond[0] += ahead < view.nearM;
-    beyond[1] += p.x > ahead * tangentX;
-    beyond[2] += -p.x > ahead * tangentX;
-    beyond[3] += p.y > ahead * tangentY;
-    beyond[4] += -p.y > ahead * tangentY;
+    corners[i] = shadow.middle + shadow.down * behind + shadow.right * (i & 2 ? half : -half) +
+                 shadow.up * (i & 4 ? half : -half);
   }
-  return std::none_of(std::begin(beyond), std::end(beyond), [](int corners) { return corners == 8; });
+  return maySee(view, corners);
 }
 
 glm::mat4 toShadowMap(const CastShadow& shadow) {

@@ -1,11 +1,13 @@
 #include "skydrop/render/marker_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "render/visibility.h"
 #include "skydrop/core/shared.h"
 
 namespace skydrop::render {
@@ -51,22 +53,13 @@ Mark markOf(const View& view, const game::TargetSnapshot& target) {
   return mark;
 }
 
-// False where the whole box lies beyond one side of the picture. A box beyond a corner may pass.
-bool mayBeSeen(const View& view, const Box& box) {
-  const double tangentY = std::tan(view.fovYRad / 2), tangentX = tangentY * view.aspect();
-  int beyond[5] = {};
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p = view.worldToView * glm::dvec3(corner & 1 ? box.high.x : box.low.x,
-                                                       corner & 2 ? box.high.y : box.low.y,
-                                                       corner & 4 ? box.high.z : box.low.z);
-    const double ahead = -p.z;
-    beyond[0] += ahead < view.nearM;
-    beyond[1] += p.x > ahead * tangentX;
-    beyond[2] += -p.x > ahead * tangentX;
-    beyond[3] += p.y > ahead * tangentY;
-    beyond[4] += -p.y > ahead * tangentY;
+bool maySee(const View& view, const Box& box) {
+  std::array<glm::dvec3, 8> corners;
+  for (unsigned i = 0; i < corners.size(); ++i) {
+    corners[i] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
+                  i & 4 ? box.high.z : box.low.z};
   }
-  return std::none_of(std::begin(beyond), std::end(beyond), [](int corners) { return corners == 8; });
+  return render::maySee(view, corners);
 }
 
 // throughHaze of shaders/frame.glsl: once for a whole part, because haze hardly changes over 600 m.
@@ -98,7 +91,7 @@ std::optional<std::string> MarkerPass::idleReason(const FrameInput& frame) const
   if (!frame.snapshot.target.present) return "no target";
   const Mark mark = markOf(frame.view, frame.snapshot.target);
   if (mark.tooFar) return "target too far away";
-  if (!mayBeSeen(frame.view, mark.ring) && !mayBeSeen(frame.view, mark.beam)) return "target out of view";
+  if (!maySee(frame.view, mark.ring) && !maySee(frame.view, mark.beam)) return "target out of view";
   return std::nullopt;
 }
 
@@ -116,7 +109,7 @@ void MarkerPass::draw(FrameContext& context) {
   const glm::dvec3 signal = signalRadiance(context.light);
   const glm::dvec3 densest = mark.foot + glm::dvec3(0, shared::kBeamHeight / 3, 0);
   const auto drawPart = [&](const char* fragment, const Box& box, const glm::dvec3& radiance) {
-    if (!mayBeSeen(context.frame.view, box)) return;
+    if (!maySee(context.frame.view, box)) return;
     gl::Shader& shader = context.shaders.shader("marker/box.vert", fragment);
     shader.setVec3("boxLow", glm::vec3(box.low));
     shader.setVec3("boxHigh", glm::vec3(box.high));

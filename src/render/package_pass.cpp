@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "render/model/visibility.h"
+#include "render/visibility.h"
 #include "skydrop/core/assets.h"
 
 namespace skydrop::render {

@@ -1,4 +1,4 @@
-#include "render/model/visibility.h"
+#include "render/visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,21 @@ bool maySee(const View& view, const glm::dvec3& middle, double radiusM) {
   if ((std::abs(seen.y) - ahead * tanY) / std::sqrt(1 + tanY * tanY) > radiusM) return false;
   const double pixels = radiusM / glm::length(seen) / (2 * tanY) * view.height;
   return pixels > 1.0 / 6;
+}
+
+bool maySee(const View& view, const std::array<glm::dvec3, 8>& corners) {
+  const double tangentY = std::tan(view.fovYRad / 2), tangentX = tangentY * view.aspect();
+  std::array<std::size_t, 5> beyond{};
+  for (const glm::dvec3& corner : corners) {
+    const glm::dvec3 seen = view.worldToView * corner;
+    const double ahead = -seen.z;
+    beyond[0] += ahead < view.nearM;
+    beyond[1] += seen.x > ahead * tangentX;
+    beyond[2] += -seen.x > ahead * tangentX;
+    beyond[3] += seen.y > ahead * tangentY;
+    beyond[4] += -seen.y > ahead * tangentY;
+  }
+  return std::none_of(beyond.begin(), beyond.end(), [&](std::size_t n) { return n == corners.size(); });
 }
 
 PixelBox pixelsOf(const View& view, const glm::mat4& toEye, const glm::dvec3& low, const glm::dvec3& high) {
