@@ -64,6 +64,13 @@ struct WindowContext::Impl {
 
   static Impl& of(GLFWwindow* window) { return *static_cast<Impl*>(glfwGetWindowUserPointer(window)); }
 
+  void take(WindowEvent::Kind kind, double x, double y) {
+    WindowEvent event{kind};
+    event.x = x;
+    event.y = y;
+    events.push_back(event);
+  }
+
   void setCallbacks() {
     using Kind = WindowEvent::Kind;
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scanCode, int action, int modifiers) {
@@ -88,17 +95,9 @@ struct WindowContext::Impl {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
       of(w).pointerX = x;
       of(w).pointerY = y;
-      WindowEvent event{Kind::mouseMove};
-      event.x = x;
-      event.y = y;
-      of(w).events.push_back(event);
+      of(w).take(Kind::mouseMove, x, y);
     });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-      WindowEvent event{Kind::scroll};
-      event.x = x;
-      event.y = y;
-      of(w).events.push_back(event);
-    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { of(w).take(Kind::scroll, x, y); });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
       WindowEvent event{Kind::character};
       event.character = character;
@@ -109,12 +108,8 @@ struct WindowContext::Impl {
       event.pressed = gained == GLFW_TRUE;
       of(w).events.push_back(event);
     });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int width, int height) {
-      WindowEvent event{Kind::resize};
-      event.x = width;
-      event.y = height;
-      of(w).events.push_back(event);
-    });
+    glfwSetFramebufferSizeCallback(
+        window, [](GLFWwindow* w, int width, int height) { of(w).take(Kind::resize, width, height); });
   }
 
   // The monitor that holds the window's centre, or the primary one.
