@@ -22,7 +22,7 @@ struct SampleGrid {
   glm::dvec2 last() const { return origin + glm::dvec2(columns - 1, rows - 1) * step; }
 };
 
-// How the samples of a row lie in the cells of a lattice.
+// How the samples of a row lie in the cells of a lattice; the same for each row.
 class CellTable {
  public:
   CellTable(const Lattice& lattice, const SampleGrid& grid) {
@@ -32,30 +32,30 @@ class CellTable {
     const double firstCell = std::floor(x);
     const double inCell = x - firstCell;
     firstNode = static_cast<std::int64_t>(firstCell);
-    perCell = step < 1 ? static_cast<int>(1 / step) : 1;
-    phase = step < 1 ? static_cast<int>(inCell / step) : 0;
-    cells = (grid.columns + phase + perCell - 1) / perCell;
     nodeStride = step < 1 ? 1 : static_cast<std::int64_t>(step);
+    row.perCell = step < 1 ? static_cast<int>(1 / step) : 1;
+    row.phase = step < 1 ? static_cast<int>(inCell / step) : 0;
+    row.cells = (grid.columns + row.phase + row.perCell - 1) / row.perCell;
+    row.perMetre = static_cast<float>(1 / lattice.cell);
 
     // Of long cells only what the grid covers is needed, but an index is cheaper than an offset.
-    const int size = std::min(perCell, phase + kRowSize);
+    const int size = std::min(row.perCell, row.phase + kRowSize);
     numbers_.resize(3 * static_cast<std::size_t>(size));
     float* const us = numbers_.data();
     float* const fades = us + size;
     float* const slopes = fades + size;
     for (int k = 0; k < size; ++k) {
-      us[k] = static_cast<float>(inCell + (k - phase) * step);
-      fades[k] = skydrop::terrain::fade(us[k]);
-      slopes[k] = skydrop::terrain::fadeSlope(us[k]);
+      us[k] = static_cast<float>(inCell + (k - row.phase) * step);
+      fades[k] = fade(us[k]);
+      slopes[k] = fadeSlope(us[k]);
     }
-    u = us;
-    fade = fades;
-    fadeSlope = slopes;
+    row.u = us;
+    row.fade = fades;
+    row.fadeSlope = slopes;
   }
 
   std::int64_t firstNode = 0, nodeStride = 1;
-  int perCell = 1, phase = 0, cells = 0;
-  const float *u = nullptr, *fade = nullptr, *fadeSlope = nullptr;
+  RowInCells row;  // points into the table
 
  private:
   std::vector<float> numbers_;
@@ -72,19 +72,19 @@ RowPlace placeOf(const Lattice& lattice, const SampleGrid& grid, int row) {
   return {static_cast<std::int64_t>(cell), static_cast<float>(z - cell)};
 }
 
+void enter(RowInCells& row, const RowPlace& place) {
+  row.w = place.w;
+  row.fadeZ = fade(place.w);
+  row.fadeSlopeZ = fadeSlope(place.w);
+}
+
 // One octave of noise over a grid: how its cells lie along the rows, and the nodes of the current row.
 class GridOctave {
  public:
   GridOctave(const Lattice& lattice, double amplitude, const SampleGrid& grid, const RowKernels& kernels)
       : lattice_(lattice), kernels_(kernels), grid_(grid), table_(lattice, grid) {
-    row_.perCell = table_.perCell;
-    row_.phase = table_.phase;
-    row_.cells = table_.cells;
-    row_.u = table_.u;
-    row_.fade = table_.fade;
-    row_.fadeSlope = table_.fadeSlope;
+    static_cast<RowInCells&>(row_) = table_.row;
     row_.amplitude = static_cast<float>(kNoiseScale * amplitude);
-    row_.perMetre = static_cast<float>(1 / lattice.cell);
     row_.carriesGradient = lattice.cell >= 2 * grid.gradientStep;
   }
 
@@ -92,9 +92,7 @@ class GridOctave {
   const OctaveRow& at(int row) {
     const RowPlace place = placeOf(lattice_, grid_, row);
     if (row == 0 || place.latticeRow != latticeRow_) enterLatticeRow(place.latticeRow, row == 0);
-    row_.w = place.w;
-    row_.fadeZ = fade(row_.w);
-    row_.fadeSlopeZ = fadeSlope(row_.w);
+    enter(row_, place);
     return row_;
   }
 
@@ -205,15 +203,9 @@ class GridGully {
   GridGully(const Lattice& lattice, double metres, const GullyNodes& nodes, const SampleGrid& grid,
             const RowKernels& kernels)
       : lattice_(lattice), kernels_(kernels), nodes_(nodes), grid_(grid), table_(lattice, grid) {
-    row_.perCell = table_.perCell;
-    row_.phase = table_.phase;
-    row_.cells = table_.cells;
-    row_.u = table_.u;
-    row_.fade = table_.fade;
-    row_.fadeSlope = table_.fadeSlope;
+    static_cast<RowInCells&>(row_) = table_.row;
     row_.firstNode = static_cast<int>(table_.firstNode - nodes.firstColumn);
     row_.metres = static_cast<float>(metres);
-    row_.perMetre = static_cast<float>(1 / lattice.cell);
     row_.carriesGradient = lattice.cell >= 2 * kGulliesPerCell * grid.gradientStep;
   }
   void carve(int row, RowState& state) {
@@ -221,9 +213,7 @@ class GridGully {
     const auto north = static_cast<std::size_t>(place.latticeRow - nodes_.firstRow);
     row_.north = &nodes_.rows[north];
     row_.south = &nodes_.rows[north + 1];
-    row_.w = place.w;
-    row_.fadeZ = fade(row_.w);
-    row_.fadeSlopeZ = fadeSlope(row_.w);
+    enter(row_, place);
     kernels_.gully(row_, state);
   }
 

@@ -41,23 +41,25 @@ struct NodeRow {
   std::array<float, kRowSize + 8> x{}, z{};
 };
 
-// One octave over one row of samples. Sample s lies in cell c = (s + phase) / perCell at index
-// k = (s + phase) % perCell in it; u[k], fade[k] and fadeSlope[k] are x in cells there, and its fade. Where
-// cells are smaller than the samples' distance, each sample has a cell of its own: perCell is 1, c = s.
-struct OctaveRow {
+// How a row of samples lies in the cells of an octave. Sample s lies in cell c = (s + phase) / perCell at
+// index k = (s + phase) % perCell in it; u[k], fade[k] and fadeSlope[k] are x in cells there, and its fade.
+// Where cells are smaller than the samples' distance, each sample has a cell of its own: perCell is 1, c = s.
+struct RowInCells {
   int perCell = 1;
   int phase = 0;
   int cells = 0;
   const float *u = nullptr, *fade = nullptr, *fadeSlope = nullptr;
+  float w = 0, fadeZ = 0, fadeSlopeZ = 0;  // z in cells, and its fade
+  float perMetre = 1;                      // 1 / cell
+  bool carriesGradient = true;             // false: the gradient counts as 0 (docs/terrain-noise.md)
+};
 
+// One octave over one row of samples.
+struct OctaveRow : RowInCells {
   // Nodes of cell c at index c: west and east, north and south of it.
   const float *northWestX = nullptr, *northWestZ = nullptr, *northEastX = nullptr, *northEastZ = nullptr;
   const float *southWestX = nullptr, *southWestZ = nullptr, *southEastX = nullptr, *southEastZ = nullptr;
-
-  float w = 0, fadeZ = 0, fadeSlopeZ = 0;  // z in cells, and its fade
-  float amplitude = 1;                     // of the octave; kNoiseScale included
-  float perMetre = 1;                      // 1 / cell
-  bool carriesGradient = true;             // false: the gradient counts as 0 (docs/terrain-noise.md)
+  float amplitude = 1;  // of the octave; kNoiseScale included
 };
 
 // Nodes of gullies along a lattice row.
@@ -65,19 +67,11 @@ struct GullyNodeRow {
   std::array<float, kRowSize + 8> turnsX{}, turnsZ{}, phase{}, amplitude{};
 };
 
-// One octave of gullies over one row of samples; as in OctaveRow. Node c and the next are west and east of
-// cell c.
-struct GullyRow {
-  int perCell = 1;
-  int phase = 0;
-  int cells = 0;
-  const float *u = nullptr, *fade = nullptr, *fadeSlope = nullptr;
+// One octave of gullies over one row of samples. Node c and the next are west and east of cell c.
+struct GullyRow : RowInCells {
   const GullyNodeRow *north = nullptr, *south = nullptr;
   int firstNode = 0;  // index of cell 0's western nodes in north and south
-  float w = 0, fadeZ = 0, fadeSlopeZ = 0;
   float metres = 1;
-  float perMetre = 1;
-  bool carriesGradient = true;
 };
 
 struct RowKernels {
