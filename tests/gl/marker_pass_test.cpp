@@ -7,11 +7,10 @@
 
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
-#include "skydrop/render/mesh.h"
 #include "skydrop/render/tone_map_pass.h"
 #include "support/frame_test.h"
 #include "support/light_probe.h"
-#include "support/temporary_folder.h"
+#include "support/plains_pass.h"
 
 namespace skydrop::render {
 namespace {
@@ -20,41 +19,12 @@ namespace shared = core::shared::f64;
 
 const glm::vec3 kGround(0.25f, 0.5f, 0.125f);  // exact in half floats
 
-// A plain of one colour, 400 km wide, below the eye.
-class PlainPass final : public Pass {
- public:
-  PlainPass(gl::Context& context, const test::TemporaryFolder& folder, const double& height)
-      : plane_(context, planeMesh(4e5, 4e5, 1, 1), "plain"),
-        vertex_(folder.write("plain.vert",
-                             "#include \"frame.glsl\"\nlayout(location = 0) in vec3 position;\n"
-                             "uniform vec3 place;\nvoid main() { gl_Position = frame.viewProjection * "
-                             "vec4(position + place, 1.0); }\n")),
-        fragment_(folder.write(
-            "plain.frag", "uniform vec3 tint;\nout vec4 color;\nvoid main() { color = vec4(tint, 1.0); }\n")),
-        height_(height) {}
-  std::string_view name() const override { return "plain"; }
-  Slot slot() const override { return Slot::terrain; }
-  void draw(FrameContext& context) override {
-    const glm::dvec3& eye = context.frame.view.position;
-    gl::Shader& shader = context.shaders.shader(vertex_, fragment_);
-    shader.setVec3("place", relativeToEye(context.frame.view, {eye.x, height_, eye.z}));
-    shader.setVec3("tint", kGround);
-    shader.use();
-    plane_.draw();
-  }
-
- private:
-  Mesh plane_;
-  std::string vertex_, fragment_;
-  const double& height_;
-};
-
 class MarkerGLTest : public test::FrameTest {
  protected:
   void SetUp() override {
     FrameTest::SetUp();
     if (IsSkipped()) return;
-    renderer().add(std::make_unique<PlainPass>(context(), folder_, plainHeight_));
+    renderer().add(std::make_unique<test::PlainsPass>(context(), folder_, plains_));
     renderer().add(std::make_unique<MarkerPass>(context()));
     renderer().add(std::make_unique<test::LightProbe>(light_));
     renderer().add(std::make_unique<ToneMapPass>(context()));
@@ -119,14 +89,14 @@ class MarkerGLTest : public test::FrameTest {
       return glm::normalize(rays * glm::dvec3(2 * x / view.width - 1, 2 * y / view.height - 1, 1));
     };
     const auto toGround = [&](const glm::dvec3& ray) {
-      const double distance = (plainHeight_ - view.position.y) / ray.y;
+      const double distance = (plains_[0].heightM - view.position.y) / ray.y;
       return distance > 0 ? distance : shared::kFarMarker;
     };
     const auto fromMiddle = [&](double x, double y) {
       const glm::dvec3 ray = rayThrough(x, y), place = ray * toGround(ray) - foot;
       return std::hypot(place.x, place.z);
     };
-    const double fade = shared::ringFade(plainHeight_ - snapshot_.target.position.y, 100);
+    const double fade = shared::ringFade(plains_[0].heightM - snapshot_.target.position.y, 100);
     for (int row = 0; row < view.height; ++row) {
       for (int column = 0; column < view.width; ++column) {
         const double x = column + 0.5, y = row + 0.5;
@@ -159,7 +129,7 @@ class MarkerGLTest : public test::FrameTest {
   test::TemporaryFolder folder_;
   std::vector<glm::vec4> light_;
   std::vector<double> shares_;
-  double plainHeight_ = 0;
+  std::vector<test::Plain> plains_ = {{0, kGround}};
 };
 
 TEST_F(MarkerGLTest, ringAndBeamStandWhereTheTargetDoes) {
@@ -186,7 +156,7 @@ TEST_F(MarkerGLTest, ringAndBeamStandWhereTheTargetDoes) {
 TEST_F(MarkerGLTest, beamIsRightFromHardPlaces) {
   // From inside, on the axis straight above looking down, below the foot looking up, right on the foot and at
   // the top: each pixel within 2e-3 (half floats) of the same functions in double, and nothing is infinite.
-  plainHeight_ = -500;  // no ring
+  plains_[0].heightM = -500;  // no ring
   for (const View& view :
        {pose({2, 100, 1}, 30, 10, 0), pose({0, 900, 0}, 0, -90, 0), pose({0, -60, 0}, 0, 90, 0),
         pose({0, 0, 0}, 0, 80, 0), pose({0, 600, 0}, 0, -80, 90), pose({4.9999, 200, 0}, 180, 0, 0)}) {
@@ -235,13 +205,13 @@ TEST_F(MarkerGLTest, beamIsSeenFromSixKilometres) {
 TEST_F(MarkerGLTest, nearerLandHidesTheMark) {
   // A plain at 200 m between the eye and a target on the ground: what is below it changes no pixel, what
   // stands out of it does; a plain above all of the beam hides all.
-  plainHeight_ = 200;
+  plains_[0].heightM = 200;
   Difference ring, beam;
   compareWithPlain(lookAt({-700, 350, 0}, {0, 150, 0}), ring, beam);
   EXPECT_GT(beam.marked, 20);
   EXPECT_LT(beam.largest, 4e-3);
   EXPECT_EQ(ring.marked, 0);
-  plainHeight_ = shared::kBeamHeight + 1;
+  plains_[0].heightM = shared::kBeamHeight + 1;
   draw(lookAt({-700, 800, 0}, {0, 0, 0}));
   EXPECT_EQ(statistics().draws, 2);
   for (const glm::vec4& light : light_) ASSERT_EQ(glm::vec3(light), kGround);

@@ -6,12 +6,11 @@
 
 #include "skydrop/core/error.h"
 #include "skydrop/render/imgui_pass.h"
-#include "skydrop/render/mesh.h"
 #include "skydrop/render/sky_pass.h"
 #include "skydrop/render/tone_map_pass.h"
 #include "support/frame_test.h"
 #include "support/image_compare.h"
-#include "support/temporary_folder.h"
+#include "support/plains_pass.h"
 
 namespace skydrop::render {
 namespace {
@@ -153,46 +152,16 @@ TEST_F(FrameTest, uniformBlockHasTheSameOffsetsOnBothSides) {
   EXPECT_EQ(static_cast<std::size_t>(size), sizeof(FrameUniforms));
 }
 
-// Two horizontal squares seen from above, drawn in the order given, in linear light.
-class TwoPlanesPass final : public Pass {
- public:
-  TwoPlanesPass(gl::Context& context, const test::TemporaryFolder& folder, double lower, double upper,
-                bool upperFirst)
-      : plane_(context, planeMesh(2e5, 2e5, 1, 1), "plane"),
-        vertex_(folder.write("plane.vert",
-                             "#include \"frame.glsl\"\nlayout(location = 0) in vec3 position;\n"
-                             "uniform vec3 place;\nvoid main() { gl_Position = frame.viewProjection * "
-                             "vec4(position + place, 1.0); }\n")),
-        fragment_(folder.write(
-            "plane.frag", "uniform vec3 tint;\nout vec4 color;\nvoid main() { color = vec4(tint, 1.0); }\n")),
-        heights_{upperFirst ? upper : lower, upperFirst ? lower : upper},
-        upper_(upper) {}
-  std::string_view name() const override { return "planes"; }
-  Slot slot() const override { return Slot::terrain; }
-  void draw(FrameContext& context) override {
-    gl::Shader& shader = context.shaders.shader(vertex_, fragment_);
-    shader.use();
-    for (const double height : heights_) {
-      const View& view = context.frame.view;
-      shader.setVec3("place", relativeToEye(view, {view.position.x, height, view.position.z}));
-      shader.setVec3("tint", height == upper_ ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
-      plane_.draw();
-    }
-  }
-
- private:
-  Mesh plane_;
-  std::string vertex_, fragment_;
-  double heights_[2];
-  double upper_;
-};
+const test::Plain kLower{0.0, {1, 0, 0}}, kUpper{0.5, {0, 1, 0}};
 
 TEST_F(FrameTest, T18_halfAMetreIsResolvedTenKilometresAway) {
   // Two planes 0.5 m apart, 10 km below the eye: the upper one is seen everywhere, whichever is drawn first.
   for (const bool upperFirst : {true, false}) {
     const test::TemporaryFolder folder;
+    const std::vector<test::Plain> plains =
+        upperFirst ? std::vector{kUpper, kLower} : std::vector{kLower, kUpper};
     Renderer renderer(context(), settings_, false);
-    renderer.add(std::make_unique<TwoPlanesPass>(context(), folder, 0.0, 0.5, upperFirst));
+    renderer.add(std::make_unique<test::PlainsPass>(context(), folder, plains));
     renderer.add(std::make_unique<ToneMapPass>(context()));
     renderer.draw({snapshot_, pose({0, 10000.5, 0}, 0, -90, 0), {}});
     const core::Image image = renderer.readBack();
@@ -207,9 +176,10 @@ TEST_F(FrameTest, T18_halfAMetreIsResolvedTenKilometresAway) {
 TEST_F(FrameTest, framesDoNotShowTheOneBefore) {
   // Land fills one frame; the next looks up and equals the first frame of a fresh renderer, in every bit.
   const test::TemporaryFolder folder;
+  const std::vector<test::Plain> plains = {kUpper, kLower};
   const auto lookUp = [&](bool afterLand) {
     Renderer renderer(context(), settings_, false);
-    renderer.add(std::make_unique<TwoPlanesPass>(context(), folder, 0.0, 0.5, true));
+    renderer.add(std::make_unique<test::PlainsPass>(context(), folder, plains));
     renderer.add(std::make_unique<SkyPass>(context()));
     renderer.add(std::make_unique<ToneMapPass>(context()));
     if (afterLand) renderer.draw({snapshot_, pose({0, 50, 0}, 0, -90, 0), {}});
