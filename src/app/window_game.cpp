@@ -1,7 +1,6 @@
 #include "app/window_game.h"
 
 #include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -22,7 +21,6 @@ using scene::Effect;
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
 constexpr std::size_t kShownFrames = 240;                           // in the graph of the menu
-constexpr double kShareOfClouds = 0.25;                             // in the bar of the loading picture
 
 volatile std::sig_atomic_t endRequested = 0;
 
@@ -110,10 +108,16 @@ void WindowGame::buildScene() {
   sound_.reset();
   stage_.reset();
   beginClouds();
+  bool lostFocus = false;
   {
-    LoadingScreen screen(window_, *overlay_);
-    screen.show({"Getting ready", 0});
-    if (!awaitClouds(screen)) return;
+    Loading loading(window_, *overlay_, [&] {
+      handleEventsWhileLoading(lostFocus);
+      return !ends();
+    });
+    if (cloudNoise_) {
+      if (!loading.makeClouds(*cloudNoise_)) return;
+      for (const std::string& message : cloudNoise_->takeMessages()) warn(message);
+    }
     simulation_.emplace(run_->setup, run_->settings, run_->table);
     const scene::EffectSet& effects = simulation_->effects();
     const Stage::Setup setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value(),
@@ -127,46 +131,13 @@ void WindowGame::buildScene() {
       }
       sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
     }
-    load(screen);
+    loading.makeLand(*stage_, simulation_->world().now());
   }
+  if (lostFocus) paused_ = true;
   stage_->uploadFonts();
   clock_ = {};
   events_.clear();
   lastFrame_ = Clock::now();
-}
-
-// False when the player quit meanwhile.
-bool WindowGame::awaitClouds(LoadingScreen& screen) {
-  if (!cloudNoise_) return true;
-  bool lostFocus = false;
-  while (!cloudNoise_->get()) {
-    handleEventsWhileLoading(lostFocus);
-    if (ends()) return false;
-    cloudNoise_->makePart(window_.context());
-    const double progress = cloudNoise_->progress();
-    screen.show({"Making the clouds: " + std::to_string(std::lround(100 * progress)) + " %",
-                 kShareOfClouds * progress});
-  }
-  for (const std::string& message : cloudNoise_->takeMessages()) warn(message);
-  if (lostFocus) paused_ = true;
-  return true;
-}
-
-void WindowGame::load(LoadingScreen& screen) {
-  const game::Snapshot& start = simulation_->world().now();
-  bool lostFocus = false;
-  stage_->load(start, window_.size());  // the workers begin with what is seen first, then the shaders
-  stage_->warmUp(start, window_.size());
-  while (!ends()) {
-    handleEventsWhileLoading(lostFocus);
-    const Stage::LandProgress land = stage_->load(start, window_.size());
-    const double share =
-        land.wanted > 0 ? static_cast<double>(land.ready) / static_cast<double>(land.wanted) : 1;
-    screen.show(
-        {"Making the land: " + std::to_string(land.ready) + " of " + std::to_string(land.wanted), share});
-    if (land.complete) break;
-  }
-  if (lostFocus) paused_ = true;
 }
 
 void WindowGame::handleEventsWhileLoading(bool& lostFocus) {

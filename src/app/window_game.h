@@ -16,7 +16,7 @@
 #include "app/game_window.h"
 #include "app/glfw_joysticks.h"
 #include "app/imgui_input.h"
-#include "app/loading_screen.h"
+#include "app/loading.h"
 #include "app/menu_desk.h"
 #include "app/notices.h"
 #include "app/overlay.h"
@@ -46,8 +46,6 @@ class WindowGame {
   void tellOfSoftware();
   void buildScene();
   void beginClouds();
-  bool awaitClouds(LoadingScreen& screen);
-  void load(LoadingScreen& screen);
   void handleEventsWhileLoading(bool& lostFocus);
   bool ends();
   void handleEvents();
