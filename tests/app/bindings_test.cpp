@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "skydrop/core/error.h"
+#include "support/refusal.h"
 
 namespace skydrop::app {
 namespace {
@@ -185,14 +186,11 @@ TEST(Bindings, badJsonIsRefusedInOneLine) {
       {R"({"menu": ["GAMEPAD_BUTTON_B"]})", "needs a key"},
       {R"({"drop": ["F1"]})", "needs a key"}};
   for (const auto& [text, reason] : cases) {
-    try {
-      Bindings::fromJson(json::parse(text), "settings.json");
-      ADD_FAILURE() << text;
-    } catch (const core::DataError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("settings.json")) << text;
-      EXPECT_THAT(error.what(), HasSubstr(reason)) << text;
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << text;
-    }
+    const std::string line = test::refusalOf<core::DataError>(
+        [&text = text] { Bindings::fromJson(json::parse(text), "settings.json"); });
+    EXPECT_THAT(line, HasSubstr("settings.json")) << text;
+    EXPECT_THAT(line, HasSubstr(reason)) << text;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << text;
   }
 }
 

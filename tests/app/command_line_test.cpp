@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "skydrop/core/error.h"
+#include "support/refusal.h"
 
 namespace skydrop::app {
 namespace {
@@ -15,12 +16,7 @@ ParsedCommandLine parse(std::vector<const char*> words) {
 }
 
 std::string refusalOf(std::vector<const char*> words) {
-  try {
-    parse(std::move(words));
-  } catch (const core::UsageError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusalOf<core::UsageError>([&] { parse(std::move(words)); });
 }
 
 TEST(CommandLine, noWordsFlyTheTerrainScene) {

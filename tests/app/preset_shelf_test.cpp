@@ -10,6 +10,7 @@
 #include "app/prepare.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::app {
@@ -19,14 +20,6 @@ class PresetShelfTest : public testing::Test {
  protected:
   static void apply(const core::SettingsTable& table, const std::vector<ui::SettingValue>& values) {
     for (const ui::SettingValue& value : values) core::setField(table.at(value.path), value.value);
-  }
-  std::string messageOf(const auto& action) {
-    try {
-      action();
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return "";
   }
 
   test::TemporaryFolder folder;
@@ -105,7 +98,7 @@ TEST_F(PresetShelfTest, aBrokenPresetIsALineAndLosesNothing) {
         R"({"schema": 1, "groups": ["aircraft"], "settings": {"aircraft": {"mass": -1}}})",
         R"({"schema": 1, "groups": ["aircraft"], "settings": {"game": {"targetRadius": 50}}})"}) {
     std::ofstream(presets / "torn.json") << broken;
-    const std::string message = messageOf([&] { shelf.load("torn"); });
+    const std::string message = test::refusalOf<std::exception>([&] { shelf.load("torn"); });
     EXPECT_THAT(message, testing::HasSubstr("torn.json")) << broken;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     const auto list = shelf.list();

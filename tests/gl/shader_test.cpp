@@ -10,6 +10,7 @@
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/gl/shader_cache.h"
 #include "support/gl_test.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::render::gl {
@@ -25,12 +26,7 @@ class ShaderGLTest : public test::GLTest {
 
   // The error that compiling these files throws.
   std::string errorOf(const std::string& fragment) {
-    try {
-      Shader(context(), vertex_, fragment);
-    } catch (const core::DataError& error) {
-      return error.what();
-    }
-    return "no error";
+    return test::refusalOf<core::DataError>([&] { Shader(context(), vertex_, fragment); });
   }
 
   // What a compute shader writes into out[].

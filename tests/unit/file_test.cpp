@@ -1,11 +1,11 @@
 #include "skydrop/core/file.h"
 
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/image.h"
+#include "support/refusal.h"
 
 namespace skydrop::core {
 namespace {
@@ -47,12 +47,8 @@ TEST_F(FileTest, aFolderThatTakesNoFilesIsAnError) {
 }
 
 TEST_F(FileTest, missingFilesAndFoldersAreNamed) {
-  try {
-    readFile(folder_ / "none.bin");
-    FAIL();
-  } catch (const DataError& error) {
-    EXPECT_EQ(std::string(error.what()), (folder_ / "none.bin").string() + ": cannot open: No such file or directory");
-  }
+  EXPECT_EQ(test::refusalOf<DataError>([&] { readFile(folder_ / "none.bin"); }),
+            (folder_ / "none.bin").string() + ": cannot open: No such file or directory");
   EXPECT_THROW(readFile(folder_), DataError);
 }
 
@@ -62,13 +58,8 @@ TEST_F(FileTest, foldersAreMadeWithThoseTheyLieIn) {
   makeFolder(folder_ / "outer" / "inner");
   EXPECT_TRUE(fs::is_directory(folder_ / "outer" / "inner"));
   writeFileAtomically(folder_ / "file", "x");
-  try {
-    makeFolder(folder_ / "file" / "inner");
-    FAIL();
-  } catch (const DataError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              (folder_ / "file" / "inner").string() + ": cannot make the folder: Not a directory");
-  }
+  EXPECT_EQ(test::refusalOf<DataError>([&] { makeFolder(folder_ / "file" / "inner"); }),
+            (folder_ / "file" / "inner").string() + ": cannot make the folder: Not a directory");
 }
 
 TEST_F(FileTest, aFileBeyondTheLimitIsRefused) {

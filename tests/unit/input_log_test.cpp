@@ -6,6 +6,7 @@
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::game {
@@ -27,12 +28,7 @@ InputLog example() {
 
 // The line that a log is refused with; empty when it is accepted.
 std::string refusal(const std::string& text) {
-  try {
-    decodeInputLog(text, "flight.json");
-  } catch (const core::DataError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf<core::DataError>([&] { decodeInputLog(text, "flight.json"); });
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "skydrop/core/error.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::core {
@@ -28,13 +29,9 @@ TEST(SettingsFile, whatIsNoSettingsFileIsRefusedByName) {
   for (const char* broken : {"", "{", "[]", "7", R"({"settings": {}})", R"({"schema": 2, "settings": {}})",
                              R"({"schema": "1"})", R"({"schema": 1, "settings": []})"}) {
     const std::filesystem::path file = folder.write("a.json", broken);
-    try {
-      readSettingsFile(file);
-      ADD_FAILURE() << broken;
-    } catch (const DataError& error) {
-      EXPECT_NE(std::string(error.what()).find("a.json"), std::string::npos) << error.what();
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-    }
+    const std::string line = test::refusalOf<DataError>([&] { readSettingsFile(file); });
+    EXPECT_NE(line.find("a.json"), std::string::npos) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
   }
   EXPECT_THROW(readSettingsFile(folder.path() / "none.json"), DataError);
   EXPECT_EQ(readSettingsFile(folder.write("b.json", R"({"schema": 1})"))["settings"],

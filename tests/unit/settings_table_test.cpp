@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "skydrop/core/error.h"
+#include "support/refusal.h"
 
 namespace skydrop::core {
 namespace {
@@ -33,15 +34,6 @@ void describe(SettingsVisitor& visitor, Sample& sample) {
   visitor.flag("on", sample.on, {"A switch."});
   visitor.choice("mode", sample.mode, kModeNames, {"A choice."});
   visitor.group("layers", sample.layers, "The layers.");
-}
-
-std::string messageOf(const auto& action) {
-  try {
-    action();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(SettingsTable, listsEveryFieldWithPathAndDefault) {
@@ -74,14 +66,17 @@ TEST(SettingsTable, assignmentsFromTextReachTheStruct) {
 TEST(SettingsTable, refusesWhatIsUnknownOrOutOfRangeInOneLineAndChangesNothing) {
   Sample sample;
   const SettingsTable table(sample);
-  EXPECT_EQ(messageOf([&] { setField(table, "lenght=1"); }), "unknown setting 'lenght'; the nearest is 'length'");
-  EXPECT_EQ(messageOf([&] { setField(table, "length=11"); }), "length: '11' is out of range 0.1 to 10 m");
-  EXPECT_EQ(messageOf([&] { setField(table, "length=nan"); }), "length: 'nan' is not a finite number");
-  EXPECT_EQ(messageOf([&] { setField(table, "length=1m"); }), "length: '1m' is not a number");
-  EXPECT_EQ(messageOf([&] { setField(table, "count=1.5"); }), "count: '1.5' is not a whole number");
-  EXPECT_EQ(messageOf([&] { setField(table, "on=1"); }), "on: '1' is not true or false");
-  EXPECT_EQ(messageOf([&] { setField(table, "mode=fourth"); }), "mode: 'fourth' is not one of first second third");
-  EXPECT_EQ(messageOf([&] { setField(table, "length"); }), "'length' is not of the form PATH=VALUE");
+  const auto refusal = [&](const char* text) {
+    return test::refusalOf<std::exception>([&] { setField(table, text); });
+  };
+  EXPECT_EQ(refusal("lenght=1"), "unknown setting 'lenght'; the nearest is 'length'");
+  EXPECT_EQ(refusal("length=11"), "length: '11' is out of range 0.1 to 10 m");
+  EXPECT_EQ(refusal("length=nan"), "length: 'nan' is not a finite number");
+  EXPECT_EQ(refusal("length=1m"), "length: '1m' is not a number");
+  EXPECT_EQ(refusal("count=1.5"), "count: '1.5' is not a whole number");
+  EXPECT_EQ(refusal("on=1"), "on: '1' is not true or false");
+  EXPECT_EQ(refusal("mode=fourth"), "mode: 'fourth' is not one of first second third");
+  EXPECT_EQ(refusal("length"), "'length' is not of the form PATH=VALUE");
   EXPECT_EQ(toJson(table, true), nlohmann::json::object());
 }
 
@@ -107,7 +102,7 @@ TEST(SettingsTable, aBadJsonObjectNamesFileAndPlaceAndChangesNothing) {
   Sample sample;
   const SettingsTable table(sample);
   const auto apply = [&](const char* text) {
-    return messageOf([&] { applyJson(table, nlohmann::json::parse(text), "a.json"); });
+    return test::refusalOf<std::exception>([&] { applyJson(table, nlohmann::json::parse(text), "a.json"); });
   };
   EXPECT_EQ(apply(R"({"length": 3, "layers": {"0": {"base": -5}}})"),
             "a.json: layers.0.base: -5 is out of range 0 to 20000 m");

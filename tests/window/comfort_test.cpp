@@ -12,9 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-#define SKIP_WITHOUT_DISPLAY() \
-  if (!VirtualDisplay::missing().empty()) GTEST_SKIP() << VirtualDisplay::missing()
-
 FlownGame::Condition hasSize(int width, int height) {
   return [=](const json& s) {
     return s.at("window").at("width") == width && s.at("window").at("height") == height;

@@ -3,6 +3,8 @@
 // must happen; nothing is timed by sleeping.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -14,6 +16,10 @@
 #include "support/virtual_display.h"
 
 namespace skydrop::test {
+
+// In a test that needs a window.
+#define SKIP_WITHOUT_DISPLAY() \
+  if (!VirtualDisplay::missing().empty()) GTEST_SKIP() << VirtualDisplay::missing()
 
 class FlownGame {
  public:

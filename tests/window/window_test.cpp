@@ -19,9 +19,6 @@ namespace {
 
 using nlohmann::json;
 
-#define SKIP_WITHOUT_DISPLAY() \
-  if (!VirtualDisplay::missing().empty()) GTEST_SKIP() << VirtualDisplay::missing()
-
 double game(const json& statistics, const char* name) { return statistics.at("game").at(name).get<double>(); }
 bool isOn(const json& statistics, const char* name) { return statistics.at("window").at(name).get<bool>(); }
 
