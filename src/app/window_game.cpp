@@ -380,6 +380,7 @@ void WindowGame::watchFiles() {
     if (sceneFile_.wasWritten()) reloadSceneFile();
     if (playerFile_.wasWritten()) reloadPlayerFile();
   } catch (const std::exception& refusal) {
+    if (!stage_) throw;  // refused when the old scene was gone: nothing is left to fly in
     error_ = refusal.what();
   }
 }
