@@ -9,10 +9,14 @@ namespace skydrop::app {
 
 Overlay::Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help,
                  const ui::InterfaceScale& scale)
-    : drawsHud_(effects.contains(scene::Effect::hud)),
-      help_(std::move(help)),
-      sections_(menuSections(effects)),
-      interface_(size.width, size.height, scale) {}
+    : help_(std::move(help)), interface_(size.width, size.height, scale) {
+  showEffects(effects);
+}
+
+void Overlay::showEffects(const scene::EffectSet& effects) {
+  drawsHud_ = effects.contains(scene::Effect::hud);
+  sections_ = menuSections(effects);
+}
 
 void Overlay::showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys) {
   help_ = std::move(help);

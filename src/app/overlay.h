@@ -50,6 +50,9 @@ class Overlay {
   bool escapeOpen = false;
   bool hudShown = true;
 
+  // What the scene calls for from now on: sections of the menu, HUD.
+  void showEffects(const scene::EffectSet& effects);
+
   // What the help lists, and the keys that the display names.
   void showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys);
 
@@ -61,7 +64,7 @@ class Overlay {
   bool buildLoading(Size size, const ui::LoadingProgress& progress, const ui::InterfaceScale& scale);
 
  private:
-  bool drawsHud_;
+  bool drawsHud_ = false;
   std::vector<ui::HelpRow> help_;
   ui::HudKeys keys_;
   std::vector<ui::MenuSection> sections_;

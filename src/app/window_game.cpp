@@ -120,6 +120,7 @@ void WindowGame::buildScene() {
     }
     simulation_.emplace(run_->setup, run_->settings, run_->table);
     const scene::EffectSet& effects = simulation_->effects();
+    overlay_->showEffects(effects);
     const Stage::Setup setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value(),
                              cloudNoise_ ? cloudNoise_->get() : nullptr};
     stage_ = std::make_unique<Stage>(window_.context(), setup, run_->settings);
