@@ -35,6 +35,8 @@ void addTargets(Stage& stage) {
 
 void addLand(Stage& stage) { stage.addLand(); }
 
+void addClouds(Stage& stage) { stage.addClouds(); }
+
 void addHaze(render::FrameFeatures& features) { features.haze = true; }
 
 }  // namespace
@@ -44,7 +46,7 @@ const std::vector<Part>& parts() {
       {Effect::aircraft, addAircraft, nullptr, {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
       {Effect::targets, addTargets, nullptr, {{"game", "Game"}, {"package", "Package"}}},
       {Effect::clouds,
-       nullptr,
+       addClouds,
        nullptr,
        {{"clouds", "Weather"}, {"clouds.march", "Exactness of the clouds"}}},
       {Effect::terrain,

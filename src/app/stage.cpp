@@ -31,6 +31,7 @@ void Stage::apply(const Settings& settings) {
   settings_ = settings;
   renderer_.apply(settings_.render);
   if (land_) land_->apply(settings_.streaming);
+  if (clouds_) clouds_->apply(settings_.clouds);
 }
 
 void Stage::freeCamera() {
@@ -43,6 +44,12 @@ void Stage::addLand() {
   land_ = std::make_unique<terrain::EndlessTerrain>(setup_.ground, *workers_, settings_.streaming);
   auto pass = std::make_unique<render::TerrainPass>(renderer_.context());
   landPass_ = pass.get();
+  renderer_.add(std::move(pass));
+}
+
+void Stage::addClouds() {
+  auto pass = std::make_unique<render::CloudSystem>(renderer_.context(), setup_.cloudNoise, settings_.clouds);
+  clouds_ = pass.get();
   renderer_.add(std::move(pass));
 }
 

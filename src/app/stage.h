@@ -14,6 +14,7 @@
 #include "skydrop/core/job_pool.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/camera.h"
+#include "skydrop/render/cloud_system.h"
 #include "skydrop/render/imgui_pass.h"
 #include "skydrop/render/renderer.h"
 #include "skydrop/render/shadow_pass.h"
@@ -50,6 +51,7 @@ class Stage {
   void apply(const Settings& settings);
 
   void addLand();
+  void addClouds();
   // Something whose shadow falls on land; without land nothing is done.
   void castShadow(render::ShadowSource source);
 
@@ -97,6 +99,7 @@ class Stage {
   std::unique_ptr<terrain::EndlessTerrain> land_;  // with terrain only
   render::TerrainPass* landPass_ = nullptr;        // the renderer's; with terrain only
   render::ShadowPass* shadowPass_ = nullptr;       // the renderer's; with land and something that casts
+  render::CloudSystem* clouds_ = nullptr;          // the renderer's; with clouds only
   render::ImGuiPass* overlay_ = nullptr;           // the renderer's
   double settleMs_ = 0;
 };

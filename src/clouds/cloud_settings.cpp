@@ -20,6 +20,10 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
   visitor.choice("resolution", s.resolution, kMarchResolutionNames,
                  {"Rays a pixel: one for each, for each 2 x 2 or for each 4 x 4; edges are always sharp.",
                   core::TakesEffect::variant});
+  number("tolerance", s.tolerance, "1", 0.005, 10,
+         "Where neighbouring rays differ by more, every pixel gets its own; more leaves edges softer.");
+  number("seekSteps", s.seekSteps, "1", 1, 16,
+         "Steps at a time through clear air; more may miss thin wisps.");
   number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.");
   number("stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
          "Length of a step far from the eye, as a share of the distance.");

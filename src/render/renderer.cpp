@@ -50,7 +50,7 @@ void Renderer::resize(int width, int height) {
 }
 
 void Renderer::bindTarget(Slot slot) {
-  const bool readsDepth = slot >= Slot::translucents && slot <= Slot::weatherEffects;
+  const bool readsDepth = slot >= Slot::clouds && slot <= Slot::weatherEffects;
   if (readsDepth && !sceneColorOnly_) {
     sceneColorOnly_ = gl::FrameBuffer(context_, &scene_.colorTexture(), nullptr, "scene colour");
   }

@@ -21,16 +21,18 @@ inline constexpr std::array<std::string_view, 3> kMarchResolutionNames = {"full"
 
 // How a layer is marched through: all that trades accuracy for time. Defaults are those of the tier high.
 struct MarchSettings {
-  MarchResolution resolution = MarchResolution::full;
-  double stepM = 16;          // length of a step where air is clear
-  double stepGrowth = 0.006;  // a step is at least this share of its distance
-  double stepDepth = 0.35;    // most optical depth of a step; more is halved
+  MarchResolution resolution = MarchResolution::half;
+  double tolerance = 0.3;     // most by which rays around a pixel may differ, before it gets one of its own
+  double stepM = 16;          // length of a step near the eye
+  double stepGrowth = 0.004;  // a step is about this share of its distance, at least half of it
+  double seekSteps = 6;       // at a time, through clear air
+  double stepDepth = 0.7;     // most optical depth that shares one evaluation of light
   double leastTransmittance = 0.01;
-  std::int64_t sunSamples = 2;  // of density on the way to the sun
-  double sunReachM = 120;       // length of that way, with the light grid; without: all of it
-  bool lightGrid = true;        // the rest of the way is looked up
-  double lightCellM = 80;       // of the grid near the eye
-  bool detail = true;           // detail wears the edges; off: its mean does
+  std::int64_t sunSamples = 12;  // of density on the way to the sun
+  double sunReachM = 200;        // length of that way, with the light grid; without: all of it
+  bool lightGrid = false;        // the rest of the way is looked up
+  double lightCellM = 80;        // of the grid near the eye
+  bool detail = true;            // detail wears the edges; off: its mean does
 };
 
 struct CloudSettings {

@@ -24,10 +24,10 @@ namespace skydrop::render {
 //   shadows                  as the next: what is drawn goes to maps of its own (FrameContext::shadows)
 //   terrain, sky, models     the scene: linear light (RGBA16F) and reversed depth (D32F), both written;
 //                            models may be drawn into a layer (ModelLayer) and not ask for gl_FragCoord
-//   translucents, clouds,    the scene's colour alone: depth can be read as a texture
+//   clouds, translucents,    the scene's colour alone: depth can be read as a texture
 //   weatherEffects           (FrameContext::sceneDepth)
 //   toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
-enum class Slot { shadows, terrain, sky, models, translucents, clouds, weatherEffects, toneMap, hud, menu };
+enum class Slot { shadows, terrain, sky, models, clouds, translucents, weatherEffects, toneMap, hud, menu };
 
 // What a frame is a pure function of. Values: nothing in here changes while it is drawn.
 struct FrameInput {
@@ -47,8 +47,8 @@ struct FrameContext {
   const RenderSettings& settings;
   std::span<const std::string> defines;  // of the frame's features, for the cache
   CastShadows& shadows;                  // on land; filled in slot shadows
-  const gl::Texture& sceneColor;         // RGBA16F; to be read from slot toneMap on
-  const gl::Texture& sceneDepth;         // D32F; to be read from slot translucents on, without filtering
+  const gl::Texture& sceneColor;         // RGBA16F; to be read from slot toneMap on (slot clouds: as an image)
+  const gl::Texture& sceneDepth;         // D32F; to be read from slot clouds on, without filtering
 };
 
 class Pass {

@@ -161,6 +161,10 @@ void ShaderProgram::setIvec2(std::string_view name, const glm::ivec2& value) {
   context().api().ProgramUniform2iv(id(), location(name), 1, glm::value_ptr(value));
 }
 
+void ShaderProgram::setIvec3(std::string_view name, const glm::ivec3& value) {
+  context().api().ProgramUniform3iv(id(), location(name), 1, glm::value_ptr(value));
+}
+
 void ShaderProgram::setMatrix(std::string_view name, const glm::mat3& value) {
   context().api().ProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

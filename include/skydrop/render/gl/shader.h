@@ -50,6 +50,7 @@ class ShaderProgram {
   void setVec3(std::string_view name, const glm::vec3& value);
   void setVec4(std::string_view name, const glm::vec4& value);
   void setIvec2(std::string_view name, const glm::ivec2& value);
+  void setIvec3(std::string_view name, const glm::ivec3& value);
   void setMatrix(std::string_view name, const glm::mat3& value);
   void setMatrix(std::string_view name, const glm::mat4& value);
   void setFloats(std::string_view name, std::span<const float> values);     // float name[]

@@ -1,0 +1,14 @@
+#include "frame.glsl"
+#include "shared/cloud_medium.glsl"
+#include "shared/cloud_light.glsl"
+#include "clouds/uniforms.glsl"
+#include "clouds/occupancy.glsl"
+#include "clouds/view.glsl"
+#include "clouds/tiles.glsl"
+#include "clouds/classify.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform ivec2 tileCount;
+
+void main() { classifyTile(ivec2(gl_GlobalInvocationID.xy), tileCount); }

@@ -1,0 +1,42 @@
+// The clouds' medium at a place relative to the eye. After shared/cloud_medium.glsl, shared/cloud_light.glsl and
+// clouds/uniforms.glsl. DETAIL: edges are worn by the detail texture, else by its mean.
+layout(binding = 0) uniform sampler3D baseNoise;
+layout(binding = 1) uniform sampler3D detailNoise;
+layout(binding = 2) uniform sampler2D weatherMap;
+
+CloudMedium frameMedium() {
+  CloudMedium medium;
+  medium.threshold = clouds.medium.x;
+  medium.coverage = clouds.medium.y;
+  medium.typeShift = clouds.medium.z;
+  medium.erosion = clouds.medium.w;
+  return medium;
+}
+
+// Height over the base by the thickness; clouds lie in (0, 1).
+float heightFraction(vec3 place) { return (place.y - clouds.layer.x) / clouds.layer.y; }
+
+vec3 periodsAt(vec3 place, vec4 eye) { return eye.xyz + place * eye.w; }
+
+// Density before erosion, [0, 1]: nothing is where this is 0.
+float shapeDensity(vec3 place, float height) {
+  vec2 map = clouds.weatherPlace.xz + place.xz * clouds.weatherPlace.w;
+  vec2 weather = textureLod(weatherMap, map, 0.0).xy;  // coverage, type
+  float base = textureLod(baseNoise, periodsAt(place, clouds.shapePlace), 0.0).x;
+  return cloudShapeDensity(frameMedium(), height, vec4(weather.x, 0.0, weather.y, 1.0), base);
+}
+
+float wornDensity(vec3 place, float height, float shape) {
+#ifdef DETAIL
+  float detail = textureLod(detailNoise, periodsAt(place, clouds.detailPlace), 0.0).x;
+#else
+  float detail = clouds.scattering.z;
+#endif
+  return erodedDensity(frameMedium(), height, shape, detail);
+}
+
+// Extinction, 1/m; not faded with distance.
+float extinctionAt(vec3 place) {
+  float height = heightFraction(place);
+  return wornDensity(place, height, shapeDensity(place, height)) * clouds.layer.w;
+}

@@ -1,0 +1,111 @@
+// Goes along a ray through the layer. After clouds/occupancy.glsl and clouds/sun_depth.glsl.
+//
+// Lengths are whole multiples of the step, so neighbouring rays are cut at the same distances and nothing drifts. Light
+// is worked out once for a stretch of some optical depth, at the place where the stretch's opacity has its middle:
+// density is cheap, light is not, and rays that run together wait for each other only there.
+
+// What a ray has gathered, per illuminance of each source; and where it is.
+struct March {
+  float sun;
+  float sky;
+  float ground;
+  float transmittance;
+  float weight;    // sums: opacity, and distance times opacity
+  float distance;
+  float at;        // m from the eye
+  float clear;     // 1: the last step met no cloud, and the next goes several at a time
+};
+
+// Length of a step: doubles as often as the distance does, so that multiples stay exact.
+float stepAt(float distanceM) {
+  float times = max(distanceM / clouds.sight.x, 1.0);
+  return clouds.march.x * intBitsToFloat(floatBitsToInt(times) & 0x7f800000);
+}
+
+// The last multiple of the step before a distance.
+float alignedBefore(float distanceM) {
+  float step = stepAt(distanceM);
+  return floor(distanceM / step) * step;
+}
+
+March marchFrom(float begin) { return March(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, alignedBefore(begin), 1.0); }
+
+bool isUnderWay(March march, RaySpan span) { return march.at < span.end && march.transmittance > clouds.march.w; }
+
+// Steps that share one place where light is worked out.
+const float kLongestStretch = 4.0;
+
+// A stretch whose light is worked out at one place.
+struct Stretch {
+  float opacity;  // of what comes from it, as the eye sees it
+  float moment;   // opacity times distance
+};
+
+// On to where a stretch is worth its light: by depth, by length, or because the ray ends.
+Stretch gatherStretch(inout March march, CellRay ray, vec3 direction, RaySpan span, inout int iterations) {
+  Stretch stretch = Stretch(0.0, 0.0);
+  float depth = 0.0;
+  float begin = span.end;
+  while (march.at < span.end && depth < clouds.march.z && iterations > 0) {
+    --iterations;
+    float step = stepAt(march.at);
+    vec3 cell = ray.start + ray.perLength * march.at;
+    float cells = emptyCells(ivec3(floor(cell)));
+    float way = cells < 1.0 ? 0.0 : wayOutOfBox(cell, ray.perLength, cells, vec3(0.0), vec3(0.0));
+    if (way > 2.0 * step) {
+      march.at = alignedBefore(march.at + way);
+      march.clear = 1.0;
+      continue;
+    }
+    // In clear air a stride of several steps, judged by its end: the shape before erosion is too thick to slip through.
+    float pace = step * mix(1.0, clouds.sight.w, march.clear);
+    float length = min(pace, span.end - march.at);
+    float middle = march.at + length * mix(0.5, 1.0, march.clear);
+    vec3 place = direction * middle;
+    float height = heightFraction(place);
+    float shape = shapeDensity(place, height);
+    float extinction = wornDensity(place, height, shape) * clouds.layer.w;
+    if (shape > 0.0 && march.clear > 0.0) {
+      march.clear = 0.0;
+      continue;
+    }
+    float stepDepth = extinction * cloudFade(middle, clouds.layer.z) * length;
+    float gain = march.transmittance * stepOpacity(stepDepth);
+    begin = gain > 0.0 ? min(begin, march.at) : begin;
+    stretch.opacity += gain;
+    stretch.moment += gain * middle;
+    march.transmittance -= gain;
+    depth += stepDepth;
+    march.clear = shape > 0.0 ? 0.0 : 1.0;
+    march.at += pace;
+    if (march.at - begin > kLongestStretch * step) break;
+  }
+  return stretch;
+}
+
+// All loops together run at most about so many times: longer ones are cut short by some drivers.
+const int kMostIterations = 30000;
+
+void marchOn(inout March march, vec3 direction, RaySpan span) {
+  CellRay ray = cellRay(direction);
+  vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
+  int iterations = kMostIterations;
+  while (isUnderWay(march, span) && iterations > 0) {
+    Stretch stretch = gatherStretch(march, ray, direction, span, iterations);
+    if (stretch.opacity <= 0.0) break;
+    iterations -= sunSamples;
+    vec3 place = direction * (stretch.moment / stretch.opacity);
+    float height = heightFraction(place);
+    march.sun += stretch.opacity * scatteredSun(phases, sunDepth(place, height));
+    march.sky += stretch.opacity * scatteredSky(height);
+    march.ground += stretch.opacity * scatteredGround(height);
+    march.weight += stretch.opacity;
+    march.distance += stretch.moment;
+  }
+}
+
+// The stretch of a ray in which there can be cloud: in the layer, before the scene's surface, not yet faded.
+RaySpan spanOfRay(vec3 direction, float surfaceM, Task task) {
+  RaySpan layer = raySpanBetween(0.0, direction.y, clouds.layer.x, clouds.layer.x + clouds.layer.y);
+  return overlap(layer, make_raySpan(task.begin, min(task.end, surfaceM)));
+}

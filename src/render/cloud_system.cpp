@@ -1,0 +1,230 @@
+#include "skydrop/render/cloud_system.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "render/cloud_uniforms.h"
+#include "render/cloud_volumes.h"
+#include "render/light_grid.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr GLuint kNearUnit = 4, kFarUnit = 5, kSceneDepthUnit = 6, kLightUnit = 7,
+                 kDistancesUnit = 8;                                          // as in shaders/clouds
+constexpr GLuint kTilesBinding = 0, kEdgesBinding = 1, kUnderWayBinding = 2;  // likewise
+constexpr int kTileSide = 8;                                                  // rays
+constexpr std::size_t kTaskBytes = 16, kEdgeBytes = 4, kHeaderBytes = 16;
+constexpr double kNearRadiusCells = 48;  // of the fine light grid
+constexpr double kFarCells = 5;          // a cell of the coarse grid in cells of the fine one
+
+struct ListHeader {
+  std::array<GLuint, 3> groups{0, 0, 1};
+  GLuint count = 0;
+};
+
+int divisorOf(clouds::MarchResolution resolution) { return 1 << static_cast<int>(resolution); }
+
+int rays(int pixels, int divisor) { return (pixels + divisor - 1) / divisor; }
+int tilesOf(int raysAcross) { return (raysAcross + kTileSide - 1) / kTileSide; }
+
+// Whether no ray of the picture meets the layer before clouds have faded.
+bool missesLayer(const View& view, const clouds::CloudSettings& s) {
+  const double below = s.cloudHeight - view.position.y, above = view.position.y - s.cloudHeight - s.thickness;
+  if (below <= 0 && above <= 0) return false;
+  const double distance = std::max(below, above);
+  if (distance >= s.fadeDistance) return true;
+  // The steepest ray towards the layer: a corner of the picture, or straight up or down where that is in
+  // view.
+  const glm::dvec3 towards(0, below > 0 ? 1 : -1, 0);
+  double steepest = -1;
+  for (const double x : {0.0, 1.0}) {
+    for (const double y : {0.0, 1.0}) {
+      const glm::dvec3 ray = rayDirection(view, {x * view.width, y * view.height});
+      steepest = std::max(steepest, glm::dot(ray, towards));
+    }
+  }
+  const glm::dmat3 toView = glm::inverse(rayMatrix(view));
+  const glm::dvec3 pole = toView * towards;
+  if (pole.z > 0 && std::abs(pole.x) <= pole.z && std::abs(pole.y) <= pole.z) steepest = 1;
+  return steepest * s.fadeDistance <= distance;
+}
+
+// Without the grid a step costs so much that one dispatch may not reach the end of a ray.
+bool isCarried(const clouds::MarchSettings& march) { return !march.lightGrid; }
+
+std::vector<std::string> definesOf(const FrameContext& context, const clouds::MarchSettings& march) {
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  if (march.detail) defines.emplace_back("DETAIL");
+  if (march.lightGrid) defines.emplace_back("LIGHT_GRID");
+  if (isCarried(march)) defines.emplace_back("CARRIED");
+  defines.push_back("DIVISOR " + std::to_string(divisorOf(march.resolution)));
+  return defines;
+}
+
+glm::dvec3 inField(const clouds::CloudSettings& settings, const FrameInput& frame) {
+  const glm::dvec2 drift = clouds::CloudField::drift(settings, frame.snapshot.simulatedSeconds);
+  return frame.view.position - glm::dvec3(drift.x, 0, drift.y);
+}
+
+}  // namespace
+
+CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::FoldedNoise> noise,
+                         const clouds::CloudSettings& settings)
+    : context_(context),
+      volumes_(std::make_unique<CloudVolumes>(context, std::move(noise))),
+      near_(std::make_unique<LightGrid>("near light grid")),
+      far_(std::make_unique<LightGrid>("far light grid")),
+      uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {
+  apply(settings);
+}
+
+CloudSystem::~CloudSystem() = default;
+
+void CloudSystem::apply(const clouds::CloudSettings& settings) {
+  const bool detailChanged = settings.march.detail != settings_.march.detail;
+  settings_ = settings;
+  if (!volumes_->apply(settings) && !detailChanged) return;
+  near_->forget();
+  far_->forget();
+}
+
+std::optional<std::string> CloudSystem::idleReason(const FrameInput& frame) const {
+  if (settings_.tier == clouds::CloudTier::off) return "switched off";
+  if (volumes_->isEmpty()) return "no cloud anywhere";
+  if (missesLayer(frame.view, settings_)) return "the layer is out of view";
+  return std::nullopt;
+}
+
+void CloudSystem::resize(const View& view) {
+  const int divisor = divisorOf(settings_.march.resolution);
+  const int width = rays(view.width, divisor), height = rays(view.height, divisor);
+  if (light_ && light_.width() == width && light_.height() == height) return;
+  light_ = gl::Texture::make2D(context_, GL_RGBA16F, width, height, "cloud light");
+  distances_ = gl::Texture::make2D(context_, GL_RG16F, width, height, "cloud distances");
+  const auto tiles = static_cast<std::size_t>(tilesOf(width)) * static_cast<std::size_t>(tilesOf(height));
+  tiles_ = gl::Buffer(context_, kHeaderBytes + tiles * kTaskBytes, gl::Buffer::Use::write, "cloud tiles");
+  edges_ = {};
+  if (divisor == 1) return;
+  const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+  edges_ = gl::Buffer(context_, kHeaderBytes + pixels * kEdgeBytes, gl::Buffer::Use::write, "cloud edges");
+}
+
+void CloudSystem::updateLight(FrameContext& context) {
+  const glm::dvec3 eye = inField(settings_, context.frame);
+  const glm::dvec3 toSun = raisedSun(context.light.toSun);
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  if (settings_.march.detail) defines.emplace_back("DETAIL");
+  gl::ComputeShader& shader = context.shaders.computeShader("clouds/light_grid.comp", defines);
+  const double cell = settings_.march.lightCellM;
+  const auto update = [&](LightGrid& grid, double cellM, double radiusM) {
+    grid.update(context_, shader, lightGridLayout(settings_, toSun, cellM, radiusM, eye), settings_,
+                volumes_->meanDetail());
+  };
+  update(*near_, cell, std::min(kNearRadiusCells * cell, settings_.fadeDistance));
+  update(*far_, kFarCells * cell, settings_.fadeDistance);
+}
+
+void CloudSystem::marchInParts() {
+  const gl::Functions& api = context_.api();
+  const int width = light_.width(), height = light_.height();
+  if (!carriedLight_ || carriedLight_.width() != width || carriedLight_.height() != height) {
+    carriedLight_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "carried light");
+    carriedWay_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "carried way");
+  }
+  const std::array<float, 4> untouched = {0, 0, 0, 1};
+  api.ClearTexImage(carriedLight_.id(), 0, GL_RGBA, GL_FLOAT, untouched.data());
+  api.ClearTexImage(carriedWay_.id(), 0, GL_RGBA, GL_FLOAT, untouched.data());
+  carriedLight_.bindImage(2, GL_READ_WRITE);
+  carriedWay_.bindImage(3, GL_READ_WRITE);
+  GLuint underWay = 0;
+  gl::Buffer counter(context_, sizeof underWay, gl::Buffer::Use::write, "rays under way");
+  counter.bindBase(GL_SHADER_STORAGE_BUFFER, kUnderWayBinding);
+  do {
+    counter.writeValue(0, GLuint{0});
+    context_.dispatchIndirect(0);
+    api.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    counter.read(0, std::as_writable_bytes(std::span(&underWay, 1)));
+  } while (underWay > 0);
+}
+
+void CloudSystem::draw(FrameContext& context) {
+  const View& view = context.frame.view;
+  const int divisor = divisorOf(settings_.march.resolution);
+  const gl::Functions& api = context_.api();
+  resize(view);
+  volumes_->bind();
+  CloudUniforms uniforms =
+      fieldUniforms(settings_, inField(settings_, context.frame), volumes_->meanDetail());
+  addLight(uniforms, settings_, context.light);
+  addMarch(uniforms, settings_.march, view, kTileSide * divisor);
+  if (settings_.march.lightGrid) {
+    updateLight(context);
+    const glm::dvec3 eye = inField(settings_, context.frame);
+    uniforms.nearGrid = toLightGrid(near_->layout(), eye);
+    uniforms.farGrid = toLightGrid(far_->layout(), eye);
+    near_->depths().bind(kNearUnit);
+    far_->depths().bind(kFarUnit);
+  }
+  uniforms_.writeValue(0, uniforms);
+  uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
+  context.sceneDepth.bind(kSceneDepthUnit);
+  tiles_.writeValue(0, ListHeader{});
+  tiles_.bindBase(GL_SHADER_STORAGE_BUFFER, kTilesBinding);
+  tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+  const std::vector<std::string> defines = definesOf(context, settings_.march);
+
+  const glm::ivec2 tileCount(tilesOf(rays(view.width, divisor)), tilesOf(rays(view.height, divisor)));
+  gl::ComputeShader& classify = context.shaders.computeShader("clouds/classify.comp", defines);
+  classify.use();
+  classify.setIvec2("tileCount", tileCount);
+  classify.dispatch(static_cast<GLuint>(tileCount.x + 7) / 8, static_cast<GLuint>(tileCount.y + 7) / 8);
+  const std::array<float, 4> clear = {0, 0, 0, 1};
+  api.ClearTexImage(light_.id(), 0, GL_RGBA, GL_FLOAT, clear.data());
+  api.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+
+  gl::ComputeShader& march = context.shaders.computeShader("clouds/march.comp", defines);
+  march.use();
+  march.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
+  light_.bindImage(0, GL_WRITE_ONLY);
+  distances_.bindImage(1, GL_WRITE_ONLY);
+  if (isCarried(settings_.march))
+    marchInParts();
+  else
+    context_.dispatchIndirect(0);
+  api.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+
+  gl::ComputeShader& compose = context.shaders.computeShader("clouds/compose.comp", defines);
+  compose.use();
+  context.sceneColor.bindImage(0, GL_READ_WRITE);
+  light_.bind(kLightUnit);
+  distances_.bind(kDistancesUnit);
+  if (divisor > 1) {
+    edges_.writeValue(0, ListHeader{});
+    edges_.bindBase(GL_SHADER_STORAGE_BUFFER, kEdgesBinding);
+  }
+  context_.dispatchIndirect(0);
+  if (divisor > 1) {
+    api.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    gl::ComputeShader& single = context.shaders.computeShader("clouds/march_edges.comp", defines);
+    single.use();
+    single.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
+    edges_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+    context_.dispatchIndirect(0);
+  }
+  api.MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+CloudSystem::Work CloudSystem::lastWork() const {
+  const auto count = [](const gl::Buffer& list) {
+    ListHeader header;
+    if (list) list.read(0, std::as_writable_bytes(std::span(&header, 1)));
+    return header.count;
+  };
+  return {count(tiles_), count(edges_)};
+}
+
+}  // namespace skydrop::render

@@ -1,0 +1,56 @@
+// Optical depth of a cloud layer towards the sun, in a grid of nodes that stand on sun rays: each column is a
+// running sum along one ray, from the top of the layer down. The lower the sun, the finer the nodes lie along
+// a column and the wider apart the columns: across the light they are as dense as with the sun overhead.
+//
+// A grid belongs to a place of the field, not to the eye: it moves in steps of several columns, and what it
+// holds depends on its layout and the medium alone. Context's thread.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+
+#include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/render/gl/buffer.h"
+#include "skydrop/render/gl/shader.h"
+#include "skydrop/render/gl/texture.h"
+
+namespace skydrop::render {
+
+struct LightGridLayout {
+  glm::dvec3 foot{0};  // the first node, in the field (drift taken off); on the base of the layer
+  glm::dvec3 along{0}, across{0}, sunward{0};  // from a node to the next, metres
+  glm::ivec3 nodes{0};
+  bool operator==(const LightGridLayout&) const = default;
+};
+
+// Nodes `cellM` apart across the light, for all places of the layer within `radiusM` of the eye. toSun: unit,
+// at least kLeastSunSine high.
+LightGridLayout lightGridLayout(const clouds::CloudSettings& settings, const glm::dvec3& toSun, double cellM,
+                                double radiusM, const glm::dvec3& eyeInField);
+
+// Rows that carry a place relative to the eye (and 1) to the texture's coordinates.
+std::array<glm::vec4, 3> toLightGrid(const LightGridLayout& layout, const glm::dvec3& eyeInField);
+
+class LightGrid {
+ public:
+  explicit LightGrid(std::string label) : label_(std::move(label)) {}
+
+  const LightGridLayout& layout() const { return layout_; }
+  const gl::Texture& depths() const { return depths_; }
+
+  // Fills it anew where layout or medium differ from what it holds. The field's textures have to be bound.
+  // True when it was filled.
+  bool update(gl::Context& context, gl::ComputeShader& shader, const LightGridLayout& layout,
+              const clouds::CloudSettings& settings, double meanDetail);
+  void forget() { layout_ = {}; }  // the medium changed
+
+ private:
+  std::string label_;
+  LightGridLayout layout_;
+  gl::Texture depths_;
+  gl::Buffer uniforms_;
+};
+
+}  // namespace skydrop::render

@@ -1,0 +1,78 @@
+// The clouds' pass: when it has work, and what its frames promise.
+#include "skydrop/render/cloud_system.h"
+
+#include "support/frame_test.h"
+#include "support/light_probe.h"
+#include "support/shared_noise.h"
+
+namespace skydrop::render {
+namespace {
+
+class CloudSystemGLTest : public test::FrameTest {
+ protected:
+  void SetUp() override {
+    FrameTest::SetUp();
+    if (IsSkipped()) return;
+    auto pass = std::make_unique<CloudSystem>(context(), test::sharedNoise(), clouds_);
+    system_ = pass.get();
+    renderer().add(std::move(pass));
+    renderer().add(std::make_unique<test::LightProbe>(light_));
+  }
+
+  std::vector<glm::vec4> lightFrom(const View& view) {
+    system_->apply(clouds_);
+    draw(view);
+    return light_;
+  }
+  std::string idleReasonOf(const View& view) {
+    system_->apply(clouds_);
+    return system_->idleReason({snapshot_, view, features_}).value_or("");
+  }
+  View below() const { return pose({0, 600, 0}, 40, 12, 0, 160, 90); }
+
+  clouds::CloudSettings clouds_;
+  CloudSystem* system_ = nullptr;
+
+ private:
+  std::vector<glm::vec4> light_;
+};
+
+TEST_F(CloudSystemGLTest, marchesOnlyTilesThatMayShowCloud) {
+  // Some of the picture is open sky: fewer tiles than there are, more than none.
+  lightFrom(below());
+  const unsigned all = (160 / 2 + 7) / 8 * ((90 / 2 + 7) / 8);
+  EXPECT_GT(system_->lastWork().tiles, 0u);
+  EXPECT_LT(system_->lastWork().tiles, all);
+}
+
+TEST_F(CloudSystemGLTest, C31_dispatchesNothingWhereNoCloudCanBeSeen) {
+  // A clear sky, a layer outside the picture or faded, and the tier off: no dispatch at all, and a reason.
+  const auto dispatches = [&](const View& view) {
+    lightFrom(view);
+    const auto& passes = context().ledger().passes();
+    const auto row = passes.find("clouds");
+    return row == passes.end() ? 0 : row->second.dispatches;
+  };
+  EXPECT_GT(dispatches(below()), 0u);
+  EXPECT_EQ(idleReasonOf(below()), "");
+  const View down = pose({0, 600, 0}, 40, -45, 0, 160, 90);
+  EXPECT_EQ(dispatches(down), 0u);
+  EXPECT_EQ(idleReasonOf(down), "the layer is out of view");
+  EXPECT_EQ(idleReasonOf(pose({0, 600 + 1e5, 0}, 40, -45, 0)), "the layer is out of view");
+  clouds_.coverage = 0;
+  EXPECT_EQ(dispatches(below()), 0u);
+  EXPECT_EQ(idleReasonOf(below()), "no cloud anywhere");
+  clouds_.coverage = 0.5;
+  clouds_.tier = clouds::CloudTier::off;
+  EXPECT_EQ(dispatches(below()), 0u);
+  EXPECT_EQ(idleReasonOf(below()), "switched off");
+}
+
+TEST_F(CloudSystemGLTest, C28_repeatedFramesAreBitIdentical) {
+  // A hundred frames of one view equal the first: no missing barrier, nothing read before it was written.
+  const std::vector<glm::vec4> first = lightFrom(below());
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(lightFrom(below()) == first) << "frame " << i;
+}
+
+}  // namespace
+}  // namespace skydrop::render
