@@ -87,6 +87,13 @@ FN Real scatteredSky(Real heightFraction) {
 
 FN Real scatteredGround(Real heightFraction) { return (Real(1.0) - saturate(heightFraction)) / (Real(2.0) * kPi); }
 
+// What is left of the sun's light below a cloud of an optical depth: some of it straight through; some scattered out of
+// the base, which thins as a two-stream layer of droplets (asymmetry 0.85) does.
+FN Real sunBelowCloud(Real depth) {
+  Real x = max(depth, Real(0.0));
+  return Real(0.75) * exp(-x) + Real(0.25) / (Real(1.0) + Real(0.11) * x);
+}
+
 // The way towards the sun is cut into n parts that grow with the distance: part i, 0 .. n - 1, begins here and ends
 // where the next begins.
 FN Real sunPartBegin(Real i, Real n, Real wayM) {

@@ -2,7 +2,6 @@
 
 layout(binding = 1) uniform sampler2DArray chunkNormals;
 layout(binding = 2) uniform usampler2D chunkTable;  // slots by level and place: 32 x 32 cells a level; 0xffff: none
-layout(binding = 4) uniform sampler2D sunShares;    // what shadows leave of the sun at each pixel
 
 uniform float chunkSplit[7];  // from this distance on the samples of a level are fine enough
 
@@ -147,6 +146,6 @@ vec3 landLight(vec3 relative, float sunShare) {
 #endif
 
 vec3 landAsSeen(vec3 relative, ivec2 pixel) {
-  vec3 light = landLight(relative, texelFetch(sunShares, pixel, 0).r);
+  vec3 light = landLight(relative, sunShareAt(pixel));
   return mix(horizonRadiance(normalize(relative)), throughHaze(light, relative), leftOfLight(relative));
 }

@@ -41,8 +41,8 @@ struct SeaLight {
   vec3 passed;  // share of the floor's light that comes through
 };
 
-// At a place of the surface `relative` to the eye, over a floor at a depth.
-SeaLight seaLight(vec3 relative, float depthM) {
+// At a place of the surface `relative` to the eye, over a floor at a depth; `sunShare` of the sun is not in shadow.
+SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
   float distanceM = length(relative);
   vec3 toEye = -relative / distanceM;
   Waves waves = wavesAt(eyeFromBase.xz + relative.xz, distanceM * frame.depthToSea.w / max(toEye.y, 0.05));
@@ -59,11 +59,11 @@ SeaLight seaLight(vec3 relative, float depthM) {
   // the waves that they show.
   vec3 halfway = normalize(toEye + frame.toSun.xyz);
   vec3 tilted = normalize(vec3(halfway.x - normal.x * halfway.y, halfway.y, halfway.z - normal.z * halfway.y));
-  vec3 glitter = frame.sunLight.xyz * (step(0.0, frame.toSun.y) *
+  vec3 glitter = frame.sunLight.xyz * (sunShare * step(0.0, frame.toSun.y) *
                  sunGlitter(tilted, cosView, dot(halfway, toEye), waves.hidden));
 
   vec3 through = throughWater(depthM);
-  vec3 body = litByFrame(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), 1.0) * (1.0 - through);
+  vec3 body = litByFrame(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), sunShare) * (1.0 - through);
   SeaLight light;
   light.own = min(sky * reflectance + glitter + body * (1.0 - reflectance), vec3(kBrightest));
   light.passed = through * (1.0 - reflectance);
@@ -75,6 +75,7 @@ SeaLight seaLight(vec3 relative, float depthM) {
 struct SeaSight {
   vec3 relative;
   float floorShare;
+  float sunShare;  // that shadows leave, told by the floor's
 };
 
 SeaSight seaSightOf(vec3 fragCoord) {
@@ -85,6 +86,7 @@ SeaSight seaSightOf(vec3 fragCoord) {
   SeaSight sight;
   sight.relative = ray * viewZ;
   sight.floorShare = floorViewZ < kFarMarker ? floorViewZ / viewZ : 0.0;
+  sight.sunShare = sunShareAt(ivec2(fragCoord.xy));
   return sight;
 }
 
@@ -92,7 +94,8 @@ SeaSight seaSightOf(vec3 fragCoord) {
 // so the share that comes through brings its part of the haze along.
 SeaLight seaAsSeen(SeaSight sight) {
   vec3 relative = sight.relative;
-  SeaLight light = seaLight(relative, sight.floorShare > 0.0 ? eyeFromBase.y * (sight.floorShare - 1.0) : seaFloorM);
+  SeaLight light = seaLight(relative, sight.floorShare > 0.0 ? eyeFromBase.y * (sight.floorShare - 1.0) : seaFloorM,
+                            sight.sunShare);
   float left = leftOfLight(relative);
   vec3 horizon = horizonRadiance(normalize(relative));
   if (sight.floorShare <= 0.0) light.passed = vec3(0.0);

@@ -14,8 +14,12 @@ float leftOfLight(vec3 relative) { return 1.0 - smoothstep(0.6 * farM, 0.97 * fa
 layout(binding = 3) uniform sampler2D landDepth;
 float landViewZ(ivec2 pixel) { return viewZOfDepth(texelFetch(landDepth, pixel, 0).r, frame.eye.y); }
 
-// Where the land of a pixel is, relative to the eye. The pixel must show land.
+// What shadows leave of the sun at each pixel of the land.
+layout(binding = 4) uniform sampler2D sunShares;
+float sunShareAt(ivec2 pixel) { return texelFetch(sunShares, pixel, 0).r; }
+
+// Where the land of a pixel is, relative to the eye; where it shows none, far away.
 vec3 landPlace(ivec2 pixel) {
   vec2 ndc = (vec2(pixel) + 0.5) * frame.viewport.zw * 2.0 - 1.0;
-  return (frame.ndcToRay * vec4(ndc, 1.0, 0.0)).xyz * landViewZ(pixel);
+  return (frame.ndcToRay * vec4(ndc, 1.0, 0.0)).xyz * min(landViewZ(pixel), 1e9);
 }

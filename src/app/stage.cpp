@@ -50,6 +50,8 @@ void Stage::addLand() {
 void Stage::addClouds() {
   auto pass = std::make_unique<render::CloudSystem>(renderer_.context(), setup_.cloudNoise, settings_.clouds);
   clouds_ = pass.get();
+  if (setup_.effects.contains(Effect::terrain))
+    renderer_.add(std::make_unique<render::CloudShadowPass>(*clouds_));
   renderer_.add(std::move(pass));
 }
 

@@ -19,6 +19,7 @@ constexpr int kTileSide = 8;                                                  //
 constexpr std::size_t kTaskBytes = 16, kEdgeBytes = 4, kHeaderBytes = 16;
 constexpr double kNearRadiusCells = 48;  // of the fine light grid
 constexpr double kFarCells = 5;          // a cell of the coarse grid in cells of the fine one
+constexpr double kFineShadeM = 50, kFineShadeRadiusM = 4000, kCoarseShadeM = 240;  // cells of shadows
 
 struct ListHeader {
   std::array<GLuint, 3> groups{0, 0, 1};
@@ -75,8 +76,10 @@ CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::Fol
                          const clouds::CloudSettings& settings)
     : context_(context),
       volumes_(std::make_unique<CloudVolumes>(context, std::move(noise))),
-      near_(std::make_unique<LightGrid>("near light grid")),
-      far_(std::make_unique<LightGrid>("far light grid")),
+      near_(std::make_unique<LightGrid>("near light grid", LightGrid::Keep::all)),
+      far_(std::make_unique<LightGrid>("far light grid", LightGrid::Keep::all)),
+      fineShade_(std::make_unique<LightGrid>("fine cloud shade", LightGrid::Keep::base)),
+      coarseShade_(std::make_unique<LightGrid>("coarse cloud shade", LightGrid::Keep::base)),
       uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {
   apply(settings);
 }
@@ -87,8 +90,7 @@ void CloudSystem::apply(const clouds::CloudSettings& settings) {
   const bool detailChanged = settings.march.detail != settings_.march.detail;
   settings_ = settings;
   if (!volumes_->apply(settings) && !detailChanged) return;
-  near_->forget();
-  far_->forget();
+  for (LightGrid* grid : {near_.get(), far_.get(), fineShade_.get(), coarseShade_.get()}) grid->forget();
 }
 
 std::optional<std::string> CloudSystem::idleReason(const FrameInput& frame) const {
@@ -112,19 +114,34 @@ void CloudSystem::resize(const View& view) {
   edges_ = gl::Buffer(context_, kHeaderBytes + pixels * kEdgeBytes, gl::Buffer::Use::write, "cloud edges");
 }
 
-void CloudSystem::updateLight(FrameContext& context) {
+void CloudSystem::update(FrameContext& context, LightGrid& grid, double cellM, double radiusM) {
   const glm::dvec3 eye = inField(settings_, context.frame);
-  const glm::dvec3 toSun = raisedSun(context.light.toSun);
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (settings_.march.detail) defines.emplace_back("DETAIL");
-  gl::ComputeShader& shader = context.shaders.computeShader("clouds/light_grid.comp", defines);
-  const double cell = settings_.march.lightCellM;
-  const auto update = [&](LightGrid& grid, double cellM, double radiusM) {
-    grid.update(context_, shader, lightGridLayout(settings_, toSun, cellM, radiusM, eye), settings_,
-                volumes_->meanDetail());
+  grid.update(context_, context.shaders,
+              lightGridLayout(settings_, raisedSun(context.light.toSun), cellM,
+                              std::min(radiusM, settings_.fadeDistance), eye),
+              settings_, volumes_->meanDetail());
+}
+
+std::optional<std::string> CloudSystem::noShadeBecause(const FrameInput& frame) const {
+  if (settings_.tier == clouds::CloudTier::off) return "switched off";
+  if (volumes_->isEmpty()) return "no cloud anywhere";
+  if (frame.toSun.y <= 0) return "the sun is below the horizon";
+  if (frame.view.position.y > settings_.cloudHeight + settings_.fadeDistance)
+    return "the eye is too far above";
+  return std::nullopt;
+}
+
+void CloudSystem::castShade(FrameContext& context) {
+  volumes_->bind();
+  update(context, *fineShade_, kFineShadeM, kFineShadeRadiusM);
+  update(context, *coarseShade_, kCoarseShadeM, settings_.fadeDistance);
+  const glm::dvec3 eye = inField(settings_, context.frame);
+  const auto map = [&](const LightGrid& grid) {
+    const std::array<glm::vec4, 3> rows = toLightGrid(grid.layout(), eye);
+    return CloudShade::Map{&grid.depths(), {rows[0], rows[1]}};
   };
-  update(*near_, cell, std::min(kNearRadiusCells * cell, settings_.fadeDistance));
-  update(*far_, kFarCells * cell, settings_.fadeDistance);
+  context.cloudShade.set(map(*fineShade_), map(*coarseShade_),
+                         settings_.cloudHeight - context.frame.view.position.y, settings_.thickness);
 }
 
 void CloudSystem::marchInParts() {
@@ -161,7 +178,9 @@ void CloudSystem::draw(FrameContext& context) {
   addLight(uniforms, settings_, context.light);
   addMarch(uniforms, settings_.march, view, kTileSide * divisor);
   if (settings_.march.lightGrid) {
-    updateLight(context);
+    const double cell = settings_.march.lightCellM;
+    update(context, *near_, cell, kNearRadiusCells * cell);
+    update(context, *far_, kFarCells * cell, settings_.fadeDistance);
     const glm::dvec3 eye = inField(settings_, context.frame);
     uniforms.nearGrid = toLightGrid(near_->layout(), eye);
     uniforms.farGrid = toLightGrid(far_->layout(), eye);

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <string>
+#include <vector>
 
 #include "render/cloud_uniforms.h"
 
@@ -62,17 +64,22 @@ std::array<glm::vec4, 3> toLightGrid(const LightGridLayout& layout, const glm::d
   return rows;
 }
 
-bool LightGrid::update(gl::Context& context, gl::ComputeShader& shader, const LightGridLayout& layout,
+void LightGrid::update(gl::Context& context, gl::ShaderCache& shaders, const LightGridLayout& layout,
                        const clouds::CloudSettings& settings, double meanDetail) {
-  if (layout == layout_) return false;
+  if (layout == layout_) return;
   if (!depths_ || layout.nodes != layout_.nodes) {
-    depths_ = gl::Texture::make3D(context, GL_R32F, layout.nodes.x, layout.nodes.y, layout.nodes.z, label_);
+    const int layers = keep_ == Keep::all ? layout.nodes.z : 1;
+    depths_ = gl::Texture::make3D(context, GL_R32F, layout.nodes.x, layout.nodes.y, layers, label_);
   }
   if (!uniforms_) uniforms_ = gl::Buffer(context, sizeof(CloudUniforms), gl::Buffer::Use::write, label_);
   layout_ = layout;
   uniforms_.writeValue(0, fieldUniforms(settings, layout.foot, meanDetail));
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
   depths_.bindImage(0, GL_WRITE_ONLY);
+  std::vector<std::string> defines;
+  if (settings.march.detail) defines.emplace_back("DETAIL");
+  if (keep_ == Keep::base) defines.emplace_back("BASE_ALONE");
+  gl::ComputeShader& shader = shaders.computeShader("clouds/light_grid.comp", defines);
   shader.use();
   shader.setVec3("along", glm::vec3(layout.along));
   shader.setVec3("across", glm::vec3(layout.across));
@@ -82,7 +89,6 @@ bool LightGrid::update(gl::Context& context, gl::ComputeShader& shader, const Li
                 std::max(1, static_cast<int>(std::round(glm::length(layout.sunward) / kSampleM))));
   shader.dispatch(static_cast<GLuint>(layout.nodes.x + 7) / 8, static_cast<GLuint>(layout.nodes.y + 7) / 8);
   context.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-  return true;
 }
 
 }  // namespace skydrop::render

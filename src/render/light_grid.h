@@ -13,7 +13,7 @@
 
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/render/gl/buffer.h"
-#include "skydrop/render/gl/shader.h"
+#include "skydrop/render/gl/shader_cache.h"
 #include "skydrop/render/gl/texture.h"
 
 namespace skydrop::render {
@@ -35,19 +35,22 @@ std::array<glm::vec4, 3> toLightGrid(const LightGridLayout& layout, const glm::d
 
 class LightGrid {
  public:
-  explicit LightGrid(std::string label) : label_(std::move(label)) {}
+  // What is kept of a column: the depth at each node, or that of the whole layer alone.
+  enum class Keep { all, base };
+
+  LightGrid(std::string label, Keep keep) : label_(std::move(label)), keep_(keep) {}
 
   const LightGridLayout& layout() const { return layout_; }
   const gl::Texture& depths() const { return depths_; }
 
   // Fills it anew where layout or medium differ from what it holds. The field's textures have to be bound.
-  // True when it was filled.
-  bool update(gl::Context& context, gl::ComputeShader& shader, const LightGridLayout& layout,
+  void update(gl::Context& context, gl::ShaderCache& shaders, const LightGridLayout& layout,
               const clouds::CloudSettings& settings, double meanDetail);
   void forget() { layout_ = {}; }  // the medium changed
 
  private:
   std::string label_;
+  Keep keep_;
   LightGridLayout layout_;
   gl::Texture depths_;
   gl::Buffer uniforms_;

@@ -96,6 +96,7 @@ void Renderer::draw(const FrameInput& asked) {
   scene_.clear();
   output_.clear();
   shadows_.clear();
+  cloudShade_.clear();
   FrameContext frame{context_,
                      shaders_,
                      input,
@@ -104,6 +105,7 @@ void Renderer::draw(const FrameInput& asked) {
                      settings_,
                      defines,
                      shadows_,
+                     cloudShade_,
                      scene_.colorTexture(),
                      scene_.depthTexture()};
   skipped_.clear();

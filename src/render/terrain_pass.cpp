@@ -143,6 +143,7 @@ void TerrainPass::drawDepth(FrameContext& context) {
   context_.api().ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), view, GL_TRIANGLES);
   context_.api().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (!context.cloudShade.empty()) drawCloudShade(context);
   if (!context.shadows.empty()) drawShadows(context);
   surface_.unBind();
 }
@@ -165,19 +166,32 @@ void TerrainPass::drawShadows(FrameContext& context) {
   context_.setDefaultState();
 }
 
+void TerrainPass::drawCloudShade(FrameContext& context) {
+  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/cloud_share.frag");
+  shader.use();
+  setSurface(shader, context.frame.view);
+  context.cloudShade.bind(shader);
+  context_.api().DepthMask(GL_FALSE);
+  context_.api().Disable(GL_DEPTH_TEST);
+  context_.api().TextureBarrier();
+  triangle_.draw();
+  context_.setDefaultState();
+}
+
 void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
   setEye(shader, view);
   const terrain::ChunkKey base = terrain::chunkAt(base_);
   shader.setIvec2("baseChunk", {lowBits(base.x), lowBits(base.z)});
   shader.setFloat("farM", static_cast<float>(farDistanceM_));
   textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
-  if (surface_) surface_.depthTexture().bind(kDepthUnit);
+  if (!surface_) return;
+  surface_.depthTexture().bind(kDepthUnit);
+  surface_.colorTexture().bind(kSunShareUnit);
 }
 
 void TerrainPass::setLand(gl::Shader& shader, const View& view) const {
   setSurface(shader, view);
   shader.setFloats("chunkSplit", inFloat(lod_.split));
-  if (surface_) surface_.colorTexture().bind(kSunShareUnit);
 }
 
 void TerrainPass::drawLand(gl::Shader& shader, const View& view) {

@@ -27,6 +27,10 @@ class CloudSystem final : public Pass {
   std::optional<std::string> idleReason(const FrameInput& frame) const override;
   void draw(FrameContext& context) override;
 
+  // Fills FrameContext::cloudShade; why there is nothing to fill it with.
+  void castShade(FrameContext& context);
+  std::optional<std::string> noShadeBecause(const FrameInput& frame) const;
+
   // What the last frame marched: 0 where it was idle. Waits for the GPU.
   struct Work {
     unsigned tiles = 0;  // of 8 x 8 rays
@@ -38,17 +42,33 @@ class CloudSystem final : public Pass {
   const gl::Texture& light() const { return light_; }
 
  private:
-  void updateLight(FrameContext& context);
+  void update(FrameContext& context, LightGrid& grid, double cellM, double radiusM);
   void marchInParts();
   void resize(const View& view);
 
   gl::Context& context_;
   clouds::CloudSettings settings_;
   std::unique_ptr<CloudVolumes> volumes_;
-  std::unique_ptr<LightGrid> near_, far_;
+  std::unique_ptr<LightGrid> near_, far_, fineShade_, coarseShade_;
   gl::Buffer uniforms_, tiles_, edges_;
   gl::Texture light_, distances_;
   gl::Texture carriedLight_, carriedWay_;  // of marches in parts
+};
+
+// The shadows of the clouds, for surfaces that are lit after it. The system must outlive it.
+class CloudShadowPass final : public Pass {
+ public:
+  explicit CloudShadowPass(CloudSystem& system) : system_(system) {}
+
+  std::string_view name() const override { return "cloudShadows"; }
+  Slot slot() const override { return Slot::shadows; }
+  std::optional<std::string> idleReason(const FrameInput& frame) const override {
+    return system_.noShadeBecause(frame);
+  }
+  void draw(FrameContext& context) override { system_.castShade(context); }
+
+ private:
+  CloudSystem& system_;
 };
 
 }  // namespace skydrop::render

@@ -9,6 +9,7 @@
 
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/cast_shadows.h"
+#include "skydrop/render/cloud_shade.h"
 #include "skydrop/render/frame_features.h"
 #include "skydrop/render/frame_uniforms.h"
 #include "skydrop/render/gl/context.h"
@@ -47,8 +48,9 @@ struct FrameContext {
   const RenderSettings& settings;
   std::span<const std::string> defines;  // of the frame's features, for the cache
   CastShadows& shadows;                  // on land; filled in slot shadows
-  const gl::Texture& sceneColor;         // RGBA16F; to be read from slot toneMap on (slot clouds: as an image)
-  const gl::Texture& sceneDepth;         // D32F; to be read from slot clouds on, without filtering
+  CloudShade& cloudShade;                // likewise
+  const gl::Texture& sceneColor;  // RGBA16F; to be read from slot toneMap on (slot clouds: as an image)
+  const gl::Texture& sceneDepth;  // D32F; to be read from slot clouds on, without filtering
 };
 
 class Pass {

@@ -74,6 +74,7 @@ class Renderer {
   gl::PassTimer timer_;
   gl::Buffer uniforms_;
   CastShadows shadows_;
+  CloudShade cloudShade_;
   ModelLayer modelLayer_;
   gl::FrameBuffer scene_, sceneColorOnly_, output_;
   std::vector<std::unique_ptr<Pass>> passes_;

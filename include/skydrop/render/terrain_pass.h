@@ -49,6 +49,7 @@ class TerrainPass final : public Pass {
   void setLand(gl::Shader& shader, const View& view) const;
   void drawDepth(FrameContext& context);
   void drawShadows(FrameContext& context);
+  void drawCloudShade(FrameContext& context);
   void drawSea(FrameContext& context);
   void drawLines(FrameContext& context);
 
