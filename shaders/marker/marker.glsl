@@ -5,6 +5,20 @@ uniform float ringRadius;     // m
 uniform float beamRadiusNow;  // m: one for the whole beam in a frame
 uniform vec3 light;           // radiance as it reaches the eye: one for the whole part
 
+#ifdef CLOUD_VEIL
+layout(binding = 1) uniform sampler2D cloudLight;      // a: the share of light behind that comes through
+layout(binding = 2) uniform sampler2D cloudDistances;  // x: where the clouds are
+
+// What clouds leave of a mark at a distance: all of it in front of them, what they let through behind.
+float throughClouds(float distanceM) {
+  vec2 at = gl_FragCoord.xy * frame.viewport.zw;
+  float cloudM = texture(cloudDistances, at).x;
+  return mix(1.0, texture(cloudLight, at).a, smoothstep(0.9 * cloudM, 1.1 * cloudM, distanceM));
+}
+#else
+float throughClouds(float distanceM) { return 1.0; }
+#endif
+
 // Stands for the distance of the sky where positions are subtracted: far beyond a ring, and its square is a float.
 const float kRingFarthest = 1e6;
 
@@ -23,7 +37,7 @@ vec4 ringAt(vec3 ray, float depth) {
   float distanceM = length(fromFoot.xz);
   float footprint = length(vec2(dFdx(distanceM), dFdy(distanceM)));
   float coverage = ringCoverage(distanceM, ringRadius, footprint) * ringFade(fromFoot.y, ringRadius);
-  return vec4(light, 1.0) * coverage;
+  return vec4(light, 1.0) * (coverage * throughClouds(length(place)));
 }
 
 // What stands in front of the beam, or in it, hides what is behind.
@@ -34,5 +48,5 @@ vec4 beamAt(vec3 ray, float depth) {
   float end = min(inside.y, distanceOfDepth(depth, frame.eye.y, rayScale));
   float opticalDepth = beamOpticalDepth(direction, foot, beamRadiusNow, inside.x, max(inside.x, end));
   float opacity = beamOpacity(opticalDepth);
-  return vec4(light, 1.0) * opacity;
+  return vec4(light, 1.0) * (opacity * throughClouds(inside.x));
 }

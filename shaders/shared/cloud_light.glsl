@@ -91,7 +91,7 @@ FN Real scatteredGround(Real heightFraction) { return (Real(1.0) - saturate(heig
 // the base, which thins as a two-stream layer of droplets (asymmetry 0.85) does.
 FN Real sunBelowCloud(Real depth) {
   Real x = max(depth, Real(0.0));
-  return Real(0.75) * exp(-x) + Real(0.25) / (Real(1.0) + Real(0.11) * x);
+  return Real(0.65) * exp(-x) + Real(0.35) / (Real(1.0) + Real(0.11) * x);
 }
 
 // The way towards the sun is cut into n parts that grow with the distance: part i, 0 .. n - 1, begins here and ends

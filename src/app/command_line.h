@@ -25,7 +25,7 @@ struct Pose {
   double yawDegrees = 0, pitchDegrees = 0, rollDegrees = 0;
 };
 
-inline constexpr const char* kDefaultScene = "terrain";
+inline constexpr const char* kDefaultScene = "fair";
 
 enum class NoiseFormat { dds, dx10, png };
 

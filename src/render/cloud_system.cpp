@@ -19,6 +19,7 @@ constexpr int kTileSide = 8;                                                  //
 constexpr std::size_t kTaskBytes = 16, kEdgeBytes = 4, kHeaderBytes = 16;
 constexpr double kNearRadiusCells = 48;  // of the fine light grid
 constexpr double kFarCells = 5;          // a cell of the coarse grid in cells of the fine one
+constexpr std::array<float, 4> kFarAway = {65000, 65000, 0, 0};  // kFarDistance of shaders/clouds
 constexpr double kFineShadeM = 50, kFineShadeRadiusM = 4000, kCoarseShadeM = 240;  // cells of shadows
 
 struct ListHeader {
@@ -202,6 +203,7 @@ void CloudSystem::draw(FrameContext& context) {
   classify.dispatch(static_cast<GLuint>(tileCount.x + 7) / 8, static_cast<GLuint>(tileCount.y + 7) / 8);
   const std::array<float, 4> clear = {0, 0, 0, 1};
   api.ClearTexImage(light_.id(), 0, GL_RGBA, GL_FLOAT, clear.data());
+  api.ClearTexImage(distances_.id(), 0, GL_RGBA, GL_FLOAT, kFarAway.data());
   api.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 
   gl::ComputeShader& march = context.shaders.computeShader("clouds/march.comp", defines);
@@ -234,6 +236,7 @@ void CloudSystem::draw(FrameContext& context) {
     edges_.bind(GL_DISPATCH_INDIRECT_BUFFER);
     context_.dispatchIndirect(0);
   }
+  context.cloudVeil = {&light_, &distances_};
   api.MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

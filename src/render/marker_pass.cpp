@@ -6,6 +6,8 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "render/visibility.h"
 #include "skydrop/core/shared.h"
@@ -16,6 +18,8 @@ namespace {
 namespace shared = core::shared::f64;
 
 // Linear sRGB. Little blue: the sea, the sky, snow and shadow have plenty.
+constexpr GLuint kCloudLightUnit = 1, kCloudDistancesUnit = 2;  // as in shaders/marker
+
 constexpr glm::dvec3 kSignalOrange(1.0, 0.30, 0.01);
 // Of a white sheet's radiance: brighter, and the tone map would bleach the orange on its way to white.
 constexpr double kDaylightShare = 0.35;
@@ -108,9 +112,15 @@ void MarkerPass::draw(FrameContext& context) {
   empty_.bind();
   const glm::dvec3 signal = signalRadiance(context.light);
   const glm::dvec3 densest = mark.foot + glm::dvec3(0, shared::kBeamHeight / 3, 0);
+  std::vector<std::string> defines;
+  if (context.cloudVeil.light) {
+    defines.emplace_back("CLOUD_VEIL");
+    context.cloudVeil.light->bind(kCloudLightUnit);
+    context.cloudVeil.distances->bind(kCloudDistancesUnit);
+  }
   const auto drawPart = [&](const char* fragment, const Box& box, const glm::dvec3& radiance) {
     if (!maySee(context.frame.view, box)) return;
-    gl::Shader& shader = context.shaders.shader("marker/box.vert", fragment);
+    gl::Shader& shader = context.shaders.shader("marker/box.vert", fragment, defines);
     shader.setVec3("boxLow", glm::vec3(box.low));
     shader.setVec3("boxHigh", glm::vec3(box.high));
     shader.setVec3("foot", glm::vec3(mark.foot));

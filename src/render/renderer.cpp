@@ -97,6 +97,7 @@ void Renderer::draw(const FrameInput& asked) {
   output_.clear();
   shadows_.clear();
   cloudShade_.clear();
+  CloudVeil veil;
   FrameContext frame{context_,
                      shaders_,
                      input,
@@ -106,6 +107,7 @@ void Renderer::draw(const FrameInput& asked) {
                      defines,
                      shadows_,
                      cloudShade_,
+                     veil,
                      scene_.colorTexture(),
                      scene_.depthTexture()};
   skipped_.clear();

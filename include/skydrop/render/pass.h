@@ -38,6 +38,12 @@ struct FrameInput {
   glm::dvec3 toSun{0, 1, 0};  // unit; the renderer puts its settings' sun here
 };
 
+// The clouds of a frame as they were seen: for whatever is drawn after them and may lie behind. Null without.
+struct CloudVeil {
+  const gl::Texture* light = nullptr;      // a: the share of light behind that comes through
+  const gl::Texture* distances = nullptr;  // x: where the clouds are, metres from the eye
+};
+
 // What a pass draws with. References are valid during draw() only.
 struct FrameContext {
   gl::Context& gl;
@@ -49,6 +55,7 @@ struct FrameContext {
   std::span<const std::string> defines;  // of the frame's features, for the cache
   CastShadows& shadows;                  // on land; filled in slot shadows
   CloudShade& cloudShade;                // likewise
+  CloudVeil& cloudVeil;                  // filled in slot clouds
   const gl::Texture& sceneColor;  // RGBA16F; to be read from slot toneMap on (slot clouds: as an image)
   const gl::Texture& sceneDepth;  // D32F; to be read from slot clouds on, without filtering
 };
