@@ -35,6 +35,18 @@ std::vector<std::string> withoutHud(std::vector<std::string> words) {
   return words;
 }
 
+// A cloudy scene without the HUD, from a pose, with the sun at an elevation and a compass azimuth.
+std::vector<std::string> clouded(const std::string& scene, const std::string& pose,
+                                 const std::string& elevation, const std::string& azimuth,
+                                 const std::vector<std::string>& settings = {}) {
+  std::vector<std::string> words = {"--scene", scene, "--pose=" + pose};
+  std::vector<std::string> all = {"view.hud=false", "render.sun.elevationDegrees=" + elevation,
+                                  "render.sun.azimuthDegrees=" + azimuth};
+  all.insert(all.end(), settings.begin(), settings.end());
+  for (const std::string& setting : all) words.insert(words.end(), {"--set", setting});
+  return words;
+}
+
 const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all = {
       {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
@@ -61,6 +73,18 @@ const std::vector<Golden>& goldens() {
       {"straightDown", withoutHud({"--pose", "3600,1500,4600,0,-90,0"})},
       {"menuOpen", {"--time", "1", "--menu"}},
       {"dropText", {"--autopilot", "--time", "66.6"}},
+      {"cumulusBesideTheSun", clouded("fair", "0,600,0,40,14,0", "40", "150")},
+      {"cumulusAgainstTheSun", clouded("fair", "0,700,0,20,22,0", "24", "110")},
+      {"deckAtLowSun", clouded("overcast", "0,2600,0,60,-8,0", "7", "60")},
+      {"insideACloud", clouded("fair", "1500,2300,1500,10,8,0", "40", "135")},
+      {"outOfACloudTop", clouded("fair", "2500,2900,1500,10,2,0", "18", "20")},
+      {"mountainPiercesTheDeck", clouded("overcast", "9500,1750,-5000,250,-4,0", "16", "60")},
+      {"aircraftBeforeClouds", withoutHud({"--scene", "fair", "--time", "1"})},
+      {"cloudBeforeAMountain", clouded("fair", "3200,600,-1800,-38,9,0", "40", "240",
+                                       {"clouds.cloudHeight=800", "clouds.thickness=1200"})},
+      {"stratocumulusAtDusk", clouded("fair", "5000,450,6000,220,4,0", "3", "250",
+                                      {"clouds.typeShift=-0.4", "clouds.coverage=0.42"})},
+      {"overcastFromBelow", clouded("overcast", "0,400,0,40,4,0", "40", "135")},
   };
   return all;
 }
