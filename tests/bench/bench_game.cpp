@@ -5,24 +5,34 @@
 
 #include "app/bindings.h"
 #include "app/open_context.h"
+#include "support/shared_noise.h"
 
 namespace skydrop::bench {
 namespace {
 
-app::CommandLine commandLine() {
+std::unique_ptr<app::Run> runOf(const BenchGame::Setup& setup) {
   app::CommandLine line;
   line.verb = app::Verb::render;
-  line.scene.emplace("terrain");
-  return line;
+  line.scene = setup.scene;
+  std::unique_ptr<app::Run> run = app::prepareRun(line);
+  if (setup.without) run->setup.scene.effects.erase(*setup.without);
+  return run;
+}
+
+std::shared_ptr<const clouds::FoldedNoise> noiseFor(const scene::EffectSet& effects) {
+  return effects.contains(scene::Effect::clouds) ? test::sharedNoise() : nullptr;
 }
 
 }  // namespace
 
-BenchGame::BenchGame(bool measuring, std::optional<int> workers)
-    : run_(app::prepareRun(commandLine())),
+BenchGame::BenchGame(const Setup& setup)
+    : run_(runOf(setup)),
       context_(app::openContext(std::nullopt, kFrameSize)),
       simulation_(run_->setup, run_->settings, run_->table),
-      stage_(*context_, {simulation_.effects(), simulation_.ground(), workers, measuring}, run_->settings),
+      stage_(*context_,
+             {simulation_.effects(), simulation_.ground(), std::nullopt, setup.measuring,
+              noiseFor(simulation_.effects())},
+             run_->settings),
       overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::Bindings())) {
   stage_.addOverlay();
   stage_.warmUp(simulation_.world().now(), kFrameSize);
@@ -30,6 +40,7 @@ BenchGame::BenchGame(bool measuring, std::optional<int> workers)
 }
 
 double BenchGame::draw(const app::Pose& pose) {
+  context_->makeCurrent();  // several games may take turns
   const auto begin = std::chrono::steady_clock::now();
   stage_.camera().setPose(pose.position, glm::radians(pose.yawDegrees), glm::radians(pose.pitchDegrees),
                           glm::radians(pose.rollDegrees));

@@ -1,8 +1,10 @@
-// The game as the program runs it, without a window: scene, land, passes and HUD of the scene `terrain`, drawn
-// headless from a camera that the benchmark moves. A frame ends when the renderer has finished it.
+// The game as the program runs it, without a window: land, passes and HUD of a scene, drawn headless from a
+// camera that the benchmark moves. A frame ends when the renderer has finished it.
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "app/overlay.h"
 #include "app/prepare.h"
@@ -15,8 +17,12 @@ inline constexpr app::Size kFrameSize{640, 360};
 
 class BenchGame {
  public:
-  // measuring: times of the passes are asked for, which slows a software renderer down.
-  explicit BenchGame(bool measuring = false, std::optional<int> workers = std::nullopt);
+  struct Setup {
+    bool measuring = false;  // times of the passes are asked for, which slows a software renderer down
+    std::string scene = "terrain";
+    std::optional<scene::Effect> without = std::nullopt;  // of the scene's effects
+  };
+  explicit BenchGame(const Setup& setup);
 
   const terrain::HeightSource& ground() const { return *simulation_.ground(); }
   app::Stage& stage() { return stage_; }

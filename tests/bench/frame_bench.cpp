@@ -62,7 +62,7 @@ class EvenTimes {
 void evenFramesInFastFlight(benchmark::State& state) {
   constexpr int kRounds = 10, kFrames = 75;
   for (auto _ : state) {
-    BenchGame game;
+    BenchGame game({});
     LowFlight flight(game.ground());
     EvenTimes still, flying;
     const auto block = [&](EvenTimes& times, double speedMps) {
@@ -95,7 +95,7 @@ BENCHMARK(evenFramesInFastFlight)->Iterations(1)->Unit(benchmark::kSecond);
 // What each pass costs in flight: timer queries on hardware; on a software renderer wall clock between
 // glFinish calls, which makes the frame as a whole slower.
 void passesInFlight(benchmark::State& state) {
-  BenchGame game(true);
+  BenchGame game({.measuring = true});
   LowFlight flight(game.ground());
   game.settle(flight.pose());
   game.stage().renderer().clearTimes();

@@ -59,7 +59,7 @@ ChunkBelow waitForChunkBelow(BenchGame& game, const app::Pose& pose) {
 // From nothing, 500 km from where anything has been made, to all that the view shows.
 void coldStart(benchmark::State& state) {
   double worst = 0;
-  BenchGame game;
+  BenchGame game({});
   double place = 0;
   for (auto _ : state) {
     const app::Pose pose = above(game.ground(), {place += 5e5, 0});
@@ -77,7 +77,7 @@ BENCHMARK(coldStart)->Iterations(10)->Unit(benchmark::kMillisecond)->UseRealTime
 // of 20 km, with all that the view needs besides still to be made.
 void chunkBelowAfterALeap(benchmark::State& state) {
   ChunkBelow worst;
-  BenchGame game;
+  BenchGame game({});
   double place = 0;
   for (auto _ : state) {
     const app::Pose pose = above(game.ground(), {0, place += 2e4});
@@ -95,7 +95,7 @@ BENCHMARK(chunkBelowAfterALeap)->Iterations(40)->Unit(benchmark::kMillisecond)->
 void chunkBelowAfterAStop(benchmark::State& state) {
   constexpr double kSpeedMps = 30000;
   ChunkBelow worst;
-  BenchGame game;
+  BenchGame game({});
   glm::dvec2 place{0, 0};
   for (auto _ : state) {
     const auto begin = Clock::now();
