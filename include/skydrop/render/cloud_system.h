@@ -1,4 +1,6 @@
 // Volumetric clouds over the scene: a compute pass over linear colour and depth. docs/clouds.md tells how.
+// Sources: Schneider and Vos 2015 (the medium), Hillaire, "Physically Based Sky, Atmosphere and Cloud Rendering in
+// Frostbite", 2016 (the integral over a step), Wrenninge 2015 (octaves of scattering).
 #pragma once
 
 #include <memory>
