@@ -1,51 +1,19 @@
 #include "app/accuracy/land_study.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
+#include "app/accuracy/timed_frame.h"
 #include "app/machine.h"
 #include "app/open_context.h"
 #include "app/prepare.h"
-#include "app/stage.h"
-#include "app/stopwatch.h"
 
 namespace skydrop::app {
 namespace {
 
 constexpr Size kSize{640, 360};
 constexpr double kReferenceError = 0.1;  // px; the finest that the setting allows
-constexpr int kTimedFrames = 7;          // the median counts
-
-struct Frame {
-  core::Image image;
-  double ms = 0;
-};
-
-Frame drawFrame(Stage& stage, const game::Snapshot& snapshot) {
-  stage.draw(snapshot, kSize, Streaming::settled);
-  std::vector<double> times;
-  for (int i = 0; i < kTimedFrames; ++i) {
-    stage.renderer().finish();
-    const Stopwatch watch;
-    stage.draw(snapshot, kSize, Streaming::asItComes);
-    stage.renderer().finish();
-    times.push_back(watch.ms());
-  }
-  std::nth_element(times.begin(), times.begin() + kTimedFrames / 2, times.end());
-  return {stage.renderer().readBack(), times[kTimedFrames / 2]};
-}
-
-// Root mean square over red, green and blue, in 8-bit steps.
-double rootMeanSquare(const core::Image& a, const core::Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); ++i) {
-    if (i % 4 == 3) continue;
-    const double difference = static_cast<double>(a.rgba[i]) - b.rgba[i];
-    sum += difference * difference;
-  }
-  return std::sqrt(sum / (static_cast<double>(a.rgba.size()) * 0.75));
-}
+constexpr int kTimedFrames = 7;
 
 }  // namespace
 
@@ -63,7 +31,7 @@ StudyResult landStudy() {
   const auto frameAt = [&](double pixelError) {
     run->settings.streaming.pixelError = pixelError;
     stage.apply(run->settings);
-    return drawFrame(stage, snapshot);
+    return drawTimed(stage, snapshot, kSize, kTimedFrames);
   };
   StudyResult result;
   result.title = "Detail of the land";
@@ -73,14 +41,14 @@ StudyResult landStudy() {
       std::to_string(kReferenceError).substr(0, 3) + " px.";
   result.errorName = "error of the picture, root mean square of 8-bit steps";
   result.costName = "ms a frame";
-  result.clock = "wall clock between glFinish calls, median of " + std::to_string(kTimedFrames);
+  result.clock = clockOfTimedFrames(kTimedFrames);
   result.machine = machineName() + ", " + context->renderer();
-  const Frame reference = frameAt(kReferenceError);
+  const TimedFrame reference = frameAt(kReferenceError);
   std::vector<double> errors = {0.5, 1, 2, 4, 8, 16, shipped};
   std::sort(errors.begin(), errors.end());
   errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
   for (const double pixelError : errors) {
-    const Frame frame = frameAt(pixelError);
+    const TimedFrame frame = frameAt(pixelError);
     char knob[32];
     std::snprintf(knob, sizeof knob, "%g px", pixelError);
     result.rows.push_back({knob, rootMeanSquare(frame.image, reference.image), frame.ms,

@@ -1,3 +1,4 @@
+#include "app/accuracy/cloud_study.h"
 #include "app/accuracy/integrator_study.h"
 #include "app/accuracy/land_study.h"
 #include "app/accuracy/study.h"
@@ -6,8 +7,10 @@ namespace skydrop::app {
 
 const std::vector<Study>& studies() {
   static const std::vector<Study> all = {
-      {"integrators", "attitude error of a tumbling body against time, by integrator and step rate", integratorStudy},
+      {"integrators", "attitude error of a tumbling body against time, by integrator and step rate",
+       integratorStudy},
       {"land", "the picture's error against frame time, by the land's pixel error", landStudy},
+      {"clouds", "the picture's error against frame time, by the clouds' tier", cloudStudy},
   };
   return all;
 }

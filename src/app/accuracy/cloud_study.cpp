@@ -1,0 +1,65 @@
+#include "app/accuracy/cloud_study.h"
+
+#include <glm/trigonometric.hpp>
+
+#include "app/accuracy/timed_frame.h"
+#include "app/cloud_noise.h"
+#include "app/cloud_tier.h"
+#include "app/machine.h"
+#include "app/open_context.h"
+#include "app/prepare.h"
+
+namespace skydrop::app {
+namespace {
+
+using clouds::CloudTier;
+
+constexpr Size kSize{320, 180};  // a frame of the reference takes seconds
+constexpr int kTimedFrames = 7;
+
+}  // namespace
+
+StudyResult cloudStudy() {
+  CommandLine line;
+  line.verb = Verb::accuracy;
+  line.scene.emplace("fair");
+  const CloudNoise noise(NoiseStore(cacheFolder()), CloudNoise::Maker::processor);
+  const auto run = prepareRun(line);
+  const CloudTier shipped = run->settings.clouds.tier;
+  const auto context = openContext(std::nullopt, kSize);
+  Simulation simulation(run->setup, run->settings, run->table);
+  Stage stage(*context, {simulation.effects(), simulation.ground(), std::nullopt, false, noise.wait()},
+              run->settings);
+  stage.camera().setMode(render::CameraMode::free);
+  stage.camera().setPose({0, 600, 0}, glm::radians(40.0), glm::radians(12.0), 0);
+  const game::Snapshot& snapshot = simulation.world().now();
+
+  const auto frameOf = [&](CloudTier tier, int times) {
+    run->settings.clouds.tier = tier;
+    applyCloudTier(run->table, readCloudTier(cloudTierPath(tier)));
+    stage.apply(run->settings);
+    return drawTimed(stage, snapshot, kSize, times);
+  };
+  StudyResult result;
+  result.title = "Clouds";
+  result.method =
+      "Cumulus from below: the scene `fair` at 320 x 180 from `--pose=0,600,0,40,12,0`, by `clouds.tier`, "
+      "against the tier reference. What a tier says stands in `assets/clouds`; any of its rows can be set by "
+      "itself.";
+  result.errorName = "error of the picture, root mean square of 8-bit steps";
+  result.costName = "ms a frame";
+  result.clock = clockOfTimedFrames(kTimedFrames) + " (reference: one)";
+  result.machine = machineName() + ", " + context->renderer();
+  const TimedFrame reference = frameOf(CloudTier::reference, 1);
+  for (const CloudTier tier :
+       {CloudTier::off, CloudTier::low, CloudTier::medium, CloudTier::high, CloudTier::ultra}) {
+    const TimedFrame frame = frameOf(tier, kTimedFrames);
+    result.rows.push_back({std::string(clouds::kCloudTierNames[static_cast<std::size_t>(tier)]),
+                           rootMeanSquare(frame.image, reference.image), frame.ms,
+                           tier == shipped ? "default" : ""});
+  }
+  result.rows.push_back({"reference", 0, reference.ms, ""});
+  return result;
+}
+
+}  // namespace skydrop::app
