@@ -27,7 +27,23 @@ struct ListHeader {
   GLuint count = 0;
 };
 
-int divisorOf(clouds::MarchResolution resolution) { return 1 << static_cast<int>(resolution); }
+// The most times that all loops of a ray can run together. A stretch with its light is at least so deep, or
+// kLongestStretch steps long.
+double mostIterations(const clouds::CloudSettings& s) {
+  const double growthBegins = s.march.stepM / s.march.stepGrowth;
+  const double steps =
+      growthBegins / s.march.stepM * (1 + std::max(0.0, std::log2(s.fadeDistance / growthBegins)));
+  const double stretches = steps / 4 - std::log(s.march.leastTransmittance) / s.march.stepDepth;
+  return 2 * steps + stretches * static_cast<double>(s.march.sunSamples);
+}
+
+// Whether one dispatch may not reach the end of a ray (kMostIterations of shaders/clouds).
+bool isCarried(const clouds::CloudSettings& settings) { return mostIterations(settings) > 30000; }
+
+// Pixels a side for each ray. Single rays are not carried on, so there are none then.
+int divisorOf(const clouds::CloudSettings& settings) {
+  return isCarried(settings) ? 1 : 1 << static_cast<int>(settings.march.resolution);
+}
 
 int rays(int pixels, int divisor) { return (pixels + divisor - 1) / divisor; }
 int tilesOf(int raysAcross) { return (raysAcross + kTileSide - 1) / kTileSide; }
@@ -54,15 +70,12 @@ bool missesLayer(const View& view, const clouds::CloudSettings& s) {
   return steepest * s.fadeDistance <= distance;
 }
 
-// Without the grid a step costs so much that one dispatch may not reach the end of a ray.
-bool isCarried(const clouds::MarchSettings& march) { return !march.lightGrid; }
-
-std::vector<std::string> definesOf(const FrameContext& context, const clouds::MarchSettings& march) {
+std::vector<std::string> definesOf(const FrameContext& context, const clouds::CloudSettings& settings) {
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (march.detail) defines.emplace_back("DETAIL");
-  if (march.lightGrid) defines.emplace_back("LIGHT_GRID");
-  if (isCarried(march)) defines.emplace_back("CARRIED");
-  defines.push_back("DIVISOR " + std::to_string(divisorOf(march.resolution)));
+  if (settings.march.detail) defines.emplace_back("DETAIL");
+  if (settings.march.lightGrid) defines.emplace_back("LIGHT_GRID");
+  if (isCarried(settings)) defines.emplace_back("CARRIED");
+  defines.push_back("DIVISOR " + std::to_string(divisorOf(settings)));
   return defines;
 }
 
@@ -102,7 +115,7 @@ std::optional<std::string> CloudSystem::idleReason(const FrameInput& frame) cons
 }
 
 void CloudSystem::resize(const View& view) {
-  const int divisor = divisorOf(settings_.march.resolution);
+  const int divisor = divisorOf(settings_);
   const int width = rays(view.width, divisor), height = rays(view.height, divisor);
   if (light_ && light_.width() == width && light_.height() == height) return;
   light_ = gl::Texture::make2D(context_, GL_RGBA16F, width, height, "cloud light");
@@ -170,7 +183,7 @@ void CloudSystem::marchInParts() {
 
 void CloudSystem::draw(FrameContext& context) {
   const View& view = context.frame.view;
-  const int divisor = divisorOf(settings_.march.resolution);
+  const int divisor = divisorOf(settings_);
   const gl::Functions& api = context_.api();
   resize(view);
   volumes_->bind();
@@ -194,7 +207,7 @@ void CloudSystem::draw(FrameContext& context) {
   tiles_.writeValue(0, ListHeader{});
   tiles_.bindBase(GL_SHADER_STORAGE_BUFFER, kTilesBinding);
   tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
-  const std::vector<std::string> defines = definesOf(context, settings_.march);
+  const std::vector<std::string> defines = definesOf(context, settings_);
 
   const glm::ivec2 tileCount(tilesOf(rays(view.width, divisor)), tilesOf(rays(view.height, divisor)));
   gl::ComputeShader& classify = context.shaders.computeShader("clouds/classify.comp", defines);
@@ -211,7 +224,7 @@ void CloudSystem::draw(FrameContext& context) {
   march.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
   light_.bindImage(0, GL_WRITE_ONLY);
   distances_.bindImage(1, GL_WRITE_ONLY);
-  if (isCarried(settings_.march))
+  if (isCarried(settings_))
     marchInParts();
   else
     context_.dispatchIndirect(0);
