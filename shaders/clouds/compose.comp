@@ -4,6 +4,7 @@
 #include "clouds/uniforms.glsl"
 #include "clouds/tiles.glsl"
 #include "clouds/view.glsl"
+#include "clouds/cover.glsl"
 #include "clouds/compose.glsl"
 
 layout(local_size_x = 64) in;

@@ -1,17 +1,11 @@
-// Lays the clouds over the scene, for the tiles that were marched.
+// Lays the clouds over the scene, for the tiles that were marched. After clouds/cover.glsl.
 layout(std430, binding = 0) readonly buffer Tiles {
   uvec4 groups;
   Task tasks[];
 } tiles;
 
-layout(binding = 0, rgba16f) uniform image2D scene;
 layout(binding = 7) uniform sampler2D light;
 layout(binding = 8) uniform sampler2D distances;  // mean of the light's; the surface's
-
-void cover(ivec2 pixel, vec4 cloud) {
-  vec4 before = imageLoad(scene, pixel);
-  imageStore(scene, pixel, vec4(before.xyz * cloud.w + cloud.xyz, before.w));
-}
 
 #if DIVISOR > 1
 // Rays whose surroundings do not tell what they meet: to be marched one by one.

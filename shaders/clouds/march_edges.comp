@@ -9,6 +9,7 @@
 #include "clouds/tiles.glsl"
 #include "clouds/march.glsl"
 #include "clouds/resolve.glsl"
+#include "clouds/cover.glsl"
 #include "clouds/march_edges.glsl"
 
 layout(local_size_x = 64) in;

@@ -1,4 +1,5 @@
-// Marches single rays to the surface that each of them meets, and lays what they see over the scene.
+// Marches single rays to the surface that each of them meets, and lays what they see over the scene. After
+// clouds/cover.glsl.
 layout(std430, binding = 0) readonly buffer Tiles {
   uvec4 groups;
   Task tasks[];
@@ -7,8 +8,6 @@ layout(std430, binding = 1) readonly buffer Edges {
   uvec4 groups;
   uint pixels[];
 } edges;
-
-layout(binding = 0, rgba16f) uniform image2D scene;
 
 void marchEdge(uint index) {
   if (index >= edges.groups.w) return;
@@ -20,7 +19,5 @@ void marchEdge(uint index) {
   RaySpan span = spanOfRay(direction, sceneDistance(texelFetch(sceneDepth, pixel, 0).x, ray), task);
   March march = marchFrom(span.begin);
   marchOn(march, direction, span);
-  vec4 cloud = seenCloud(march, direction);
-  vec4 before = imageLoad(scene, pixel);
-  imageStore(scene, pixel, vec4(before.xyz * cloud.w + cloud.xyz, before.w));
+  cover(pixel, seenCloud(march, direction));
 }

@@ -2,10 +2,15 @@
 #include <bit>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "skydrop/render/cloud_system.h"
 #include "skydrop/render/gl/pass_timer.h"
 #include "skydrop/render/gl/shader.h"
 #include "skydrop/render/mesh.h"
+#include "skydrop/render/renderer.h"
+#include "skydrop/render/sky_pass.h"
 #include "support/gl_test.h"
+#include "support/light_probe.h"
+#include "support/shared_noise.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::render {
@@ -88,6 +93,44 @@ TEST(Backends, eglAndOsMesaDrawTheSameBitsInOneProcess) {
     EXPECT_EQ(context->ledger().bytes(), 0u);
   }
   EXPECT_EQ(osmesa->ledger().total().draws, 3u);
+}
+
+// Clouds before the sky, from below: the tier `low`'s light grid and rays of half resolution, or the
+// defaults.
+std::vector<glm::vec4> drawClouds(gl::Context& context, bool lightGrid) {
+  const RenderSettings settings;
+  std::vector<glm::vec4> light;
+  Renderer renderer(context, settings, false);
+  clouds::CloudSettings clouds;
+  clouds.march.lightGrid = lightGrid;
+  renderer.add(std::make_unique<SkyPass>(context));
+  renderer.add(std::make_unique<CloudSystem>(context, test::sharedNoise(), clouds));
+  renderer.add(std::make_unique<test::LightProbe>(light));
+  game::Snapshot snapshot;
+  View view;
+  view.position = {0, 600, 0};
+  view.worldToView = glm::transpose(glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(15.0), {1, 0, 0})));
+  view.width = kWidth;
+  view.height = kHeight;
+  renderer.draw({snapshot, view, FrameFeatures{true}});
+  return light;
+}
+
+TEST(Backends, C10_eglAndOsMesaDrawTheSameClouds) {
+  // In one process, with and without the light grid: all bits agree.
+  std::string why;
+  const auto egl = test::openForTest(gl::Backend::egl, why);
+  if (!egl) GTEST_SKIP() << why;
+  const auto osmesa = test::openForTest(gl::Backend::osmesa, why);
+  if (!osmesa) GTEST_SKIP() << why;
+  for (const bool lightGrid : {false, true}) {
+    egl->makeCurrent();
+    const std::vector<glm::vec4> first = drawClouds(*egl, lightGrid);
+    osmesa->makeCurrent();
+    const std::vector<glm::vec4> second = drawClouds(*osmesa, lightGrid);
+    ASSERT_EQ(first.size(), static_cast<std::size_t>(kWidth * kHeight));
+    EXPECT_TRUE(first == second) << lightGrid;
+  }
 }
 
 using MeshGLTest = test::GLTest;

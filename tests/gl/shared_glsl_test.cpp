@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
@@ -30,6 +31,8 @@ class SharedGLTest : public test::GLTest {
 #include "shared/atmosphere.glsl"
 #include "shared/tone_map.glsl"
 #include "shared/marker.glsl"
+#include "shared/cloud_medium.glsl"
+#include "shared/cloud_light.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer In { vec4 rowsIn[]; };
 layout(std430, binding = 1) writeonly buffer Floats { vec4 rowsOut[]; };
@@ -198,6 +201,118 @@ TEST_F(SharedGLTest, markerAgrees) {
     ASSERT_NEAR(result_[i].y, shared::ringCoverage(94 + a.x * 12, 100, a.y * 9), 1e-6f);
   }
   EXPECT_GT(hits, static_cast<int>(kCount / 4));
+}
+
+TEST_F(SharedGLTest, C03_C04_opacityOfAStepDoesNotCancel) {
+  // Within 1e-5 relative of expm1 in double, for depths from 1e-9 to 1e4 (Mesa's exp is good to 3e-6); 0 for
+  // what is no depth, 1 for an endless one.
+  std::vector<glm::vec4> rows = randomRows(7);
+  for (glm::vec4& row : rows) row.x = std::pow(10.0f, row.x * 13 - 9);
+  constexpr float kEndless = std::numeric_limits<float>::infinity();
+  const std::array<std::pair<float, float>, 6> edges = {{{0.0f, 0.0f},
+                                                         {-1.0f, 0.0f},
+                                                         {-kEndless, 0.0f},
+                                                         {kEndless, 1.0f},
+                                                         {1e30f, 1.0f},
+                                                         {std::nanf(""), 0.0f}}};
+  for (std::size_t i = 0; i < edges.size(); ++i) rows[i].x = edges[i].first;
+  run(rows, "r.x = stepOpacity(a.x);");
+  for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_EQ(result_[i].x, edges[i].second) << edges[i].first;
+  for (std::size_t i = edges.size(); i < kCount; ++i) {
+    ASSERT_NEAR(result_[i].x / -std::expm1(-static_cast<double>(rows[i].x)), 1, 1e-5) << rows[i].x;
+  }
+}
+
+TEST_F(SharedGLTest, C05_C06_cloudDensityAgreesAndIsAShare) {
+  // Noise far out of range, coverage from below 0 to beyond 1: density in [0, 1], none without coverage, and
+  // that of floats on the processor within 2e-5 (remaps divide by as little as 0.05).
+  std::vector<glm::vec4> rows = randomRows(8);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (i % 4 == 0) rows[i] = rows[i] * 20.0f - 10.0f;
+    if (i % 16 == 1) rows[i].y = 0;
+    if (i % 16 == 2) rows[i].y = 1;
+  }
+  run(rows,
+      "CloudMedium m = CloudMedium(0.4, a.y, 0.1, 0.35);\n"
+      "r.x = cloudShapeDensity(m, a.x, vec4(a.z, 0.0, a.w, 1.0), a.w * 0.7 + 0.4);\n"
+      "r.y = cloudDensity(m, a.x, vec4(a.z, 0.0, a.w, 1.0), a.w * 0.7 + 0.4, fract(a.z));\n"
+      "r.z = remapClamped(a.x, a.w, a.w, 0.25, 0.75);\n"
+      "r.w = cloudProfile(a.x, a.w);");
+  int clouds = 0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4 &a = rows[i], &r = result_[i];
+    const shared::CloudMedium medium{0.4f, a.y, 0.1f, 0.35f};
+    const shared::Vec4 weather(a.z, 0, a.w, 1);
+    ASSERT_NEAR(r.x, shared::cloudShapeDensity(medium, a.x, weather, a.w * 0.7f + 0.4f), 2e-5f);
+    ASSERT_NEAR(r.y, shared::cloudDensity(medium, a.x, weather, a.w * 0.7f + 0.4f, a.z - std::floor(a.z)),
+                2e-5f);
+    ASSERT_EQ(r.z, a.x < a.w ? 0.25f : 0.75f) << "equal bounds are a step";
+    ASSERT_NEAR(r.w, shared::cloudProfile(a.x, a.w), 2e-5f);
+    for (const float share : {r.x, r.y, r.w}) ASSERT_TRUE(share >= 0 && share <= 1);
+    ASSERT_TRUE(a.y * a.z > 0 || (r.x == 0 && r.y == 0)) << "cloud without coverage";
+    clouds += r.y > 0;
+  }
+  EXPECT_GT(clouds, static_cast<int>(kCount / 20));
+}
+
+TEST_F(SharedGLTest, C09_stretchInABoxIsThatOfDoubles) {
+  // Rays around boxes of a metre to 100 km, and rays between the points of a lattice that holds a box's
+  // faces, edges and corners: hit or not as in double, and where within 1e-4 of the scale. Turned inside out
+  // a box is empty.
+  core::RandomStream random{10, 0};
+  const auto unit = [&] { return static_cast<float>(random.nextUnit() * 2 - 1); };
+  const auto vector = [&] { return glm::vec3(unit(), unit(), unit()); };
+  const std::array<float, 7> lattice = {-2, -1, -0.5f, 0, 0.5f, 1, 2};
+  const auto onLattice = [&] { return lattice[static_cast<std::size_t>(random.next() % lattice.size())]; };
+  std::vector<glm::vec4> rows(kCount);  // in pairs: origin and scale, direction
+  for (std::size_t i = 0; i < kCount; i += 2) {
+    glm::vec3 origin(onLattice(), onLattice(), onLattice()), direction(0);
+    float scale = 1;
+    if (i % 4 == 0) {
+      scale = std::pow(10.0f, static_cast<float>(i / 4 % 6));
+      origin = vector() * (2 * scale);
+      direction = glm::normalize(vector() * (1.3f * scale) - origin);
+    }
+    while (direction == glm::vec3(0)) direction = glm::floor(vector() * 1.5f + 0.5f);
+    rows[i] = glm::vec4(origin, scale);
+    rows[i + 1] = glm::vec4(direction, 0);
+  }
+  run(rows,
+      "vec3 direction = rowsIn[gl_GlobalInvocationID.x | 1u].xyz;\n"
+      "RaySpan s = raySpanOfBox(a.xyz, direction, vec3(-a.w), vec3(a.w));\n"
+      "RaySpan none = raySpanOfBox(a.xyz, direction, vec3(a.w), vec3(-a.w));\n"
+      "r = vec4(s.begin, s.end, none.end > none.begin ? 1.0 : 0.0, 0.0);");
+  int hits = 0;
+  for (std::size_t i = 0; i < kCount; i += 2) {
+    const double scale = rows[i].w;
+    const auto exact = core::shared::f64::raySpanOfBox(glm::dvec3(rows[i]), glm::dvec3(rows[i + 1]),
+                                                       glm::dvec3(-scale), glm::dvec3(scale));
+    const bool isHit = exact.end > exact.begin;
+    ASSERT_EQ(result_[i].y > result_[i].x, isHit) << i;
+    ASSERT_EQ(result_[i].z, 0);
+    hits += isHit;
+    if (!isHit) continue;
+    ASSERT_NEAR(result_[i].x, exact.begin, 1e-4 * scale);
+    ASSERT_NEAR(result_[i].y, exact.end, 1e-4 * scale);
+  }
+  EXPECT_TRUE(hits > 500 && hits < 1600) << hits;
+}
+
+TEST_F(SharedGLTest, cloudLightAgrees) {
+  // Phases, octaves and the fading: within 2e-5 relative (six of Mesa's exponentials).
+  const std::vector<glm::vec4> rows = randomRows(11);
+  run(rows,
+      "vec4 p = cloudPhases(a.x * 2.0 - 1.0, a.y * 1.8 - 0.9, a.z);\n"
+      "r = vec4(p.x, scatteredSun(p, a.w * 30.0), cloudFade(a.w * 30000.0, 24000.0), scatteredSky(a.x) + "
+      "scatteredGround(a.y));");
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const shared::Vec4 phases = shared::cloudPhases(a.x * 2 - 1, a.y * 1.8f - 0.9f, a.z);
+    ASSERT_NEAR(result_[i].x / phases.x, 1, 2e-5f);
+    ASSERT_NEAR(result_[i].y / shared::scatteredSun(phases, a.w * 30), 1, 2e-5f);
+    ASSERT_NEAR(result_[i].z, shared::cloudFade(a.w * 30000, 24000), 1e-6f);
+    ASSERT_NEAR(result_[i].w, shared::scatteredSky(a.x) + shared::scatteredGround(a.y), 1e-6f);
+  }
 }
 
 }  // namespace

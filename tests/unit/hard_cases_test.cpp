@@ -36,10 +36,13 @@ std::set<std::string> testedIds() {
 }
 
 TEST(HardCases, everyRowIsTestedOrSaidToBePlanned) {
-  // The list says "tested" of a row exactly when some test carries its id.
+  // The list says "tested" of a row exactly when some test carries its id; "absent" needs a reason.
   const auto list = nlohmann::json::parse(contentOf(fs::path(SKYDROP_SOURCE_DIR) / "tests/stability/cases.json"));
   std::map<std::string, std::string> status;
-  for (const auto& row : list["cases"]) status[row["id"]] = row["status"];
+  for (const auto& row : list["cases"]) {
+    const std::string id = row["id"], state = row["status"];
+    status[id] = state == "absent" && !row.value("because", "").empty() ? "planned" : state;
+  }
   EXPECT_GE(status.size(), 70u);
   const std::set<std::string> tested = testedIds();
   for (const auto& [id, state] : status) {

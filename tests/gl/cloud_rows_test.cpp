@@ -1,0 +1,575 @@
+// Hard cases of the clouds' pass (tests/stability/cases.json): what frames hold to at the edges of their
+// input.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "skydrop/core/shared.h"
+#include "skydrop/render/sky_pass.h"
+#include "support/cloud_frame_test.h"
+#include "support/ground_pass.h"
+#include "support/plains_pass.h"
+#include "support/shared_noise.h"
+
+namespace skydrop::render {
+namespace {
+
+namespace f32 = core::shared::f32;
+namespace f64 = core::shared::f64;
+
+constexpr int kWidth = 64, kHeight = 36;
+
+class CloudRowsGLTest : public test::CloudFrameTest {
+ protected:
+  void SetUp() override {
+    CloudFrameTest::SetUp();
+    clouds_.march = test::quickRows();
+  }
+  View small(const glm::dvec3& position, double yaw, double pitch) const {
+    return pose(position, yaw, pitch, 0, kWidth, kHeight);
+  }
+  View below() const { return small({0, 600, 0}, 40, 14); }
+  View inside() const { return small({3000, 2400, -2000}, 200, 2); }
+  View above() const { return small({-4000, 4500, 1000}, 300, -12); }
+
+  void addSky() { renderer().add(std::make_unique<SkyPass>(context())); }
+  void addPlains() { renderer().add(std::make_unique<test::PlainsPass>(context(), folder_, plains_)); }
+  std::vector<glm::vec4> withoutClouds(const View& view) {
+    const clouds::CloudSettings kept = std::exchange(clouds_, switchedOff());
+    const std::vector<glm::vec4> scene = sceneFrom(view);
+    clouds_ = kept;
+    return scene;
+  }
+
+  static clouds::CloudSettings switchedOff() {
+    clouds::CloudSettings off;
+    off.tier = clouds::CloudTier::off;
+    return off;
+  }
+
+  // As the tone map shows it, encoded: 1 is the whole range.
+  static glm::vec3 shown(const glm::vec4& light) { return f32::srgbEncode(f32::toneMap(glm::vec3(light))); }
+  // Largest difference of two scenes' pictures in 255ths of the range; not a number counts as all of it.
+  static double difference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    double worst = a.size() == b.size() ? 0 : 255;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+      const glm::vec3 apart = glm::abs(shown(a[i]) - shown(b[i])) * 255.0f;
+      for (int c = 0; c < 3; ++c) worst = std::max(worst, std::isfinite(apart[c]) ? apart[c] : 255.0);
+    }
+    return worst;
+  }
+  static double meanOpacity(const std::vector<glm::vec4>& rays) {
+    double sum = 0;
+    for (const glm::vec4& ray : rays) sum += 1 - ray.w;
+    return sum / static_cast<double>(rays.size());
+  }
+  static bool areFinite(const std::vector<glm::vec4>& rays) {
+    return std::ranges::all_of(rays, [](const glm::vec4& ray) {
+      return std::isfinite(ray.x) && std::isfinite(ray.y) && std::isfinite(ray.z) && std::isfinite(ray.w);
+    });
+  }
+
+  test::TemporaryFolder folder_;
+  std::vector<test::Plain> plains_;
+};
+
+TEST_F(CloudRowsGLTest, C02_noExtinctionShowsExactlyTheBackground) {
+  // Every tier marches and adds nothing, to the last bit.
+  addSky();
+  addClouds(test::sharedNoise());
+  const std::vector<glm::vec4> background = withoutClouds(below());
+  clouds_.extinction = 0;
+  for (const clouds::CloudTier tier :
+       {clouds::CloudTier::low, clouds::CloudTier::high, clouds::CloudTier::reference}) {
+    clouds_.march = test::rowsOf(tier);
+    EXPECT_TRUE(sceneFrom(below()) == background);
+    EXPECT_GT(system_->lastWork().tiles, 0u) << "nothing was marched";
+  }
+}
+
+TEST_F(CloudRowsGLTest, C04_extinctionWithoutBoundShowsTheSourceWhereTheRayEnters) {
+  // From within, the light of sky and ground in the middle of the first step, whatever its length; nothing of
+  // the sun comes through to there, and nothing of what is behind. Within the 1e-3 by which a half float may
+  // be cut.
+  addClouds(test::plainNoise());
+  clouds_ = test::plainSettings();
+  clouds_.extinction = 1e30;
+  const View view = small({0, 2500, 0}, 30, 5);
+  const SkyLight light = skyLight(settings_, view.position.y);
+  for (const double stepM : {1.0, 4.0, 16.0}) {
+    clouds_.march.stepM = stepM;
+    const std::vector<glm::vec4> rays = cloudsFrom(view);
+    for (int y = 0; y < kHeight; ++y) {
+      const glm::vec4& ray = rays[static_cast<std::size_t>(y * kWidth + 20)];
+      const double rise = rayDirection(view, {20.5, y + 0.5}).y * 0.5 * stepM;
+      const double height = (view.position.y + rise - clouds_.cloudHeight) / clouds_.thickness;
+      const glm::dvec3 source =
+          (light.sky * f64::scatteredSky(height) + light.ground * f64::scatteredGround(height)) *
+          light.exposure;
+      ASSERT_EQ(ray.w, 0);
+      for (int c = 0; c < 3; ++c) ASSERT_NEAR(ray[c] / source[c], 1, 1e-3) << stepM << ' ' << y;
+    }
+  }
+}
+
+TEST_F(CloudRowsGLTest, C05_noiseOutOfRangeIsNoMoreThanAllCloud) {
+  // Where textures hold 7 in place of 1 every bit is as with 1; with -3 there is no cloud anywhere.
+  const auto noiseOf = [](float value) {
+    clouds::FoldedNoise noise = *test::plainNoise();
+    std::ranges::fill(noise.base, value);
+    std::ranges::fill(noise.weather, glm::vec3(value));
+    return std::make_shared<const clouds::FoldedNoise>(std::move(noise));
+  };
+  clouds_ = test::plainSettings();
+  addClouds(noiseOf(1));
+  const std::vector<glm::vec4> all = cloudsFrom(inside());
+  EXPECT_TRUE(meanOpacity(all) > 0.1 && meanOpacity(all) < 0.99);
+  system_->apply(switchedOff());
+  addClouds(noiseOf(7));
+  EXPECT_TRUE(cloudsFrom(inside()) == all);
+  system_->apply(switchedOff());
+  addClouds(noiseOf(-3));
+  EXPECT_EQ(system_->idleReason({snapshot_, inside(), features_}), "no cloud anywhere");
+}
+
+TEST_F(CloudRowsGLTest, C06_moreCoverageIsNotLessCloud) {
+  // Neither from below nor from inside: the mean of 1 - T does not fall as the coverage grows from 0 to 1 and
+  // beyond.
+  addClouds(test::sharedNoise());
+  for (const View& view : {below(), inside()}) {
+    double before = 0;
+    for (const double coverage : {0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0, 1.5}) {
+      clouds_.coverage = coverage;
+      const double now = meanOpacity(cloudsFrom(view));
+      EXPECT_GE(now, before) << coverage;
+      before = now;
+    }
+    EXPECT_GT(before, 0.6);
+  }
+}
+
+TEST_F(CloudRowsGLTest, C11_layerOfNoVisibleLengthShowsExactlyTheBackground) {
+  // A surface below the layer, and one at its very base, leave nothing of it to be seen from below.
+  addSky();
+  addClouds(test::sharedNoise());
+  addPlains();
+  const View up = small({0, 600, 0}, 40, 60);
+  EXPECT_GT(difference(sceneFrom(up), withoutClouds(up)), 20) << "no cloud in the picture";
+  for (const double height : {700.0, 1500.0, 1555.0}) {
+    plains_ = {{height, {0.2f, 0.3f, 0.1f}}};
+    EXPECT_TRUE(sceneFrom(up) == withoutClouds(up)) << height;
+  }
+}
+
+TEST_F(CloudRowsGLTest, C12_C16_marchedLengthIsThatOfTheRayToTheSurface) {
+  // In a medium of one density the transmittance tells the length of each ray: centre, corners and all
+  // between, in pictures of any size, within 1e-3 of what rayDirection() says. (A half float is cut by 1e-3
+  // of the transmittance, at optical depths of 3 and more.)
+  addClouds(test::plainNoise());
+  clouds_ = test::plainSettings();
+  clouds_.thickness = 6000;  // of one density from 2530 m to 6835 m
+  clouds_.extinction = 0.003;
+  clouds_.march.stepM = 200;  // exact in such a medium
+  clouds_.march.sunSamples = 1;
+  clouds_.march.stepDepth = 5;
+  clouds_.march.leastTransmittance = 1e-5;
+  plains_ = {{5200, {0.2f, 0.3f, 0.1f}}};
+  addPlains();
+  double worst = 0;
+  for (const glm::ivec2& size : {glm::ivec2(64, 36), {1, 1}, {7, 5}, {801, 601}, {1920, 1080}}) {
+    const View view = pose({200, 6400, -70}, 25, -62, 10, size.x, size.y);
+    const std::vector<glm::vec4> rays = cloudsFrom(view);
+    ASSERT_EQ(rays.size(), static_cast<std::size_t>(size.x * size.y));
+    for (int y = 0; y < size.y; ++y) {
+      for (int x = 0; x < size.x; ++x) {
+        const double length =
+            (plains_[0].heightM - view.position.y) / rayDirection(view, {x + 0.5, y + 0.5}).y;
+        const float through = rays[static_cast<std::size_t>(y * size.x + x)].w;
+        const double error = std::abs(-std::log(through) / clouds_.extinction / length - 1);
+        worst = std::max(worst, error);
+        ASSERT_LT(error, 1e-3) << x << ' ' << y << " of " << size.x << 'x' << size.y << ", length " << length;
+      }
+    }
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST_F(CloudRowsGLTest, C13_skyIsMarchedWithoutRegardToThePlanes) {
+  // There is no far plane. The near one may be moved from 0.1 m to 50 m: no pixel changes in a bit, and
+  // clouds at 20 km are in the picture.
+  addSky();
+  addClouds(test::sharedNoise());
+  View view = small({0, 600, 0}, 40, 5);
+  const std::vector<glm::vec4> first = sceneFrom(view);
+  for (const double nearM : {1.0, 50.0}) {
+    view.nearM = nearM;
+    EXPECT_TRUE(sceneFrom(view) == first) << nearM;
+  }
+  view.nearM = 0.1;
+  clouds_.fadeDistance = 10000;
+  EXPECT_GT(difference(sceneFrom(view), first), 2) << "no cloud was far away";
+}
+
+TEST_F(CloudRowsGLTest, C15_aStepInDepthIsAStepInLength) {
+  // The edge of a plate above a plain, across pixels in many ways: every ray ends at one or at the other,
+  // within 1e-3; none between them.
+  addClouds(test::plainNoise());
+  clouds_ = test::plainSettings();
+  clouds_.thickness = 6000;
+  clouds_.extinction = 0.003;
+  clouds_.march.stepM = 200;
+  clouds_.march.stepDepth = 5;
+  clouds_.march.leastTransmittance = 1e-5;
+  plains_ = {{5000, {0.2f, 0.3f, 0.1f}}};
+  addPlains();
+  renderer().add(
+      std::make_unique<test::GroundPass>(context(), planeMesh(500, 400, 1, 1), glm::dvec3(0, 5400, 0)));
+  const View view = pose({0, 6400, 0}, 25, -85, 17, kWidth, kHeight);
+  const std::vector<glm::vec4> rays = cloudsFrom(view);
+  int plate = 0, plain = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const double down = -rayDirection(view, {x + 0.5, y + 0.5}).y;
+      const double length = -std::log(rays[static_cast<std::size_t>(y * kWidth + x)].w) / clouds_.extinction;
+      const bool isPlate = std::abs(length * down / 1000 - 1) < 1e-3,
+                 isPlain = std::abs(length * down / 1400 - 1) < 1e-3;
+      plate += isPlate;
+      plain += isPlain;
+      ASSERT_TRUE(isPlate || isPlain) << x << ' ' << y << ": " << length;
+    }
+  }
+  EXPECT_TRUE(plate > 100 && plain > 100) << plate << ' ' << plain;
+}
+
+// 0.6 makes 13 shapes a weather period of 52 km, and that is 130 periods of the detail: the field repeats as
+// a whole.
+constexpr double kWholePeriod = 52000;
+void makeWhole(clouds::CloudSettings& clouds) {
+  clouds.scale = 0.6;
+  clouds.weatherScale = 0.02;
+  clouds.higherScale = 20;
+  clouds.fadeDistance = 24000;
+}
+
+TEST_F(CloudRowsGLTest, C17_aFrameFarAwayIsTheSameFrameAtTheOrigin) {
+  // Whole periods of the field away, at 1e7 m: within 1/255, every tier. The way is a whole number of the
+  // light grids' moves too (1920 m and 9600 m along a sun in the east, 960 m and 4800 m across).
+  addSky();
+  addClouds(test::sharedNoise());
+  makeWhole(clouds_);
+  settings_.sun.azimuthDegrees = 90;
+  const double farAway = 17 * 12 * kWholePeriod;  // 1.06e7 m, 1105 moves of 9600 m
+  ASSERT_EQ(std::fmod(farAway, clouds::weatherPeriod(clouds_)), 0);
+  ASSERT_EQ(std::fmod(farAway, clouds::detailPeriod(clouds_)), 0);
+  for (const auto tier : {clouds::CloudTier::low, clouds::CloudTier::high, clouds::CloudTier::ultra}) {
+    clouds_.march = test::rowsOf(tier);
+    for (View view : {below(), inside(), above()}) {
+      const std::vector<glm::vec4> here = sceneFrom(view);
+      view.position += glm::dvec3(farAway, 0, -farAway);
+      const double apart = difference(here, sceneFrom(view));
+      EXPECT_LT(apart, 1);
+      EXPECT_GT(difference(here, withoutClouds(view)), 20) << "no cloud in the picture";
+    }
+  }
+}
+
+TEST_F(CloudRowsGLTest, C17_whereTheNodesOfTheLightGridFallMakesLittleDifference) {
+  // Whole periods away that are no whole moves of the grids: other nodes, 240 m and 1200 m apart along the
+  // sun, stand for the same light. What the tiers with a grid hold to there is a mean of 2/255.
+  addClouds(test::sharedNoise());
+  makeWhole(clouds_);
+  clouds_.march = test::rowsOf(clouds::CloudTier::low);
+  for (View view : {below(), inside(), above()}) {
+    const std::vector<glm::vec4> here = sceneFrom(view);
+    view.position += glm::dvec3(193 * kWholePeriod, 0, -193 * kWholePeriod);
+    const std::vector<glm::vec4> there = sceneFrom(view);
+    double sum = 0;
+    for (std::size_t i = 0; i < here.size(); ++i) sum += 255 * std::abs(shown(here[i]).y - shown(there[i]).y);
+    EXPECT_LT(sum / static_cast<double>(here.size()), 2);
+  }
+}
+
+TEST_F(CloudRowsGLTest, C18_aMonthOfWindCarriesTheFieldExactly) {
+  // After 30 days of a west wind that makes 400 whole periods: within 1/255 of the first frame.
+  addSky();
+  addClouds(test::sharedNoise());
+  makeWhole(clouds_);
+  const double month = 30 * 86400;
+  clouds_.windDirection = 270;
+  clouds_.windSpeed = 400 * kWholePeriod / month;
+  const View view = small({1234.5, 600, -777.7}, 40, 14);
+  const std::vector<glm::vec4> first = sceneFrom(view);
+  snapshot_.simulatedSeconds = month;
+  EXPECT_LT(difference(first, sceneFrom(view)), 1);
+  snapshot_.simulatedSeconds = month + 60;
+  EXPECT_GT(difference(first, sceneFrom(view)), 5) << "the wind carries nothing";
+}
+
+TEST_F(CloudRowsGLTest, C20_crossingABoundaryIsNoJump) {
+  // The eye on the layer's base and top, a millimetre above and a millimetre below: less than 1/255 apart, in
+  // every direction, at full resolution and at half.
+  addSky();
+  addClouds(test::sharedNoise());
+  double worst = 0;
+  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::half}) {
+    clouds_.march.resolution = resolution;
+    for (const double boundary : {clouds_.cloudHeight, clouds_.cloudHeight + clouds_.thickness}) {
+      for (const double pitch : {-80.0, -20.0, 0.0, 20.0, 80.0}) {
+        const std::vector<glm::vec4> on = sceneFrom(small({500, boundary, 800}, 70, pitch));
+        for (const double beside : {-1e-3, 1e-3}) {
+          const double apart = difference(on, sceneFrom(small({500, boundary + beside, 800}, 70, pitch)));
+          worst = std::max(worst, apart);
+          EXPECT_LT(apart, 1) << boundary << ' ' << pitch << ' ' << beside;
+        }
+      }
+    }
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST_F(CloudRowsGLTest, C21_sunAtTheZenithAndUnderTheHorizon) {
+  // Straight up and down too, all is finite; under the horizon no light is direct: what the phase function
+  // says of it makes no difference to any bit.
+  addSky();
+  addClouds(test::sharedNoise());
+  const std::array views = {small({0, 600, 0}, 40, 90), small({0, 4500, 0}, 40, -90), inside()};
+  for (const double elevation : {90.0, 40.0, 0.0, -0.3, -10.0, -90.0}) {
+    settings_.sun.elevationDegrees = elevation;
+    for (const View& view : views) {
+      clouds_.anisotropy = 0;
+      const std::vector<glm::vec4> even = cloudsFrom(view);
+      ASSERT_TRUE(areFinite(even)) << elevation;
+      clouds_.anisotropy = 0.9;
+      const std::vector<glm::vec4> onward = cloudsFrom(view);
+      ASSERT_TRUE(areFinite(onward)) << elevation;
+      EXPECT_EQ(even == onward, elevation < -0.267) << elevation;  // no part of the disc is seen
+    }
+  }
+}
+
+TEST_F(CloudRowsGLTest, C22_horizontalRaysInHazeAreNoSeam) {
+  // The eye level in mist, in haze; an odd number of rows a twentieth of a degree apart, the middle one
+  // exactly horizontal: neighbours differ by less than 1/255.
+  features_.haze = true;
+  settings_.atmosphere.visibilityM = 8000;
+  settings_.camera.fovDegrees = 1;
+  addSky();
+  addClouds(test::plainNoise());
+  clouds_ = test::plainSettings();
+  clouds_.extinction = 2e-4;
+  const View view = pose({0, 2500, 0}, 30, 0, 0, 33, 21);
+  ASSERT_EQ(rayDirection(view, {16.5, 10.5}).y, 0);
+  const std::vector<glm::vec4> scene = sceneFrom(view);
+  ASSERT_GT(system_->lastWork().tiles, 0u);
+  const std::vector<glm::vec4> upper(scene.begin() + 33, scene.end()), lower(scene.begin(), scene.end() - 33);
+  RecordProperty("worst", std::to_string(difference(upper, lower)));
+  EXPECT_LT(difference(upper, lower), 1);
+}
+
+TEST_F(CloudRowsGLTest, C25_aSunOfAHundredThousandStaysFinite) {
+  // Exposed so that the sun lights clouds with 1e5 and the sky's disc is as bright as a half float can be:
+  // all that is stored is finite, and transmittances are those of a dark frame.
+  addSky();
+  addClouds(test::sharedNoise());
+  const glm::dvec3 toSun = directionToSun(settings_.sun);
+  const View view = small({0, 600, 0}, settings_.sun.azimuthDegrees - 90, settings_.sun.elevationDegrees);
+  EXPECT_GT(glm::dot(view.forward(), toSun), 0.999);
+  clouds_.coverage = 0.8;
+  clouds_.extinction = 0.001;
+  const std::vector<glm::vec4> dark = cloudsFrom(view);
+  settings_.exposureStops = 14;
+  const std::vector<glm::vec4> bright = cloudsFrom(view);
+  ASSERT_TRUE(areFinite(bright));
+  for (std::size_t i = 0; i < dark.size(); ++i) ASSERT_NEAR(dark[i].w, bright[i].w, 1e-3);
+  // So is the sky's disc that comes through: each and together not more than a half float keeps.
+  for (const std::vector<glm::vec4>& picture : {bright, sceneFrom(view)}) {
+    float brightest = 0;
+    for (const glm::vec4& light : picture) brightest = std::max({brightest, light.x, light.y, light.z});
+    EXPECT_EQ(brightest, 60000.0f);
+  }
+}
+
+// A level plate as dark as a scene in which nothing is.
+class DarkPlate final : public Pass {
+ public:
+  static constexpr double kSide = 1500;  // m
+
+  DarkPlate(gl::Context& context, const test::TemporaryFolder& folder, const glm::dvec3& middle)
+      : plane_(context, planeMesh(kSide, kSide, 1, 1), "plate"),
+        vertex_(folder.write("plate.vert",
+                             "#include \"frame.glsl\"\nlayout(location = 0) in vec3 position;\n"
+                             "uniform vec3 place;\nvoid main() { gl_Position = frame.viewProjection * "
+                             "vec4(position + place, 1.0); }\n")),
+        fragment_(folder.write("plate.frag", "out vec4 color;\nvoid main() { color = vec4(0.0); }\n")),
+        middle_(middle) {}
+
+  std::string_view name() const override { return "plate"; }
+  Slot slot() const override { return Slot::terrain; }
+  std::optional<std::string> idleReason(const FrameInput&) const override {
+    return isShown ? std::nullopt : std::optional<std::string>("put away");
+  }
+  void draw(FrameContext& context) override {
+    gl::Shader& shader = context.shaders.shader(vertex_, fragment_);
+    shader.use();
+    shader.setVec3("place", relativeToEye(context.frame.view, middle_));
+    plane_.draw();
+  }
+
+  bool isShown = true;
+
+ private:
+  Mesh plane_;
+  std::string vertex_, fragment_;
+  glm::dvec3 middle_;
+};
+
+TEST_F(CloudRowsGLTest, C29_aCloudDoesNotTellWhatStandsBehindIt) {
+  // A dark plate just under the layer, in front of nothing, seen from above. At full resolution the clouds
+  // are the same with it and without it, across its edge and everywhere, to less than 2/255. At half
+  // resolution a pixel is mixed of four rays by how alike their surfaces are, and gets a ray of its own where
+  // they are not: within two pixels of the edge it may differ by what that ray sees and they do not (80/255
+  // in a picture as coarse as this), on the plate by other shares of the four (8/255).
+  addClouds(test::sharedNoise());
+  constexpr int kColumns = 160, kRows = 90;
+  const View view = pose({-4000, 4500, 1000}, 300, -50, 0, kColumns, kRows);
+  const glm::dvec3 middle = view.position + view.forward() * ((1500 - view.position.y) / view.forward().y);
+  auto pass = std::make_unique<DarkPlate>(context(), folder_, middle);
+  DarkPlate& plate = *pass;
+  renderer().add(std::move(pass));
+  const auto isPlate = [&](int x, int y) {
+    const glm::dvec3 ray = rayDirection(view, {x + 0.5, y + 0.5});
+    const glm::dvec3 hit = view.position + ray * ((middle.y - view.position.y) / ray.y) - middle;
+    return ray.y < 0 && std::abs(hit.x) < DarkPlate::kSide / 2 && std::abs(hit.z) < DarkPlate::kSide / 2;
+  };
+  const auto isNearEdge = [&](int x, int y) {
+    for (int j = y - 2; j <= y + 2; ++j) {
+      for (int i = x - 2; i <= x + 2; ++i) {
+        if (isPlate(i, j) != isPlate(x, y)) return true;
+      }
+    }
+    return false;
+  };
+  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::half}) {
+    clouds_.march.resolution = resolution;
+    plate.isShown = false;
+    const std::vector<glm::vec4> open = sceneFrom(view);
+    plate.isShown = true;
+    const std::vector<glm::vec4> covered = sceneFrom(view);
+    double nearEdge = 0, elsewhere = 0;
+    int edge = 0;
+    for (int y = 0; y < kRows; ++y) {
+      for (int x = 0; x < kColumns; ++x) {
+        const auto i = static_cast<std::size_t>(y * kColumns + x);
+        const double apart = difference({open[i]}, {covered[i]});
+        double& worst = isNearEdge(x, y) ? nearEdge : elsewhere;
+        worst = std::max(worst, apart);
+        edge += isNearEdge(x, y) && open[i].x > 0.1f;
+      }
+    }
+    EXPECT_GT(edge, 100) << "no cloud at the edge";
+    const bool isFull = resolution == clouds::MarchResolution::full;
+    EXPECT_LT(elsewhere, isFull ? 2 : 8);
+    EXPECT_LT(nearEdge, isFull ? 2 : 80);
+    RecordProperty(isFull ? "full" : "half", std::to_string(nearEdge));
+  }
+}
+
+TEST_F(CloudRowsGLTest, C29_samplesDoNotJumpWithTheDepthBehind) {
+  // A plate deep inside an opaque layer: what is in front of it is cut at the same distances whether a ray
+  // ends at the plate or goes on, so it cannot be seen at all, at full resolution (2/255) and at half.
+  addClouds(test::plainNoise());
+  clouds_ = test::plainSettings();
+  clouds_.extinction = 0.02;
+  const View view = small({-4000, 4500, 1000}, 300, -50);
+  const glm::dvec3 middle = view.position + view.forward() * ((2200 - view.position.y) / view.forward().y);
+  auto pass = std::make_unique<DarkPlate>(context(), folder_, middle);
+  DarkPlate& plate = *pass;
+  renderer().add(std::move(pass));
+  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::half}) {
+    clouds_.march.resolution = resolution;
+    plate.isShown = false;
+    const std::vector<glm::vec4> open = sceneFrom(view);
+    plate.isShown = true;
+    EXPECT_LT(difference(open, sceneFrom(view)), 2);
+    EXPECT_GT(open[0].x, 0.1f) << "nothing to be seen";
+  }
+}
+
+// Overwrites what the clouds' pass left behind: its pictures of rays with NaN, its lists with all bits set.
+// Image and buffer bindings are those that it ended with.
+class PoisonPass final : public Pass {
+ public:
+  PoisonPass(const CloudSystem& system, const test::TemporaryFolder& folder)
+      : system_(system), file_(folder.write("poison.comp", R"(
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 1, rg16f) uniform writeonly image2D distances;
+#ifdef CARRIED
+layout(binding = 2, rgba32f) uniform writeonly image2D carriedLight;
+layout(binding = 3, rgba32f) uniform writeonly image2D carriedWay;
+#endif
+layout(std430, binding = 0) buffer Tiles { uint words[]; } tiles;
+uniform float poison;
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  vec4 none = vec4(poison);
+  imageStore(distances, at, none);
+#ifdef CARRIED
+  imageStore(carriedLight, at, none);
+  imageStore(carriedWay, at, none);
+#endif
+  int index = at.y * 64 + at.x;
+  if (index < tiles.words.length()) tiles.words[index] = 0xffffffffu;
+}
+)")) {}
+
+  std::string_view name() const override { return "poison"; }
+  Slot slot() const override { return Slot::hud; }
+  void draw(FrameContext& context) override {
+    gl::ComputeShader& shader = context.shaders.computeShader(
+        file_, isCarried ? std::vector<std::string>{"CARRIED"} : std::vector<std::string>{});
+    shader.use();
+    shader.setFloat("poison", poison);
+    shader.dispatch(8, 8);
+    const std::array<float, 4> none = {poison, poison, poison, poison};
+    context.gl.api().ClearTexImage(system_.light().id(), 0, GL_RGBA, GL_FLOAT, none.data());
+    context.gl.api().MemoryBarrier(GL_ALL_BARRIER_BITS);
+  }
+
+  bool isCarried = true;
+  float poison = 0;
+
+ private:
+  const CloudSystem& system_;
+  std::string file_;
+};
+
+TEST_F(CloudRowsGLTest, C10_nothingIsReadThatTheFrameDidNotWrite) {
+  // Frames after all targets and lists were poisoned equal those before in every bit, at every resolution:
+  // with NaN, and with a number that nothing clamps away.
+  addSky();
+  addClouds(test::sharedNoise());
+  auto pass = std::make_unique<PoisonPass>(*system_, folder_);
+  PoisonPass& poison = *pass;
+  const std::array tiers = {clouds::CloudTier::low, clouds::CloudTier::high, clouds::CloudTier::ultra};
+  std::vector<std::vector<glm::vec4>> clean;
+  for (const auto tier : tiers) {
+    clouds_.march = test::rowsOf(tier);
+    clean.push_back(sceneFrom(below()));
+    ASSERT_TRUE(areFinite(clean.back()));
+  }
+  renderer().add(std::move(pass));
+  for (std::size_t i = 0; i < tiers.size(); ++i) {
+    clouds_.march = test::rowsOf(tiers[i]);
+    poison.isCarried = !clouds_.march.lightGrid;
+    for (const float value : {std::numeric_limits<float>::quiet_NaN(), 1.0f, 65000.0f}) {
+      poison.poison = value;
+      sceneFrom(below());
+      EXPECT_TRUE(sceneFrom(below()) == clean[i]) << "tier " << i << ", poison " << value;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::render
