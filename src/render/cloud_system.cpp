@@ -20,7 +20,7 @@ constexpr std::size_t kTaskBytes = 16, kEdgeBytes = 4, kHeaderBytes = 16;
 constexpr double kNearRadiusCells = 48;  // of the fine light grid
 constexpr double kFarCells = 5;          // a cell of the coarse grid in cells of the fine one
 constexpr std::array<float, 4> kFarAway = {65000, 65000, 0, 0};  // kFarDistance of shaders/clouds
-constexpr double kFineShadeM = 50, kFineShadeRadiusM = 4000, kCoarseShadeM = 240;  // cells of shadows
+constexpr double kFineShadeM = 60, kFineShadeRadiusM = 6000, kCoarseShadeM = 240;  // cells of shadows
 
 struct ListHeader {
   std::array<GLuint, 3> groups{0, 0, 1};
@@ -90,10 +90,10 @@ CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::Fol
                          const clouds::CloudSettings& settings)
     : context_(context),
       volumes_(std::make_unique<CloudVolumes>(context, std::move(noise))),
-      near_(std::make_unique<LightGrid>("near light grid", LightGrid::Keep::all)),
-      far_(std::make_unique<LightGrid>("far light grid", LightGrid::Keep::all)),
-      fineShade_(std::make_unique<LightGrid>("fine cloud shade", LightGrid::Keep::base)),
-      coarseShade_(std::make_unique<LightGrid>("coarse cloud shade", LightGrid::Keep::base)),
+      near_(std::make_unique<LightGrid>("near light grid", LightGridKeeps::all)),
+      far_(std::make_unique<LightGrid>("far light grid", LightGridKeeps::all)),
+      fineShade_(std::make_unique<LightGrid>("fine cloud shade", LightGridKeeps::base)),
+      coarseShade_(std::make_unique<LightGrid>("coarse cloud shade", LightGridKeeps::base)),
       uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {
   apply(settings);
 }
@@ -128,11 +128,11 @@ void CloudSystem::resize(const View& view) {
   edges_ = gl::Buffer(context_, kHeaderBytes + pixels * kEdgeBytes, gl::Buffer::Use::write, "cloud edges");
 }
 
-void CloudSystem::update(FrameContext& context, LightGrid& grid, double cellM, double radiusM) {
-  const glm::dvec3 eye = inField(settings_, context.frame);
+void CloudSystem::update(FrameContext& context, LightGrid& grid, double cellM, double radiusM,
+                         const glm::dvec3& middle) {
   grid.update(context_, context.shaders,
               lightGridLayout(settings_, raisedSun(context.light.toSun), cellM,
-                              std::min(radiusM, settings_.fadeDistance), eye),
+                              std::min(radiusM, settings_.fadeDistance), middle, grid.keeps()),
               settings_, volumes_->meanDetail());
 }
 
@@ -147,9 +147,12 @@ std::optional<std::string> CloudSystem::noShadeBecause(const FrameInput& frame) 
 
 void CloudSystem::castShade(FrameContext& context) {
   volumes_->bind();
-  update(context, *fineShade_, kFineShadeM, kFineShadeRadiusM);
-  update(context, *coarseShade_, kCoarseShadeM, settings_.fadeDistance);
   const glm::dvec3 eye = inField(settings_, context.frame);
+  // What shades the land around the eye stands where the sun's rays to that land pass the base.
+  const glm::dvec3 toSun = raisedSun(context.light.toSun);
+  const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (settings_.cloudHeight / toSun.y);
+  update(context, *fineShade_, kFineShadeM, kFineShadeRadiusM, middle);
+  update(context, *coarseShade_, kCoarseShadeM, settings_.fadeDistance, middle);
   const auto map = [&](const LightGrid& grid) {
     const std::array<glm::vec4, 3> rows = toLightGrid(grid.layout(), eye);
     return CloudShade::Map{&grid.depths(), {rows[0], rows[1]}};
@@ -193,8 +196,9 @@ void CloudSystem::draw(FrameContext& context) {
   addMarch(uniforms, settings_.march, view, kTileSide * divisor);
   if (settings_.march.lightGrid) {
     const double cell = settings_.march.lightCellM;
-    update(context, *near_, cell, kNearRadiusCells * cell);
-    update(context, *far_, kFarCells * cell, settings_.fadeDistance);
+    const glm::dvec3 place = inField(settings_, context.frame);
+    update(context, *near_, cell, kNearRadiusCells * cell, place);
+    update(context, *far_, kFarCells * cell, settings_.fadeDistance, place);
     const glm::dvec3 eye = inField(settings_, context.frame);
     uniforms.nearGrid = toLightGrid(near_->layout(), eye);
     uniforms.farGrid = toLightGrid(far_->layout(), eye);

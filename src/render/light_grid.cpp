@@ -23,7 +23,7 @@ double roundedSine(double sine) { return std::exp2(std::round(std::log2(sine)));
 }  // namespace
 
 LightGridLayout lightGridLayout(const clouds::CloudSettings& s, const glm::dvec3& toSun, double cellM,
-                                double radiusM, const glm::dvec3& eye) {
+                                double radiusM, const glm::dvec3& middle, LightGridKeeps keeps) {
   const double level = std::hypot(toSun.x, toSun.z);
   const glm::dvec3 azimuth = level > 1e-9 ? glm::dvec3(toSun.x, 0, toSun.z) / level : glm::dvec3(1, 0, 0);
   const double slant = level / toSun.y;  // metres along the azimuth per metre up
@@ -42,10 +42,11 @@ LightGridLayout lightGridLayout(const clouds::CloudSettings& s, const glm::dvec3
     const double first = std::floor(from / move);
     return std::pair(first * move, static_cast<int>(std::ceil(to / move) - first) * kColumnsAMove + 1);
   };
-  const double alongEye = glm::dot(eye, azimuth), acrossEye = glm::dot(eye, grid.across) / cellM;
+  const double alongMiddle = glm::dot(middle, azimuth), acrossMiddle = glm::dot(middle, grid.across) / cellM;
+  const double behind = keeps == LightGridKeeps::all ? slant * s.thickness : 0;
   const auto [alongFoot, alongNodes] =
-      columns(alongEye - radiusM - slant * s.thickness, alongEye + radiusM, glm::length(grid.along));
-  const auto [acrossFoot, acrossNodes] = columns(acrossEye - radiusM, acrossEye + radiusM, cellM);
+      columns(alongMiddle - radiusM - behind, alongMiddle + radiusM, glm::length(grid.along));
+  const auto [acrossFoot, acrossNodes] = columns(acrossMiddle - radiusM, acrossMiddle + radiusM, cellM);
   grid.nodes.x = alongNodes;
   grid.nodes.y = acrossNodes;
   grid.foot = azimuth * alongFoot + grid.across * (acrossFoot / cellM) + glm::dvec3(0, s.cloudHeight, 0);
@@ -68,7 +69,7 @@ void LightGrid::update(gl::Context& context, gl::ShaderCache& shaders, const Lig
                        const clouds::CloudSettings& settings, double meanDetail) {
   if (layout == layout_) return;
   if (!depths_ || layout.nodes != layout_.nodes) {
-    const int layers = keep_ == Keep::all ? layout.nodes.z : 1;
+    const int layers = keeps_ == LightGridKeeps::all ? layout.nodes.z : 1;
     depths_ = gl::Texture::make3D(context, GL_R32F, layout.nodes.x, layout.nodes.y, layers, label_);
   }
   if (!uniforms_) uniforms_ = gl::Buffer(context, sizeof(CloudUniforms), gl::Buffer::Use::write, label_);
@@ -78,7 +79,7 @@ void LightGrid::update(gl::Context& context, gl::ShaderCache& shaders, const Lig
   depths_.bindImage(0, GL_WRITE_ONLY);
   std::vector<std::string> defines;
   if (settings.march.detail) defines.emplace_back("DETAIL");
-  if (keep_ == Keep::base) defines.emplace_back("BASE_ALONE");
+  if (keeps_ == LightGridKeeps::base) defines.emplace_back("BASE_ALONE");
   gl::ComputeShader& shader = shaders.computeShader("clouds/light_grid.comp", defines);
   shader.use();
   shader.setVec3("along", glm::vec3(layout.along));

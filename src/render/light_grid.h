@@ -18,6 +18,9 @@
 
 namespace skydrop::render {
 
+// What is kept of a column: the depth at each node, or that of the whole layer alone.
+enum class LightGridKeeps { all, base };
+
 struct LightGridLayout {
   glm::dvec3 foot{0};  // the first node, in the field (drift taken off); on the base of the layer
   glm::dvec3 along{0}, across{0}, sunward{0};  // from a node to the next, metres
@@ -25,21 +28,19 @@ struct LightGridLayout {
   bool operator==(const LightGridLayout&) const = default;
 };
 
-// Nodes `cellM` apart across the light, for all places of the layer within `radiusM` of the eye. toSun: unit,
-// at least kLeastSunSine high.
+// Nodes `cellM` apart across the light, for all places of the layer (or of its base alone) within `radiusM`
+// of a middle (in the field). toSun: unit, at least kLeastSunSine high.
 LightGridLayout lightGridLayout(const clouds::CloudSettings& settings, const glm::dvec3& toSun, double cellM,
-                                double radiusM, const glm::dvec3& eyeInField);
+                                double radiusM, const glm::dvec3& middle, LightGridKeeps keeps);
 
 // Rows that carry a place relative to the eye (and 1) to the texture's coordinates.
 std::array<glm::vec4, 3> toLightGrid(const LightGridLayout& layout, const glm::dvec3& eyeInField);
 
 class LightGrid {
  public:
-  // What is kept of a column: the depth at each node, or that of the whole layer alone.
-  enum class Keep { all, base };
+  LightGrid(std::string label, LightGridKeeps keeps) : label_(std::move(label)), keeps_(keeps) {}
 
-  LightGrid(std::string label, Keep keep) : label_(std::move(label)), keep_(keep) {}
-
+  LightGridKeeps keeps() const { return keeps_; }
   const LightGridLayout& layout() const { return layout_; }
   const gl::Texture& depths() const { return depths_; }
 
@@ -50,7 +51,7 @@ class LightGrid {
 
  private:
   std::string label_;
-  Keep keep_;
+  LightGridKeeps keeps_;
   LightGridLayout layout_;
   gl::Texture depths_;
   gl::Buffer uniforms_;

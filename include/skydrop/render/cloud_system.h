@@ -1,6 +1,6 @@
 // Volumetric clouds over the scene: a compute pass over linear colour and depth. docs/clouds.md tells how.
-// Sources: Schneider and Vos 2015 (the medium), Hillaire, "Physically Based Sky, Atmosphere and Cloud Rendering in
-// Frostbite", 2016 (the integral over a step), Wrenninge 2015 (octaves of scattering).
+// Sources: Schneider and Vos 2015 (the medium), Hillaire, "Physically Based Sky, Atmosphere and Cloud
+// Rendering in Frostbite", 2016 (the integral over a step), Wrenninge 2015 (octaves of scattering).
 #pragma once
 
 #include <memory>
@@ -44,7 +44,7 @@ class CloudSystem final : public Pass {
   const gl::Texture& light() const { return light_; }
 
  private:
-  void update(FrameContext& context, LightGrid& grid, double cellM, double radiusM);
+  void update(FrameContext& context, LightGrid& grid, double cellM, double radiusM, const glm::dvec3& middle);
   void marchInParts();
   void resize(const View& view);
 
