@@ -19,7 +19,9 @@ constexpr int kTileSide = 8;                                                  //
 constexpr std::size_t kTaskBytes = 16, kEdgeBytes = 4, kHeaderBytes = 16;
 constexpr double kNearRadiusCells = 48;  // of the fine light grid
 constexpr double kFarCells = 5;          // a cell of the coarse grid in cells of the fine one
-constexpr std::array<float, 4> kFarAway = {65000, 65000, 0, 0};  // kFarDistance of shaders/clouds
+// Of rays that are not marched: no light (kFarDistance of shaders/clouds), and a surface like no other,
+// because what hides the clouds there may not hide them beside it.
+constexpr std::array<float, 4> kNotMarched = {65000, 0, 0, 0};
 constexpr double kFineShadeM = 60, kFineShadeRadiusM = 6000, kCoarseShadeM = 240;  // cells of shadows
 
 struct ListHeader {
@@ -220,7 +222,7 @@ void CloudSystem::draw(FrameContext& context) {
   classify.dispatch(static_cast<GLuint>(tileCount.x + 7) / 8, static_cast<GLuint>(tileCount.y + 7) / 8);
   const std::array<float, 4> clear = {0, 0, 0, 1};
   api.ClearTexImage(light_.id(), 0, GL_RGBA, GL_FLOAT, clear.data());
-  api.ClearTexImage(distances_.id(), 0, GL_RGBA, GL_FLOAT, kFarAway.data());
+  api.ClearTexImage(distances_.id(), 0, GL_RGBA, GL_FLOAT, kNotMarched.data());
   api.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 
   gl::ComputeShader& march = context.shaders.computeShader("clouds/march.comp", defines);

@@ -299,13 +299,25 @@ void main() {
 
 class CloudCountGLTest : public CloudReferenceGLTest {
  protected:
-  // What each dispatch of the reference tier's march does, from these clouds.
-  const std::vector<std::vector<CountingPass::Ray>>& countFrom(const View& view) {
+  using Dispatches = std::vector<std::vector<CountingPass::Ray>>;
+
+  // Clouds that rays go through for 24 km.
+  void fillWithMist() {
+    clouds_.extinction = 0.002;
+    clouds_.coverage = 1;
+  }
+  // What each dispatch of a tier's march does, with a ray for each pixel.
+  const Dispatches& countFrom(const View& view, clouds::CloudTier tier = clouds::CloudTier::reference) {
+    clouds_.march = test::rowsOf(tier);
+    clouds_.march.resolution = clouds::MarchResolution::full;
+    if (counting_) {
+      cloudsFrom(view);
+      return counting_->dispatches;
+    }
     addClouds(test::sharedNoise());
     auto pass = std::make_unique<CountingPass>(*system_, folder_, clouds_);
     counting_ = pass.get();
     renderer().add(std::move(pass));
-    clouds_.march = test::rowsOf(clouds::CloudTier::reference);
     cloudsFrom(view);
     return counting_->dispatches;
   }
@@ -320,9 +332,8 @@ TEST_F(CloudCountGLTest, noDispatchRunsMoreLoopsThanADriverAllows) {
   // 000 turns of all its loops: steps, stretches and samples to the sun. Rays that run together wait for the
   // slowest of them at each stretch: 16 of them (what the widest software renderer runs at once) stay below
   // the 65 535 turns at which llvmpipe ends a loop.
-  clouds_.extinction = 0.002;
-  clouds_.coverage = 1;
-  const auto& dispatches = countFrom(small({0, 2400, 0}, 40, 3));
+  fillWithMist();
+  const Dispatches& dispatches = countFrom(small({0, 2400, 0}, 40, 3));
   EXPECT_GT(dispatches.size(), 1u) << "proves little";
   const GLuint aStretch = static_cast<GLuint>(clouds_.march.sunSamples) + 1;
   GLuint mostOfRay = 0, mostOfGroup = 0;
@@ -352,10 +363,20 @@ TEST_F(CloudCountGLTest, noDispatchRunsMoreLoopsThanADriverAllows) {
   RecordProperty("turnsOfAGroup", static_cast<int>(mostOfGroup));
 }
 
+TEST_F(CloudCountGLTest, theTiersToPlayWithNeedOneDispatch) {
+  // Even in mist: so their marches need not be carried on, and the processor need not wait for the graphics
+  // card.
+  using enum clouds::CloudTier;
+  fillWithMist();
+  for (const clouds::CloudTier tier : {low, medium, high, ultra}) {
+    EXPECT_EQ(countFrom(small({0, 2400, 0}, 40, 3), tier).size(), 1u) << static_cast<int>(tier);
+  }
+}
+
 TEST_F(CloudCountGLTest, C24_aRayThatMeetsNothingKeepsTheFarMarker) {
   // The mean distance of light that is not there is 65 km, which a half float keeps; of light that is there
   // it lies where the clouds are.
-  const auto& dispatches = countFrom(small({0, 600, 0}, 40, 14));
+  const Dispatches& dispatches = countFrom(small({0, 600, 0}, 40, 14));
   int met = 0, clear = 0;
   for (const CountingPass::Ray& ray : dispatches.back()) {
     if (ray.weight > 0) {

@@ -254,8 +254,9 @@ void makeWhole(clouds::CloudSettings& clouds) {
 }
 
 TEST_F(CloudRowsGLTest, C17_aFrameFarAwayIsTheSameFrameAtTheOrigin) {
-  // Whole periods of the field away, at 1e7 m: within 1/255, every tier. The way is a whole number of the
-  // light grids' moves too (1920 m and 9600 m along a sun in the east, 960 m and 4800 m across).
+  // Whole periods of the field away, at 1e7 m: within 1/255, at every resolution and with light
+  // grids. The way is a whole number of their moves too (1920 m and 9600 m along a sun in the east, 960 m and
+  // 4800 m across).
   addSky();
   addClouds(test::sharedNoise());
   makeWhole(clouds_);
@@ -265,6 +266,8 @@ TEST_F(CloudRowsGLTest, C17_aFrameFarAwayIsTheSameFrameAtTheOrigin) {
   ASSERT_EQ(std::fmod(farAway, clouds::detailPeriod(clouds_)), 0);
   for (const auto tier : {clouds::CloudTier::low, clouds::CloudTier::high, clouds::CloudTier::ultra}) {
     clouds_.march = test::rowsOf(tier);
+    clouds_.march.lightGrid = tier == clouds::CloudTier::low;
+    clouds_.march.lightCellM = 120;
     for (View view : {below(), inside(), above()}) {
       const std::vector<glm::vec4> here = sceneFrom(view);
       view.position += glm::dvec3(farAway, 0, -farAway);
@@ -277,10 +280,12 @@ TEST_F(CloudRowsGLTest, C17_aFrameFarAwayIsTheSameFrameAtTheOrigin) {
 
 TEST_F(CloudRowsGLTest, C17_whereTheNodesOfTheLightGridFallMakesLittleDifference) {
   // Whole periods away that are no whole moves of the grids: other nodes, 240 m and 1200 m apart along the
-  // sun, stand for the same light. What the tiers with a grid hold to there is a mean of 2/255.
+  // sun, stand for the same light. What marches with a grid hold to there is a mean of 2/255.
   addClouds(test::sharedNoise());
   makeWhole(clouds_);
   clouds_.march = test::rowsOf(clouds::CloudTier::low);
+  clouds_.march.lightGrid = true;
+  clouds_.march.lightCellM = 120;
   for (View view : {below(), inside(), above()}) {
     const std::vector<glm::vec4> here = sceneFrom(view);
     view.position += glm::dvec3(193 * kWholePeriod, 0, -193 * kWholePeriod);
@@ -497,6 +502,31 @@ TEST_F(CloudRowsGLTest, C29_samplesDoNotJumpWithTheDepthBehind) {
   }
 }
 
+TEST_F(CloudRowsGLTest, C29_aSurfaceThatHidesTilesDoesNotThinTheCloudsBesideIt) {
+  // A plate overhead whose edge is that of a row of tiles: those that it hides are not marched, and what was
+  // not marched is no part of the pixels beside it, however much the tier tolerates. In the mean over the row
+  // the light beside the edge is that of a ray for each pixel to 5/255 at half resolution, 12/255 at a
+  // quarter.
+  addClouds(test::sharedNoise());
+  constexpr int kColumns = 160, kRows = 90, kCovered = 64;  // from this row on: two tiles of half resolution
+  const View view = pose({0, 600, 0}, 0, 0, 0, kColumns, kRows);
+  const double reach = 10 / ((2.0 * kCovered / kRows - 1) * std::tan(view.fovYRad / 2));
+  const glm::dvec3 middle = view.position + glm::dvec3(reach - DarkPlate::kSide / 2, 10, 0);
+  renderer().add(std::make_unique<DarkPlate>(context(), folder_, middle));
+  const auto besideEdge = [&](clouds::MarchResolution resolution) {
+    clouds_.march.resolution = resolution;
+    const std::vector<glm::vec4> scene = sceneFrom(view);
+    double sum = 0;
+    for (std::size_t x = 0; x < kColumns; ++x) sum += shown(scene[(kCovered - 1) * kColumns + x]).y;
+    return sum / kColumns * 255;
+  };
+  clouds_.march.tolerance = 10;
+  const double exact = besideEdge(clouds::MarchResolution::full);
+  EXPECT_GT(exact, 50) << "no cloud beside the edge";
+  EXPECT_NEAR(besideEdge(clouds::MarchResolution::half), exact, 5);
+  EXPECT_NEAR(besideEdge(clouds::MarchResolution::quarter), exact, 12);
+}
+
 // Overwrites what the clouds' pass left behind: its pictures of rays with NaN, its lists with all bits set.
 // Image and buffer bindings are those that it ended with.
 class PoisonPass final : public Pass {
@@ -546,27 +576,42 @@ void main() {
 };
 
 TEST_F(CloudRowsGLTest, C10_nothingIsReadThatTheFrameDidNotWrite) {
-  // Frames after all targets and lists were poisoned equal those before in every bit, at every resolution:
-  // with NaN, and with a number that nothing clamps away.
+  // Frames after all targets and lists were poisoned equal those before in every bit, at every resolution,
+  // with light grids and where marches are carried over several dispatches: with NaN, with something near and
+  // with something far.
   addSky();
   addClouds(test::sharedNoise());
+  // Hides a row of tiles.
+  const View view = small({0, 600, 0}, 0, 0);
+  const double reach = 10 / ((2.0 * 32 / kHeight - 1) * std::tan(view.fovYRad / 2));
+  renderer().add(std::make_unique<DarkPlate>(
+      context(), folder_, view.position + glm::dvec3(reach - DarkPlate::kSide / 2, 10, 0)));
   auto pass = std::make_unique<PoisonPass>(*system_, folder_);
   PoisonPass& poison = *pass;
-  const std::array tiers = {clouds::CloudTier::low, clouds::CloudTier::high, clouds::CloudTier::ultra};
+  using enum clouds::CloudTier;
+  const std::array tiers = {low, high, ultra, reference};
+  const auto rowsOf = [](clouds::CloudTier tier) {
+    clouds::MarchSettings march = test::rowsOf(tier);
+    march.lightGrid = tier == low;
+    return march;
+  };
+  const auto viewOf = [&](clouds::CloudTier tier) {
+    return tier == reference ? pose({0, 600, 0}, 40, 14, 0, 24, 14) : view;
+  };
   std::vector<std::vector<glm::vec4>> clean;
   for (const auto tier : tiers) {
-    clouds_.march = test::rowsOf(tier);
-    clean.push_back(sceneFrom(below()));
+    clouds_.march = rowsOf(tier);
+    clean.push_back(sceneFrom(viewOf(tier)));
     ASSERT_TRUE(areFinite(clean.back()));
   }
   renderer().add(std::move(pass));
   for (std::size_t i = 0; i < tiers.size(); ++i) {
-    clouds_.march = test::rowsOf(tiers[i]);
-    poison.isCarried = !clouds_.march.lightGrid;
+    clouds_.march = rowsOf(tiers[i]);
+    poison.isCarried = tiers[i] == reference;
     for (const float value : {std::numeric_limits<float>::quiet_NaN(), 1.0f, 65000.0f}) {
       poison.poison = value;
-      sceneFrom(below());
-      EXPECT_TRUE(sceneFrom(below()) == clean[i]) << "tier " << i << ", poison " << value;
+      sceneFrom(viewOf(tiers[i]));
+      EXPECT_TRUE(sceneFrom(viewOf(tiers[i])) == clean[i]) << "tier " << i << ", poison " << value;
     }
   }
 }
