@@ -1,6 +1,11 @@
 // The clouds' pass: when it has work, and what its frames promise.
 #include "skydrop/render/cloud_system.h"
 
+#include <algorithm>
+#include <array>
+#include <glm/vector_relational.hpp>
+
+#include "skydrop/core/settings_table.h"
 #include "support/frame_test.h"
 #include "support/light_probe.h"
 #include "support/shared_noise.h"
@@ -66,6 +71,27 @@ TEST_F(CloudSystemGLTest, C31_dispatchesNothingWhereNoCloudCanBeSeen) {
   clouds_.tier = clouds::CloudTier::off;
   EXPECT_EQ(dispatches(below()), 0u);
   EXPECT_EQ(idleReasonOf(below()), "switched off");
+}
+
+TEST_F(CloudSystemGLTest, everyEndOfEverySliderDrawsFiniteLight) {
+  // Whatever row of the weather or the march is moved to an end, and each choice: all light is finite and not
+  // negative, from below and from inside.
+  core::SettingsTable table(clouds_);
+  const std::array views = {pose({0, 600, 0}, 40, 12, 0, 32, 18), pose({600, 2300, 600}, 40, 0, 0, 32, 18)};
+  for (const core::Field& field : table.fields()) {
+    const double before = field.get();
+    for (const double end : {field.min, field.max}) {
+      field.set(end);
+      for (const View& view : views) {
+        const bool sound = std::ranges::all_of(lightFrom(view), [](const glm::vec4& light) {
+          return glm::all(glm::greaterThanEqual(light, glm::vec4(0))) &&
+                 glm::all(glm::lessThan(light, glm::vec4(65504)));
+        });
+        EXPECT_TRUE(sound) << field.path << " = " << end;
+      }
+    }
+    field.set(before);
+  }
 }
 
 TEST_F(CloudSystemGLTest, C28_repeatedFramesAreBitIdentical) {
