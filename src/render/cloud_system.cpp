@@ -187,21 +187,27 @@ void CloudSystem::marchInParts() {
 }
 
 void CloudSystem::draw(FrameContext& context) {
+  resize(context.frame.view);
+  setUniforms(context);
+  classify(context);
+  march(context);
+  compose(context);
+  context.cloudVeil = {&light_, &distances_};
+  context_.api().MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+// What all shaders of the pass read, light grids included.
+void CloudSystem::setUniforms(FrameContext& context) {
   const View& view = context.frame.view;
-  const int divisor = divisorOf(settings_);
-  const gl::Functions& api = context_.api();
-  resize(view);
+  const glm::dvec3 eye = inField(settings_, context.frame);
   volumes_->bind();
-  CloudUniforms uniforms =
-      fieldUniforms(settings_, inField(settings_, context.frame), volumes_->meanDetail());
+  CloudUniforms uniforms = fieldUniforms(settings_, eye, volumes_->meanDetail());
   addLight(uniforms, settings_, context.light);
-  addMarch(uniforms, settings_.march, view, kTileSide * divisor);
+  addMarch(uniforms, settings_.march, view, kTileSide * divisorOf(settings_));
   if (settings_.march.lightGrid) {
     const double cell = settings_.march.lightCellM;
-    const glm::dvec3 place = inField(settings_, context.frame);
-    update(context, *near_, cell, kNearRadiusCells * cell, place);
-    update(context, *far_, kFarCells * cell, settings_.fadeDistance, place);
-    const glm::dvec3 eye = inField(settings_, context.frame);
+    update(context, *near_, cell, kNearRadiusCells * cell, eye);
+    update(context, *far_, kFarCells * cell, settings_.fadeDistance, eye);
     uniforms.nearGrid = toLightGrid(near_->layout(), eye);
     uniforms.farGrid = toLightGrid(far_->layout(), eye);
     near_->depths().bind(kNearUnit);
@@ -210,53 +216,61 @@ void CloudSystem::draw(FrameContext& context) {
   uniforms_.writeValue(0, uniforms);
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
   context.sceneDepth.bind(kSceneDepthUnit);
+}
+
+// Lists the tiles to be marched; all other rays see nothing.
+void CloudSystem::classify(FrameContext& context) {
+  const gl::Functions& api = context_.api();
+  const glm::ivec2 tiles(tilesOf(light_.width()), tilesOf(light_.height()));
   tiles_.writeValue(0, ListHeader{});
   tiles_.bindBase(GL_SHADER_STORAGE_BUFFER, kTilesBinding);
-  tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
-  const std::vector<std::string> defines = definesOf(context, settings_);
-
-  const glm::ivec2 tileCount(tilesOf(rays(view.width, divisor)), tilesOf(rays(view.height, divisor)));
-  gl::ComputeShader& classify = context.shaders.computeShader("clouds/classify.comp", defines);
-  classify.use();
-  classify.setIvec2("tileCount", tileCount);
-  classify.dispatch(static_cast<GLuint>(tileCount.x + 7) / 8, static_cast<GLuint>(tileCount.y + 7) / 8);
+  gl::ComputeShader& shader =
+      context.shaders.computeShader("clouds/classify.comp", definesOf(context, settings_));
+  shader.use();
+  shader.setIvec2("tileCount", tiles);
+  shader.dispatch(static_cast<GLuint>(tiles.x + 7) / 8, static_cast<GLuint>(tiles.y + 7) / 8);
   const std::array<float, 4> clear = {0, 0, 0, 1};
   api.ClearTexImage(light_.id(), 0, GL_RGBA, GL_FLOAT, clear.data());
   api.ClearTexImage(distances_.id(), 0, GL_RGBA, GL_FLOAT, kNotMarched.data());
   api.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
 
-  gl::ComputeShader& march = context.shaders.computeShader("clouds/march.comp", defines);
-  march.use();
-  march.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
+void CloudSystem::march(FrameContext& context) {
+  gl::ComputeShader& shader =
+      context.shaders.computeShader("clouds/march.comp", definesOf(context, settings_));
+  shader.use();
+  shader.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
   light_.bindImage(0, GL_WRITE_ONLY);
   distances_.bindImage(1, GL_WRITE_ONLY);
+  tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
   if (isCarried(settings_))
     marchInParts();
   else
     context_.dispatchIndirect(0);
-  api.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  context_.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
 
-  gl::ComputeShader& compose = context.shaders.computeShader("clouds/compose.comp", defines);
-  compose.use();
-  context.sceneColor.bindImage(0, GL_READ_WRITE);
-  light_.bind(kLightUnit);
-  distances_.bind(kDistancesUnit);
-  if (divisor > 1) {
+// Lays what was marched over the scene; pixels that this does not tell enough of are marched by themselves.
+void CloudSystem::compose(FrameContext& context) {
+  const std::vector<std::string> defines = definesOf(context, settings_);
+  const bool hasEdges = divisorOf(settings_) > 1;
+  if (hasEdges) {
     edges_.writeValue(0, ListHeader{});
     edges_.bindBase(GL_SHADER_STORAGE_BUFFER, kEdgesBinding);
   }
+  context.shaders.computeShader("clouds/compose.comp", defines).use();
+  context.sceneColor.bindImage(0, GL_READ_WRITE);
+  light_.bind(kLightUnit);
+  distances_.bind(kDistancesUnit);
   context_.dispatchIndirect(0);
-  if (divisor > 1) {
-    api.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
-                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    gl::ComputeShader& single = context.shaders.computeShader("clouds/march_edges.comp", defines);
-    single.use();
-    single.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
-    edges_.bind(GL_DISPATCH_INDIRECT_BUFFER);
-    context_.dispatchIndirect(0);
-  }
-  context.cloudVeil = {&light_, &distances_};
-  api.MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  if (!hasEdges) return;
+  context_.api().MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                               GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  gl::ComputeShader& single = context.shaders.computeShader("clouds/march_edges.comp", defines);
+  single.use();
+  single.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
+  edges_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+  context_.dispatchIndirect(0);
 }
 
 CloudSystem::Work CloudSystem::lastWork() const {

@@ -45,7 +45,11 @@ class CloudSystem final : public Pass {
 
  private:
   void update(FrameContext& context, LightGrid& grid, double cellM, double radiusM, const glm::dvec3& middle);
+  void setUniforms(FrameContext& context);
+  void classify(FrameContext& context);
+  void march(FrameContext& context);
   void marchInParts();
+  void compose(FrameContext& context);
   void resize(const View& view);
 
   gl::Context& context_;
