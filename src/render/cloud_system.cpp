@@ -39,8 +39,10 @@ double mostIterations(const clouds::CloudSettings& s) {
   return 2 * steps + stretches * static_cast<double>(s.march.sunSamples);
 }
 
-// Whether one dispatch may not reach the end of a ray (kMostIterations of shaders/clouds).
-bool isCarried(const clouds::CloudSettings& settings) { return mostIterations(settings) > 30000; }
+constexpr double kMostIterations = 30000;  // of one dispatch, as in shaders/clouds
+
+// Whether one dispatch may not reach the end of a ray.
+bool isCarried(const clouds::CloudSettings& settings) { return mostIterations(settings) > kMostIterations; }
 
 // Pixels a side for each ray. Single rays are not carried on, so there are none then.
 int divisorOf(const clouds::CloudSettings& settings) {
@@ -187,11 +189,12 @@ void CloudSystem::marchInParts() {
 }
 
 void CloudSystem::draw(FrameContext& context) {
+  const std::vector<std::string> defines = definesOf(context, settings_);
   resize(context.frame.view);
   setUniforms(context);
-  classify(context);
-  march(context);
-  compose(context);
+  classify(context, defines);
+  march(context, defines);
+  compose(context, defines);
   context.cloudVeil = {&light_, &distances_};
   context_.api().MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -219,14 +222,12 @@ void CloudSystem::setUniforms(FrameContext& context) {
 }
 
 // Lists the tiles to be marched; all other rays see nothing.
-void CloudSystem::classify(FrameContext& context) {
+void CloudSystem::classify(FrameContext& context, Defines defines) {
   const gl::Functions& api = context_.api();
   const glm::ivec2 tiles(tilesOf(light_.width()), tilesOf(light_.height()));
   tiles_.writeValue(0, ListHeader{});
   tiles_.bindBase(GL_SHADER_STORAGE_BUFFER, kTilesBinding);
-  gl::ComputeShader& shader =
-      context.shaders.computeShader("clouds/classify.comp", definesOf(context, settings_));
-  shader.use();
+  gl::ComputeShader& shader = context.shaders.computeShader("clouds/classify.comp", defines);
   shader.setIvec2("tileCount", tiles);
   shader.dispatch(static_cast<GLuint>(tiles.x + 7) / 8, static_cast<GLuint>(tiles.y + 7) / 8);
   const std::array<float, 4> clear = {0, 0, 0, 1};
@@ -235,9 +236,8 @@ void CloudSystem::classify(FrameContext& context) {
   api.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void CloudSystem::march(FrameContext& context) {
-  gl::ComputeShader& shader =
-      context.shaders.computeShader("clouds/march.comp", definesOf(context, settings_));
+void CloudSystem::march(FrameContext& context, Defines defines) {
+  gl::ComputeShader& shader = context.shaders.computeShader("clouds/march.comp", defines);
   shader.use();
   shader.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
   light_.bindImage(0, GL_WRITE_ONLY);
@@ -251,8 +251,7 @@ void CloudSystem::march(FrameContext& context) {
 }
 
 // Lays what was marched over the scene; pixels that this does not tell enough of are marched by themselves.
-void CloudSystem::compose(FrameContext& context) {
-  const std::vector<std::string> defines = definesOf(context, settings_);
+void CloudSystem::compose(FrameContext& context, Defines defines) {
   const bool hasEdges = divisorOf(settings_) > 1;
   if (hasEdges) {
     edges_.writeValue(0, ListHeader{});

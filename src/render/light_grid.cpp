@@ -81,7 +81,6 @@ void LightGrid::update(gl::Context& context, gl::ShaderCache& shaders, const Lig
   if (settings.march.detail) defines.emplace_back("DETAIL");
   if (keeps_ == LightGridKeeps::base) defines.emplace_back("BASE_ALONE");
   gl::ComputeShader& shader = shaders.computeShader("clouds/light_grid.comp", defines);
-  shader.use();
   shader.setVec3("along", glm::vec3(layout.along));
   shader.setVec3("across", glm::vec3(layout.across));
   shader.setVec3("sunward", glm::vec3(layout.sunward));

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string>
 
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/clouds/cloud_settings.h"
@@ -46,10 +48,11 @@ class CloudSystem final : public Pass {
  private:
   void update(FrameContext& context, LightGrid& grid, double cellM, double radiusM, const glm::dvec3& middle);
   void setUniforms(FrameContext& context);
-  void classify(FrameContext& context);
-  void march(FrameContext& context);
+  using Defines = std::span<const std::string>;  // of the variant
+  void classify(FrameContext& context, Defines defines);
+  void march(FrameContext& context, Defines defines);
   void marchInParts();
-  void compose(FrameContext& context);
+  void compose(FrameContext& context, Defines defines);
   void resize(const View& view);
 
   gl::Context& context_;

@@ -38,6 +38,7 @@ class Renderer {
   // frame is then incomplete, the renderer as usable as before).
   void draw(const FrameInput& input);
 
+  // Linear light of the last frame.
   const gl::Texture& sceneColor() const { return scene_.colorTexture(); }
   // The output of the last frame; waits for the GPU. Black before the first.
   core::Image readBack();
