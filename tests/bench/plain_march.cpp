@@ -1,4 +1,5 @@
 #include "bench/plain_march.h"
+#include "support/paths.h"
 
 namespace skydrop::bench {
 namespace {
@@ -23,7 +24,7 @@ void PlainMarch::draw(render::FrameContext& context) {
   defines.emplace_back("DETAIL");
   defines.emplace_back("DIVISOR 1");
   render::gl::ComputeShader& shader =
-      context.shaders.computeShader(SKYDROP_SOURCE_DIR "/tests/bench/shaders/plain_march.comp", defines);
+      context.shaders.computeShader(test::sourceDir() + "/tests/bench/shaders/plain_march.comp", defines);
   shader.use();
   shader.setInt("steps", kSteps);
   shader.setInt("sunSamples", kSunSamples);

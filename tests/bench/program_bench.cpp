@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bench/expectation.h"
+#include "support/paths.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::bench {
@@ -17,7 +18,7 @@ namespace {
 // compiled anew.
 void frameWithAColdShaderCache(benchmark::State& state) {
   const test::TemporaryFolder folder;
-  const std::string command = "MESA_SHADER_CACHE_DISABLE=true '" SKYDROP_PROGRAM
+  const std::string command = "MESA_SHADER_CACHE_DISABLE=true '" + test::programFile() +
                               "' render --scene terrain --size 320x180 --out '" +
                               (folder.path() / "frame.png").string() + "' > /dev/null";
   double worst = 0;

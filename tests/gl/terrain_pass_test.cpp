@@ -16,6 +16,7 @@
 #include "support/hills_source.h"
 #include "support/image_compare.h"
 #include "support/patch_mesh.h"
+#include "support/paths.h"
 
 namespace skydrop::render {
 namespace {
@@ -205,8 +206,8 @@ TEST_F(TerrainGLTest, T06_theGpusVerticesAreTheHeightSourcesWithinTheFormatsStep
   constexpr int kVertices = test::PatchMesher::kSide * test::PatchMesher::kSide;
   const auto rows = static_cast<GLsizei>(frame.patches.size());
   gl::FrameBuffer target(context(), kVertices, rows, {GL_RGBA32F, 0}, "vertices");
-  gl::Shader shader(context(), SKYDROP_SOURCE_DIR "/tests/gl/shaders/vertices.vert",
-                    SKYDROP_SOURCE_DIR "/tests/gl/shaders/vertices.frag");
+  gl::Shader shader(context(), test::sourceDir() + "/tests/gl/shaders/vertices.vert",
+                    test::sourceDir() + "/tests/gl/shaders/vertices.frag");
   context().setDefaultState();
   target.bind();
   shader.setVec2("targetSize", glm::vec2(kVertices, rows));
@@ -241,7 +242,7 @@ TEST_F(TerrainGLTest, T16_theGpusNormalsAreTheGradientsWithinTwoDegrees) {
   const View view = pose({at.x, land.source().height(at) + 300, at.y}, 30, -80, 0);
   land.settle(view);
   gl::FrameBuffer target(context(), 100, 100, {GL_RGBA32F, 0}, "normals");
-  gl::Shader shader(context(), "fullscreen.vert", SKYDROP_SOURCE_DIR "/tests/gl/shaders/normals.frag");
+  gl::Shader shader(context(), "fullscreen.vert", test::sourceDir() + "/tests/gl/shaders/normals.frag");
   context().setDefaultState();
   target.bind();
   land.pass().drawLand(shader, view);

@@ -11,6 +11,7 @@
 
 #include "skydrop/core/image.h"
 #include "support/image_compare.h"
+#include "support/paths.h"
 #include "support/process.h"
 #include "support/temporary_folder.h"
 
@@ -109,7 +110,7 @@ TEST_P(GoldenFrame, isThePictureThatWasBlessed) {
 
   const core::Image actual = core::readPng(picture);
   const std::filesystem::path reference =
-      std::filesystem::path(SKYDROP_SOURCE_DIR) / "tests/golden" / (std::string(golden.name) + ".png");
+      std::filesystem::path(test::sourceDir()) / "tests/golden" / (std::string(golden.name) + ".png");
   EXPECT_TRUE(matchesReference(actual, reference, golden.limits));
   const bool seesShift = !within(compareImages(shiftedByOnePixel(actual), actual), golden.limits);
   const bool seesBrightness = !within(compareImages(brightened(actual, 1.02), actual), golden.limits);

@@ -1,4 +1,5 @@
 #include "support/image_compare.h"
+#include "support/paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,7 @@ core::Image brightened(const core::Image& image, double factor) {
   return bright;
 }
 
-std::filesystem::path artifactFolder() { return std::filesystem::path(SKYDROP_BINARY_DIR) / "artifacts"; }
+std::filesystem::path artifactFolder() { return std::filesystem::path(test::binaryDir()) / "artifacts"; }
 
 void writeArtifact(std::string_view name, const core::Image& image) {
   std::filesystem::create_directories(artifactFolder());

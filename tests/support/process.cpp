@@ -1,3 +1,4 @@
+#include "support/paths.h"
 #include "support/process.h"
 
 #include <fcntl.h>
@@ -77,7 +78,7 @@ ProcessResult runProcess(const std::vector<std::string>& words, const std::vecto
 }
 
 ProcessResult runSkydrop(std::vector<std::string> words, double timeoutSeconds) {
-  words.insert(words.begin(), SKYDROP_PROGRAM);
+  words.insert(words.begin(), test::programFile());
   return runProcess(words, {"DISPLAY", "WAYLAND_DISPLAY", "XDG_CACHE_HOME=" + sharedCacheHome().string()},
                     timeoutSeconds);
 }

@@ -1,3 +1,4 @@
+#include "support/paths.h"
 #include "support/shared_noise.h"
 
 #include <array>
@@ -23,7 +24,7 @@ core::TextureData textureOf(clouds::NoiseTexture texture) {
 }  // namespace
 
 std::filesystem::path sharedCacheHome() {
-  return std::filesystem::path(SKYDROP_BINARY_DIR) / "tests" / "cache";
+  return std::filesystem::path(test::binaryDir()) / "tests" / "cache";
 }
 
 std::shared_ptr<const clouds::FoldedNoise> sharedNoise() {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "skydrop/core/file.h"
+#include "support/paths.h"
 #include "support/process.h"
 #include "support/python.h"
 #include "support/temporary_folder.h"
@@ -17,7 +18,7 @@ TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
   // A script run into an empty folder writes the files of assets/ byte for byte.
   const std::string python = test::pythonWithNumpy();
   if (python.empty()) GTEST_SKIP() << "no python3 with numpy";
-  const std::filesystem::path assets = std::filesystem::path(SKYDROP_SOURCE_DIR) / "assets";
+  const std::filesystem::path assets = std::filesystem::path(test::sourceDir()) / "assets";
   const test::TemporaryFolder folder;
   const test::ProcessResult result =
       test::runProcess({python, (assets / "scripts" / GetParam()).string(), folder.path().string()},

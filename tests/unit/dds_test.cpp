@@ -8,6 +8,7 @@
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "support/paths.h"
 #include "support/refusal.h"
 
 namespace skydrop::core {
@@ -141,7 +142,7 @@ TEST(Dds, damagedFilesAreNeverReadBeyondTheirEnd) {
 // Files that were once interesting: tests/corpus/dds; each is named for what it is.
 TEST(Dds, theCorpusIsReadOrRefused) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(SKYDROP_SOURCE_DIR "/tests/corpus/dds")) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::sourceDir() + "/tests/corpus/dds")) {
     const std::vector<std::byte> bytes = readFile(entry.path());
     readsOrRefuses(bytes);
     EXPECT_EQ(refusal(bytes).empty(), entry.path().filename().string().starts_with("good"))

@@ -10,6 +10,8 @@
 #include <set>
 #include <string>
 
+#include "support/paths.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,7 +26,7 @@ std::set<std::string> testedIds() {
   std::set<std::string> ids;
   const std::regex name(R"(TEST(?:_F|_P)?\(\s*\w+,\s*((?:[TPC]\d\d_)+))");
   const std::regex id(R"([TPC]\d\d)");
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(SKYDROP_SOURCE_DIR) / "tests")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(skydrop::test::sourceDir()) / "tests")) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = contentOf(entry.path());
     for (std::sregex_iterator test(text.begin(), text.end(), name), end; test != end; ++test) {
@@ -37,7 +39,7 @@ std::set<std::string> testedIds() {
 
 TEST(HardCases, everyRowIsTestedOrSaidToBePlanned) {
   // The list says "tested" of a row exactly when some test carries its id; "absent" needs a reason.
-  const auto list = nlohmann::json::parse(contentOf(fs::path(SKYDROP_SOURCE_DIR) / "tests/stability/cases.json"));
+  const auto list = nlohmann::json::parse(contentOf(fs::path(skydrop::test::sourceDir()) / "tests/stability/cases.json"));
   std::map<std::string, std::string> status;
   for (const auto& row : list["cases"]) {
     const std::string id = row["id"], state = row["status"];

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "support/paths.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,7 +39,7 @@ struct Include {
 // Every include in a module's sources and contract.
 std::vector<Include> includesOf(const std::string& module) {
   std::vector<Include> includes;
-  const fs::path root = SKYDROP_SOURCE_DIR;
+  const fs::path root = skydrop::test::sourceDir();
   const std::regex line(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
   for (const fs::path& folder : {root / "include/skydrop" / module, root / "src" / module}) {
     if (!fs::exists(folder)) continue;
@@ -92,7 +94,7 @@ TEST(IncludeRule, everyModuleFolderIsInTheRule) {
   // A new module must be given its place among the arrows.
   const auto allowed = allowedIncludes();
   for (const char* folder : {"src", "include/skydrop"}) {
-    for (const auto& entry : fs::directory_iterator(fs::path(SKYDROP_SOURCE_DIR) / folder)) {
+    for (const auto& entry : fs::directory_iterator(fs::path(skydrop::test::sourceDir()) / folder)) {
       if (entry.is_directory()) {
         EXPECT_TRUE(allowed.contains(entry.path().filename().string())) << entry.path();
       }

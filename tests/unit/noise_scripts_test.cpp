@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "skydrop/clouds/noise_textures.h"
+#include "support/paths.h"
 #include "support/process.h"
 #include "support/python.h"
 #include "support/temporary_folder.h"
@@ -16,7 +17,7 @@ TEST(NoiseScripts, makeTheTexturesOfTheProgram) {
   if (python.empty()) GTEST_SKIP() << "no python3 with numpy";
   const test::TemporaryFolder folder;
   const test::ProcessResult result =
-      test::runProcess({python, SKYDROP_SOURCE_DIR "/noise_scripts/make_noise.py", folder.path().string(),
+      test::runProcess({python, test::sourceDir() + "/noise_scripts/make_noise.py", folder.path().string(),
                         "--seed", "9", "--slices", "60", "67"},
                        {"PYTHONDONTWRITEBYTECODE=1"}, 100);
   ASSERT_EQ(result.exitCode, 0) << result.err;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "support/paths.h"
 #include "support/shared_noise.h"
 
 namespace skydrop::test {
@@ -44,7 +45,7 @@ FlownGame::FlownGame(Launch launch)
   }
   const std::string log = (folder_.path() / "log").string();
   display_ = std::make_unique<VirtualDisplay>(kDisplayWidth, kDisplayHeight, log);
-  std::vector<std::string> words = {SKYDROP_PROGRAM, "--stats", (folder_.path() / "stats.json").string(),
+  std::vector<std::string> words = {test::programFile(), "--stats", (folder_.path() / "stats.json").string(),
                                     "--user-dir", userFolder().string()};
   if (launch.sized)
     words.insert(words.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});

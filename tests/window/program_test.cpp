@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "support/paths.h"
 #include "support/process.h"
 #include "support/shared_noise.h"
 #include "support/temporary_folder.h"
@@ -79,7 +80,7 @@ TEST(Program, noiseIsMadeOnceAndKept) {
   const TemporaryFolder folder;
   const std::string cache = folder.path() / "cache", out = folder.path() / "out";
   const auto noise = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {SKYDROP_PROGRAM, "noise"});
+    words.insert(words.begin(), {test::programFile(), "noise"});
     return runProcess(words, {"XDG_CACHE_HOME=" + cache});
   };
   const ProcessResult first = noise({"--out", out, "--format", "dds"});
@@ -102,7 +103,7 @@ TEST(Program, aSceneWithCloudsGetsTheirNoiseAndOthersDoNot) {
   const TemporaryFolder folder;
   const std::filesystem::path cache = folder.path() / "cache" / "skydrop";
   const auto frameOf = [&](const std::string& scene) {
-    return runProcess({SKYDROP_PROGRAM, "render", "--scene", scene, "--size", "64x36", "--set",
+    return runProcess({test::programFile(), "render", "--scene", scene, "--size", "64x36", "--set",
                        "streaming.viewDistanceM=2000", "--out", (folder.path() / "a.png").string()},
                       {"XDG_CACHE_HOME=" + (folder.path() / "cache").string()});
   };
