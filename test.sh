@@ -21,8 +21,30 @@ build() {  # build PRESET TARGETS...
   cmake --build --preset "$preset" --target "$@" -- --quiet
 }
 
+# Runs tests of a preset; its report is kept for the summary. Results of an earlier run are not counted.
+reports=()
+run_tests() {  # run_tests PRESET CTEST_ARGUMENTS...
+  local preset=$1
+  shift
+  local report="$PWD/build/$preset/test-report.xml"
+  rm -f "$report"
+  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j2 --output-junit "$report" "$@"
+  reports+=("$report")
+}
+
 # The CPU suites: no OpenGL, so a sanitizer sees all that runs.
-cpu_suites() { ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j2 -R '^(unit|stability)[.]'; }
+cpu_suites() { run_tests "$1" -R '^(unit|stability)[.]'; }
+
+count_of() { sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p" "$2" | head -n 1; }  # count_of tests|skipped REPORT
+
+# A line for each skipped test of a report: its name, and the reason that it printed after "Skipped".
+skipped_tests() {
+  awk '/<testcase name=/ {split($0, part, "\""); name = part[2]}
+       /<skipped/ {if (pending) print pending; pending = name}
+       tellsWhy {print pending ": " $0; pending = ""; tellsWhy = 0}
+       /: Skipped$/ {tellsWhy = pending != ""}
+       END {if (pending) print pending}' "$1"
+}
 
 # One whole frame under the address sanitizer. Leaks are not looked for: the software renderer keeps its own.
 gl_smoke() {
@@ -34,7 +56,7 @@ gl_smoke() {
 
 phase "install" ./install_dependencies.sh
 phase "build" build ci all
-phase "test" ctest --test-dir build/ci --output-on-failure --no-tests=error -j2
+phase "test" run_tests ci
 if [ "$quick" != "--quick" ]; then
   phase "build with address and undefined-behaviour sanitizers" build dev all
   phase "test with address and undefined-behaviour sanitizers" cpu_suites dev
@@ -45,4 +67,18 @@ fi
 
 echo
 for i in "${!phase_names[@]}"; do printf '%5d s  %s\n' "${phase_seconds[$i]}" "${phase_names[$i]}"; done
-echo "All tests passed."
+total=0 skipped=0
+for report in "${reports[@]}"; do
+  total=$((total + $(count_of tests "$report")))
+  skipped=$((skipped + $(count_of skipped "$report")))
+done
+if [ "$skipped" -gt 0 ]; then
+  echo "Skipped:"
+  for report in "${reports[@]}"; do skipped_tests "$report" | sed 's/^/  /'; done
+fi
+echo "$((total - skipped)) passed, 0 failed, $skipped skipped"
+# Where everything is installed by the script above, a skipped test is a fault of the set-up.
+if [ "$skipped" -gt 0 ] && [ "${CI:-}" = true ]; then
+  echo "test.sh: tests were skipped in continuous integration" >&2
+  exit 1
+fi
