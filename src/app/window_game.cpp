@@ -292,7 +292,7 @@ void WindowGame::drawFrame(double seconds) {
   }
   events_.clear();
   stage_->setMeasuring(line_.stats.has_value() || overlay_->showsCosts());
-  if (overlay_->showsCosts() && Clock::now() >= nextStatistics_) shownStatistics_ = statistics(kShownFrames);
+  renewCosts();
 
   imguiInput_->beginFrame();
   overlay_->hudShown = run_->settings.view.hud;
@@ -326,6 +326,18 @@ void WindowGame::drawFrame(double seconds) {
       window_.context().setShouldClose(true);
       break;
   }
+}
+
+// The table is renewed by a clock of its own, at once when it is opened.
+void WindowGame::renewCosts() {
+  if (!overlay_->showsCosts()) {
+    nextCosts_ = {};
+    return;
+  }
+  const auto now = Clock::now();
+  if (now < nextCosts_) return;
+  nextCosts_ = now + kStatisticsPeriod;
+  shownStatistics_ = statistics(kShownFrames);
 }
 
 ui::MenuTools WindowGame::menuTools(const game::Snapshot& snapshot, Size size) {
@@ -427,6 +439,8 @@ core::FrameStatistics WindowGame::statistics(std::size_t frames) {
   window.quality = kQualityNames[static_cast<std::size_t>(run_->quality)];
   window.loadedMs = loadedMs_;
   window.screenshots = screenshots_.count();
+  window.costs = {static_cast<std::int64_t>(shownStatistics_.passes.size()), shownStatistics_.frames,
+                  shownStatistics_.gl.bytes};
   return statistics;
 }
 

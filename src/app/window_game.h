@@ -62,6 +62,7 @@ class WindowGame {
   void servePreset(const ui::PresetRequest& request);
   ui::MenuTools menuTools(const game::Snapshot& snapshot, Size size);
   void saveScreenshot();
+  void renewCosts();
   void report();
   void keepChoices();
   game::Snapshot snapshotToDraw();
@@ -100,8 +101,8 @@ class WindowGame {
   Notices notices_;
   std::vector<game::GameEvent> events_;  // of the steps since the last frame
   FrameTimes times_;
-  core::FrameStatistics shownStatistics_;
-  std::chrono::steady_clock::time_point nextWatch_, nextStatistics_;
+  core::FrameStatistics shownStatistics_;  // what the menu shows of costs
+  std::chrono::steady_clock::time_point nextWatch_, nextStatistics_, nextCosts_;
   std::chrono::steady_clock::time_point lastFrame_;
   double loadedMs_ = 0;
   FileWatch sceneFile_, playerFile_;

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "skydrop/core/image.h"
 #include "support/background_process.h"
+#include "support/temporary_folder.h"
 
 namespace skydrop::test {
 
@@ -19,11 +21,17 @@ class VirtualDisplay {
 
   const std::string& name() const { return name_; }  // ":99"
 
+  // What its screen shows now, as somebody before it would see it; the mouse pointer is not in it.
+  core::Image picture() const;
+  // The part of it where a window is, as far as it lies on the screen. `window`: xdotool's number.
+  core::Image picture(const std::string& window) const;
+
   // Runs xdotool with these words; what it printed, without the end of the line. Throws std::runtime_error if
   // it fails.
   std::string xdotool(std::vector<std::string> words) const;
 
  private:
+  TemporaryFolder frameBuffer_;  // the server keeps its screen in a file there
   std::unique_ptr<BackgroundProcess> server_;
   std::string name_;
 };

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 
@@ -121,6 +123,35 @@ TEST(Loading, aSceneWithCloudsWaitsForTheirNoise) {
   const json effects = flown.statistics().at("effects");
   EXPECT_NE(std::find(effects.begin(), effects.end(), "clouds"), effects.end()) << effects;
   EXPECT_EQ(timesIn(flown.log(), "noise"), 0) << flown.log();
+}
+
+TEST(Loading, thePictureFillsAWindowThatIsResized) {
+  // While the noise of an empty cache is made, the window grows: the loading picture reaches its corners.
+  SKIP_WITHOUT_DISPLAY();
+  const TemporaryFolder folder;
+  const std::string log = (folder.path() / "log").string();
+  VirtualDisplay display(FlownGame::kDisplayWidth, FlownGame::kDisplayHeight, log);
+  BackgroundProcess game(
+      {SKYDROP_PROGRAM, "--scene", "fair", "--user-dir", (folder.path() / "user").string()},
+      {"DISPLAY=" + display.name(), "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
+       "XDG_CACHE_HOME=" + folder.path().string()},
+      log);
+  const std::string window = display.xdotool({"search", "--sync", "--name", "^Skydrop$"});
+  constexpr int kGrownWidth = 780, kGrownHeight = 570;
+  display.xdotool({"windowsize", window, std::to_string(kGrownWidth), std::to_string(kGrownHeight)});
+  const auto isColour = [](const std::uint8_t* pixel, int red, int green, int blue) {
+    return std::abs(pixel[0] - red) <= 3 && std::abs(pixel[1] - green) <= 3 && std::abs(pixel[2] - blue) <= 3;
+  };
+  bool filled = false;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!filled && game.isRunning() && std::chrono::steady_clock::now() < deadline) {
+    const core::Image shown = display.picture(window);
+    if (shown.width != kGrownWidth || shown.height != kGrownHeight) continue;
+    const std::uint8_t* sky = shown.pixel(kGrownWidth - 1, 0);
+    const std::uint8_t* ground = shown.pixel(kGrownWidth - 1, kGrownHeight - 1);
+    filled = isColour(sky, 38, 84, 138) && isColour(ground, 38, 52, 50);  // ui/loading_picture.cpp
+  }
+  EXPECT_TRUE(filled);
 }
 
 TEST(Loading, quittingWhileTheNoiseIsMadeIsPrompt) {

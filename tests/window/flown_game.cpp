@@ -113,6 +113,12 @@ core::Image FlownGame::screenshot() {
   return core::readPng(found);
 }
 
+core::Image FlownGame::shown() const { return display_->picture(window_); }
+
+bool FlownGame::waitForPicture(const std::function<bool(const core::Image&)>& condition) {
+  return waitUntil([&] { return !process_->isRunning() || condition(shown()); }) && process_->isRunning();
+}
+
 std::string FlownGame::log() const {
   std::ifstream file(folder_.path() / "log");
   std::ostringstream text;

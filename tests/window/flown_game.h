@@ -57,6 +57,10 @@ class FlownGame {
 
   // Presses F12 and reads the picture.
   core::Image screenshot();
+  // What the display shows at the window's place: what arrives there, whatever the game believes it drew.
+  core::Image shown() const;
+  // Waits until that fulfils the condition; false after 20 seconds.
+  bool waitForPicture(const std::function<bool(const core::Image&)>& condition);
 
   BackgroundProcess& process() { return *process_; }
   std::filesystem::path userFolder() const { return userFolder_; }

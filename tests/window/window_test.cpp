@@ -225,6 +225,41 @@ TEST(Window, itFollowsItsSizeAndFillsTheScreen) {
   EXPECT_FALSE(isOn(flown.statistics(), "fullScreen"));
 }
 
+TEST(Window, theDisplayShowsThePictureInTheWholeWindow) {
+  // What the display shows is what the game drew, at the first size, larger, smaller, over the whole screen
+  // and back: the game's own target alone does not tell what arrives.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown;
+  flown.press("p");
+  const std::vector<std::pair<int, int>> sizes = {
+      {FlownGame::kWidth, FlownGame::kHeight},
+      {790, 500},
+      {400, 301},
+      {FlownGame::kDisplayWidth, FlownGame::kDisplayHeight},  // F11
+      {400, 301},                                             // and again
+  };
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const auto [width, height] = sizes[i];
+    if (i == 1 || i == 2) flown.resize(width, height);
+    if (i >= 3) flown.press("F11");
+    ASSERT_TRUE(flown.waitFor([&](const json& s) {
+      return s.at("window").at("width") == width && s.at("window").at("height") == height &&
+             isOn(s, "paused") && s.at("terrain").at("queue") == 0;
+    })) << flown.window().dump();
+    const core::Image drawn = flown.screenshot();
+    ASSERT_EQ(drawn.width, width);
+    ASSERT_EQ(drawn.height, height);
+    // Without the top, where the note of the screenshot comes and goes.
+    const ui::ScreenRect rest{0, 60, static_cast<float>(width), static_cast<float>(height)};
+    double difference = 1;
+    EXPECT_TRUE(flown.waitForPicture([&](const core::Image& shown) {
+      difference = shown.width == width && shown.height == height ? changed(drawn, shown, rest) : 1;
+      return difference < 0.001;
+    })) << width << "x" << height << ": "
+        << 100 * difference << " % of the window shows something else";
+  }
+}
+
 // Where the menu's widgets stand in a window of this size: the same code, run without a window.
 struct MenuPlaces {
   MenuPlaces() {
@@ -276,6 +311,28 @@ TEST(Window, picturesShowWhatIsOpen) {
   flown.press("h");
   ASSERT_TRUE(flown.waitFor([](const json& s) { return !isOn(s, "helpOpen"); }));
   EXPECT_LT(changed(plain, flown.screenshot(), whole), 0.001) << "all is closed again";
+}
+
+TEST(Window, theTableOfCostsIsFilledAndRenewed) {
+  // Opened by a click, it shows the passes, frames and bytes of the running game, and later ones later.
+  SKIP_WITHOUT_DISPLAY();
+  MenuPlaces places;
+  FlownGame flown;
+  flown.press("F1");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "menuOpen"); }));
+  EXPECT_EQ(flown.window().at("costs").at("passes"), 0) << "nobody looks";
+  const ui::ScreenRect header = *places.menu.place("costs");
+  flown.moveMouse((header.left + header.right) / 2, (header.top + header.bottom) / 2);
+  flown.clickMouse("click");
+  const auto shown = [](const json& s, const char* name) {
+    return s.at("window").at("costs").at(name).get<std::int64_t>();
+  };
+  ASSERT_TRUE(flown.waitFor([&](const json& s) { return shown(s, "passes") > 0; })) << flown.window().dump();
+  const json first = flown.statistics();
+  EXPECT_EQ(shown(first, "passes"), std::ssize(first.at("passes")));
+  EXPECT_GT(shown(first, "bytes"), 1 << 20);
+  EXPECT_GT(shown(first, "frames"), 0);
+  EXPECT_TRUE(flown.waitFor([&](const json& s) { return shown(s, "frames") > shown(first, "frames") + 5; }));
 }
 
 TEST(Window, theMouseMovesASliderResetsItAndClosesTheMenuByItsCross) {

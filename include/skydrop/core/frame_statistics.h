@@ -34,6 +34,11 @@ struct GameStatistics {
   double headingDeg = 0, pitchDeg = 0, bankDeg = 0;  // degrees; compass, nose up, right wing down
 };
 
+// What the table of costs in the menu shows: the same numbers as below, as of its last renewal.
+struct ShownCosts {
+  std::int64_t passes = 0, frames = 0, bytes = 0;
+};
+
 // The state of a window and of what is open in it; empty in headless runs.
 struct WindowStatistics {
   std::int64_t width = 0, height = 0;  // pixels
@@ -42,6 +47,7 @@ struct WindowStatistics {
   bool fullScreen = false, hidden = false;
   std::int64_t screenshots = 0;
   std::string quality;
+  ShownCosts costs;
   double firstPictureMs = 0, loadedMs = 0;         // after the program was started
   double medianIntervalMs = 0, p99IntervalMs = 0;  // between frames, waiting included
 };

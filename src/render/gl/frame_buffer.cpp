@@ -95,7 +95,12 @@ void FrameBuffer::blit(GLuint target, GLsizei width, GLsizei height) const {
                                        GL_COLOR_BUFFER_BIT, filter);
 }
 
+// Drivers look for a new size of the window when its frame buffer is bound and the viewport is set. A copy by
+// name alone never makes Mesa's software renderer look under X11: it would go on drawing into the first size.
 void FrameBuffer::drawToScreen(GLsizei screenWidth, GLsizei screenHeight) const {
+  const Functions& gl = context().api();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.Viewport(0, 0, screenWidth, screenHeight);
   blit(0, screenWidth, screenHeight);
 }
 

@@ -42,8 +42,8 @@ class FrameBuffer : public Object {
   // Reallocates both textures (their content is lost). Nothing happens if the size is the same.
   void resize(GLsizei width, GLsizei height);
 
-  // Copies colour to a target of any size, filtered linearly where the sizes differ: the screen, or another
-  // buffer.
+  // Copies colour to a target of any size, filtered linearly where the sizes differ: the screen, which is the
+  // bound target afterwards, or another buffer.
   void drawToScreen(GLsizei screenWidth, GLsizei screenHeight) const;
   void drawTo(const FrameBuffer& target) const;
 
