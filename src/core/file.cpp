@@ -1,13 +1,12 @@
 #include "skydrop/core/file.h"
 
-#include <atomic>
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/output_file.h"
 
 namespace skydrop::core {
 namespace {
@@ -54,15 +53,6 @@ Container readInto(const std::filesystem::path& path, std::size_t maxBytes) {
   }
 }
 
-// Unique among the processes and threads that may write the same file at once.
-std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
-  static std::atomic<unsigned> counter{0};
-  const auto ticks = std::chrono::steady_clock::now().time_since_epoch().count();
-  std::filesystem::path temporary = path;
-  temporary += ".tmp" + std::to_string(ticks) + "-" + std::to_string(counter++);
-  return temporary;
-}
-
 }  // namespace
 
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
@@ -74,26 +64,11 @@ std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes
 }
 
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  const std::filesystem::path temporary = temporaryBeside(path);
-  File file = openFile(temporary, "wb", "cannot write");
-  errno = 0;
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
-                       std::fflush(file.get()) == 0;
-  const int writeError = errno;
-  const bool closed = std::fclose(file.release()) == 0;
-  std::error_code error;
-  if (written && closed) {
-    std::filesystem::rename(temporary, path, error);
-    if (!error) return;
-  }
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
-  if (error) throw DataError(path.string(), "cannot write", error.message());
-  fail(path, "cannot write", written ? errno : writeError);
+  OutputFile(path).write(bytes);
 }
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text) {
-  writeFileAtomically(path, std::as_bytes(std::span(text.data(), text.size())));
+  OutputFile(path).write(text);
 }
 
 void makeFolder(const std::filesystem::path& path) {

@@ -15,8 +15,8 @@ namespace skydrop::core {
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t{256} << 20);
 std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t{64} << 20);
 
-// Writes to a temporary file beside `path`, checks every write and the close, then renames: after a failure
-// the old file stands as it was and no temporary is left.
+// Writes the whole content to what `path` names (output_file.h): after a failure the old file stands as it was
+// and no temporary is left.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
