@@ -132,7 +132,7 @@ TEST(Loading, thePictureFillsAWindowThatIsResized) {
   const std::string log = (folder.path() / "log").string();
   VirtualDisplay display(FlownGame::kDisplayWidth, FlownGame::kDisplayHeight, log);
   BackgroundProcess game(
-      {SKYDROP_PROGRAM, "--scene", "fair", "--user-dir", (folder.path() / "user").string()},
+      {test::programFile(), "--scene", "fair", "--user-dir", (folder.path() / "user").string()},
       {"DISPLAY=" + display.name(), "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
        "XDG_CACHE_HOME=" + folder.path().string()},
       log);
