@@ -2,9 +2,10 @@
 #include <cstdio>
 
 #include "app/accuracy/study.h"
+#include "app/progress.h"
+#include "app/standard_output.h"
 #include "app/verbs.h"
 #include "skydrop/core/error.h"
-#include "skydrop/core/file.h"
 
 namespace skydrop::app {
 namespace {
@@ -30,13 +31,19 @@ std::vector<const Study*> chosenStudies(const std::vector<std::string>& names) {
 }  // namespace
 
 int accuracy(const CommandLine& line) {
+  const std::vector<const Study*> chosen = chosenStudies(line.studies);
+  core::OutputFile out = openOutput(line.out).value();
   std::vector<StudyResult> results;
-  for (const Study* study : chosenStudies(line.studies)) {
-    std::fprintf(stderr, "%s: %s\n", std::string(study->name).c_str(), std::string(study->description).c_str());
-    results.push_back(study->run());
+  for (const Study* study : chosen) {
+    const std::string name(study->name);
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), std::string(study->description).c_str());
+    Progress progress("accuracy", line.progress);
+    results.push_back(study->run([&](std::size_t done, std::size_t all) {
+      progress.show(name + ", " + std::to_string(done) + " of " + std::to_string(all));
+    }));
   }
-  core::writeFileAtomically(line.out, studyReport(results));
-  std::printf("%s\n", line.out.c_str());
+  out.write(studyReport(results));
+  if (!out.isStandardOutput()) print("%s\n", line.out.c_str());
   return 0;
 }
 

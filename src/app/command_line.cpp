@@ -81,6 +81,22 @@ NoiseFormat parseNoiseFormat(const std::string& text) {
   return found->second;
 }
 
+// Where the file's name begins in a path.
+std::size_t nameAt(const std::string& path) { return path.rfind('/') + 1; }
+
+// Judges the name of a picture; returns whether it counts frames.
+bool countsFrames(const std::string& pattern) {
+  bool counts = false;
+  for (std::size_t i = pattern.find('%', nameAt(pattern)); i < pattern.size(); i = pattern.find('%', i + 2)) {
+    const char what = i + 1 < pattern.size() ? pattern[i + 1] : 0;
+    if (what != 'd' && what != '%') {
+      throw UsageError("--out: '" + pattern + "': in a name % is followed by d (the frame's number) or % (a percent sign)");
+    }
+    counts = counts || what == 'd';
+  }
+  return counts;
+}
+
 // CLI11 only splits words and writes the help; values arrive as text and are read above, so that every
 // refusal has the same form.
 class Parser {
@@ -102,8 +118,11 @@ class Parser {
     addCommon(*simulate);
     addSimulate(*simulate);
     addNoise(*noise);
+    for (CLI::App* verb : {render, simulate, accuracy, noise}) {
+      verb->add_flag("--progress", line_.progress, "tell how far it is, each second, where there is no terminal");
+    }
     accuracy->add_option("STUDY", line_.studies, "studies to run; none named: all");
-    text(*accuracy, "--out", "FILE", "the report", [this](const std::string& t) { line_.out = t; });
+    text(*accuracy, "--out", "FILE|-", "the report; - is standard output", [this](const std::string& t) { line_.out = t; });
     accuracy->preparse_callback([this](std::size_t) { line_.out = "accuracy.md"; });
     text(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
@@ -161,7 +180,7 @@ class Parser {
     text(verb, "--workers", "N", "threads that make terrain (cores - 1)",
          [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
     path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
-    path(verb, "--stats", "FILE", "write what was measured, as JSON", line_.stats);
+    path(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
     path(verb, "--replay", "FILE", "fly a recorded input log", line_.replay);
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
   }
@@ -206,7 +225,7 @@ class Parser {
     text(verb, "--backend", "egl|osmesa|window", "what gives the OpenGL context",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
     addSize(verb);
-    text(verb, "--out", "FILE.png", "the picture; %d stands for the frame's number",
+    text(verb, "--out", "FILE.png|-", "the picture; in its name %d is the frame's number and %% a percent sign",
          [this](const std::string& t) { line_.out = t; });
     text(verb, "--frames", "N", "how many (1)",
          [this](const std::string& t) { line_.frames = integer("--frames", t, 1, 1000000); });
@@ -232,12 +251,15 @@ class Parser {
     if (line_.replay && (line_.scene || line_.seed)) {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
     }
+    if (line_.stats && line_.trace && *line_.stats == *line_.trace) {
+      throw UsageError("--stats and --trace name the same file");
+    }
     if (line_.noise.check && !line_.noise.files.empty()) throw UsageError("--check and --noise exclude each other");
     if (line_.verb != Verb::render) return;
-    if (line_.frames > 1 && line_.out.find("%d") == std::string::npos) {
+    if (!countsFrames(line_.out) && line_.frames > 1) {
       throw UsageError("--out: '" + line_.out + "' needs %d for several frames");
     }
-    if (!line_.out.ends_with(".png")) throw UsageError("--out: '" + line_.out + "' does not end in .png");
+    if (line_.out != "-" && !line_.out.ends_with(".png")) throw UsageError("--out: '" + line_.out + "' does not end in .png");
   }
 
   static std::string sceneList() {
@@ -261,9 +283,18 @@ ParsedCommandLine parseCommandLine(int argc, const char* const* argv) {
 }
 
 std::string framePath(const std::string& pattern, int frame) {
-  const std::size_t place = pattern.find("%d");
-  if (place == std::string::npos) return pattern;
-  return pattern.substr(0, place) + std::to_string(frame) + pattern.substr(place + 2);
+  const std::size_t name = nameAt(pattern);
+  std::string path = pattern.substr(0, name);
+  for (std::size_t i = name; i < pattern.size(); ++i) {
+    if (pattern[i] != '%') {
+      path += pattern[i];
+    } else if (pattern[++i] == 'd') {
+      path += std::to_string(frame);
+    } else {
+      path += '%';
+    }
+  }
+  return path;
 }
 
 }  // namespace skydrop::app

@@ -54,6 +54,9 @@ struct CommandLine {
   // fly and render
   std::optional<Size> size;
 
+  // render, simulate, accuracy and noise
+  bool progress = false;  // also where standard error is no terminal
+
   // render
   std::optional<Backend> backend;  // unset: EGL, or OSMesa where EGL gives no OpenGL 4.5
   std::string out = "skydrop.png";
@@ -80,7 +83,8 @@ struct ParsedCommandLine {
 
 ParsedCommandLine parseCommandLine(int argc, const char* const* argv);
 
-// "%d" in `pattern` replaced by the frame's number; the pattern itself when it has none.
+// In the name of the pattern's file, not of its folders, "%d" becomes the frame's number and "%%" a percent sign;
+// any other use of % was refused by parseCommandLine().
 std::string framePath(const std::string& pattern, int frame);
 
 }  // namespace skydrop::app

@@ -1,7 +1,7 @@
-#include <cstdio>
 #include <thread>
 
 #include "app/open_context.h"
+#include "app/standard_output.h"
 #include "app/verbs.h"
 #include "app/version.h"
 #include "skydrop/core/assets.h"
@@ -10,16 +10,16 @@
 namespace skydrop::app {
 
 int info(const CommandLine& line) {
-  std::printf("skydrop %s\n", kVersion);
-  std::printf("data %s\n", core::dataFolder().string().c_str());
-  std::printf("processor threads %u\n", std::thread::hardware_concurrency());
+  print("skydrop %s\n", kVersion);
+  print("data %s\n", core::dataFolder().string().c_str());
+  print("processor threads %u\n", std::thread::hardware_concurrency());
   const auto context = openContext(line.backend, {64, 64});
-  std::printf("backend %s\n", std::string(render::gl::backendName(context->backend())).c_str());
-  std::printf("OpenGL %s\n", context->version().c_str());
-  std::printf("renderer %s (%s)%s\n", context->renderer().c_str(), context->vendor().c_str(),
-              context->isSoftware() ? ", software" : "");
+  print("backend %s\n", std::string(render::gl::backendName(context->backend())).c_str());
+  print("OpenGL %s\n", context->version().c_str());
+  print("renderer %s (%s)%s\n", context->renderer().c_str(), context->vendor().c_str(),
+        context->isSoftware() ? ", software" : "");
   for (const auto& [name, limit] : render::gl::describeLimits(*context)) {
-    std::printf("%s %lld\n", name.c_str(), static_cast<long long>(limit));
+    print("%s %lld\n", name.c_str(), static_cast<long long>(limit));
   }
   return 0;
 }

@@ -3,12 +3,15 @@
 
 #include "app/noise_store.h"
 #include "app/open_context.h"
+#include "app/progress.h"
+#include "app/standard_output.h"
 #include "app/stopwatch.h"
 #include "app/verbs.h"
 #include "skydrop/clouds/noise_cache.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/image.h"
+#include "skydrop/core/output_file.h"
 #include "skydrop/render/noise_maker.h"
 
 namespace skydrop::app {
@@ -63,6 +66,20 @@ void exportTexture(const CommandLine& line, const TextureData& texture, const st
   }
 }
 
+// What is written is opened or refused before anything is made.
+void requireExports(const CommandLine& line) {
+  if (!line.noise.folder) return;
+  const std::filesystem::path& folder = *line.noise.folder;
+  core::requireFolder(folder);
+  if (!std::filesystem::exists(folder) || line.noise.format == NoiseFormat::png) return;
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : line.noise.files) names.push_back(file.stem().string());
+  if (names.empty()) {
+    for (const NoiseTexture texture : clouds::kNoiseTextures) names.push_back(nameOf(texture));
+  }
+  for (const std::string& name : names) core::OutputFile(folder / (name + ".dds"));
+}
+
 TextureData madeByGpu(render::gl::Context& context, NoiseTexture texture, std::uint32_t seed) {
   constexpr int kSlices = 4;  // a fraction of a second each on a software renderer
   render::NoiseMaker maker(context, texture, seed);
@@ -76,7 +93,9 @@ bool check(const CommandLine& line, std::uint32_t seed) {
   constexpr double kRoughest = 1.5;
   const auto context = openContext(line.backend, {64, 64});
   bool good = true;
+  Progress progress("noise", line.progress);
   for (const NoiseTexture texture : clouds::kNoiseTextures) {
+    progress.show(nameOf(texture));
     const Stopwatch processor;
     const TextureData cpu = clouds::makeNoise(texture, seed);
     const double cpuSeconds = processor.seconds();
@@ -86,7 +105,8 @@ bool check(const CommandLine& line, std::uint32_t seed) {
     const clouds::NoiseDifference apart = clouds::noiseDifference(cpu, gpu);
     const double seam = clouds::seamRoughness(cpu);
     const bool agrees = apart.largest <= 1 && seam <= kRoughest;
-    std::printf(
+    progress.clear();
+    print(
         "%-8s %-20s processor %6.2f s  shader %6.2f s  largest difference %d  mean %.5f  seam %.2f  %s\n",
         nameOf(texture).c_str(), sizeOf(cpu).c_str(), cpuSeconds, gpuSeconds, apart.largest, apart.mean, seam,
         agrees ? "ok" : "WRONG");
@@ -99,19 +119,27 @@ bool check(const CommandLine& line, std::uint32_t seed) {
 void readFiles(const CommandLine& line) {
   for (const std::filesystem::path& file : line.noise.files) {
     const TextureData texture = core::readDds(file);
-    std::printf("%s: %s, seam %.2f\n", file.string().c_str(), sizeOf(texture).c_str(),
-                clouds::seamRoughness(texture));
+    print("%s: %s, seam %.2f\n", file.string().c_str(), sizeOf(texture).c_str(),
+          clouds::seamRoughness(texture));
     exportTexture(line, texture, file.stem().string());
   }
 }
 
 void fromStore(const CommandLine& line, std::uint32_t seed) {
-  NoiseStore store(cacheFolder());
+  const NoiseStore store(cacheFolder());
+  Progress progress("noise", line.progress);
   for (const NoiseTexture texture : clouds::kNoiseTextures) {
     const Stopwatch watch;
-    const StoredNoise stored = store.get(texture, seed);
-    std::printf("%-8s %-20s %s in %.2f s\n", nameOf(texture).c_str(), sizeOf(stored.texture).c_str(),
-                stored.fromCache ? "from the cache" : "made", watch.seconds());
+    StoredNoise stored = store.find(texture, seed);
+    if (!stored.fromCache) {
+      // Made for the cache alone it would be lost.
+      if (!line.noise.folder && !cacheFolder().empty()) core::requireFolder(cacheFolder());
+      progress.show(nameOf(texture));
+      stored = store.get(texture, seed);
+      progress.clear();
+    }
+    print("%-8s %-20s %s in %.2f s\n", nameOf(texture).c_str(), sizeOf(stored.texture).c_str(),
+          stored.fromCache ? "from the cache" : "made", watch.seconds());
     if (!stored.message.empty()) std::fprintf(stderr, "skydrop: %s\n", stored.message.c_str());
     exportTexture(line, stored.texture, nameOf(texture));
   }
@@ -121,6 +149,7 @@ void fromStore(const CommandLine& line, std::uint32_t seed) {
 
 int noise(const CommandLine& line) {
   const auto seed = static_cast<std::uint32_t>(line.seed.value_or(0));
+  requireExports(line);
   if (line.noise.check) return check(line, seed) ? 0 : 1;
   if (!line.noise.files.empty())
     readFiles(line);

@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "app/prepare.h"
+#include "app/standard_output.h"
 #include "app/verbs.h"
 #include "skydrop/core/error.h"
 
@@ -8,6 +9,7 @@ namespace skydrop::app {
 namespace {
 
 constexpr int kFailed = 1, kUsage = 2, kNoGraphics = 3;
+constexpr int kReaderGone = 141;  // as shells report a program that SIGPIPE ended
 
 int runVerb(const CommandLine& line) {
   switch (line.verb) {
@@ -29,13 +31,19 @@ int refuse(int exitCode, const char* reason) {
 }  // namespace
 
 int runProgram(int argc, const char* const* argv) {
+  prepareStandardStreams();
   try {
     const ParsedCommandLine parsed = parseCommandLine(argc, argv);
     if (parsed.answer) {
-      std::fputs(parsed.answer->c_str(), stdout);
+      print("%s", parsed.answer->c_str());
+      finishStandardOutput();
       return 0;
     }
-    return runVerb(withPreset(parsed.commandLine));
+    const int exitCode = runVerb(withPreset(parsed.commandLine));
+    finishStandardOutput();
+    return exitCode;
+  } catch (const core::ClosedPipe&) {
+    return kReaderGone;
   } catch (const core::UsageError& error) {
     return refuse(kUsage, error.what());
   } catch (const core::GraphicsUnavailable& error) {

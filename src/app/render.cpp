@@ -1,6 +1,8 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/trigonometric.hpp>
+#include <map>
+#include <string>
 
 #include "app/bindings.h"
 #include "app/cloud_noise.h"
@@ -9,7 +11,9 @@
 #include "app/open_context.h"
 #include "app/overlay.h"
 #include "app/prepare.h"
+#include "app/progress.h"
 #include "app/stage.h"
+#include "app/standard_output.h"
 #include "app/statistics_json.h"
 #include "app/stopwatch.h"
 #include "app/verbs.h"
@@ -39,10 +43,45 @@ void buildTwice(Overlay& overlay, const OverlayFrame& frame, Stage& stage) {
   }
 }
 
+// The file of every frame, opened or refused before the first is drawn. What is written to in order (a pipe)
+// stays open.
+class FrameFiles {
+ public:
+  explicit FrameFiles(const CommandLine& line) : pattern_(line.out) {
+    if (pattern_ == "-") streams_.emplace(0, openOutput(pattern_).value());
+    for (int frame = 0; pattern_ != "-" && frame < line.frames; ++frame) {
+      core::OutputFile file(path(frame));
+      if (file.isStream()) streams_.emplace(frame, std::move(file));
+    }
+  }
+
+  void write(int frame, const core::Image& image) {
+    const auto stream = streams_.find(frame);
+    if (stream == streams_.end()) return core::writePng(path(frame), image);
+    stream->second.write(core::encodePng(image));
+  }
+  std::string path(int frame) const { return framePath(pattern_, frame); }
+
+ private:
+  std::string pattern_;
+  std::map<int, core::OutputFile> streams_;
+};
+
+// "12 of 600 s, frame 1 of 3"
+std::string progressState(const CommandLine& line, int frame, std::uint64_t step) {
+  constexpr std::uint64_t kRate = core::FixedStep::kStepsPerSecond;
+  std::string state = std::to_string(step / kRate) + " of " +
+                      std::to_string(stepOfFrame(line, line.frames - 1) / kRate) + " s";
+  if (line.frames > 1) state += ", frame " + std::to_string(frame + 1) + " of " + std::to_string(line.frames);
+  return state;
+}
+
 }  // namespace
 
 int render(const CommandLine& line) {
   const std::unique_ptr<Run> run = prepareRun(line);
+  FrameFiles files(line);
+  std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) std::fprintf(stderr, "skydrop: %s\n", run->warning->c_str());
   std::optional<CloudNoise> cloudNoise;  // got ready while the rest is
   if (scene::requiredEffects(run->setup.scene).contains(scene::Effect::clouds))
@@ -53,7 +92,7 @@ int render(const CommandLine& line) {
   // While land is made this thread waits: its processor makes land too.
   const int workers = line.workers.value_or(core::JobPool::defaultWorkerCount() + 1);
   Stage stage(*context,
-              {simulation.effects(), simulation.ground(), workers, line.stats.has_value(),
+              {simulation.effects(), simulation.ground(), workers, stats.has_value(),
                cloudNoise ? cloudNoise->wait() : nullptr},
               run->settings);
   if (cloudNoise) {
@@ -78,8 +117,11 @@ int render(const CommandLine& line) {
 
   FrameTimes times;
   core::FrameStatistics statistics, shown;  // the menu of a frame shows what those before it cost
+  Progress progress("render", line.progress);
   for (int frame = 0; frame < line.frames; ++frame) {
+    if (progress.isDue()) progress.show(progressState(line, frame, simulation.world().stepCount()));
     while (simulation.world().stepCount() < stepOfFrame(line, frame)) {
+      if (progress.isDue()) progress.show(progressState(line, frame, simulation.world().stepCount()));
       simulation.step({});
       simulation.world().takeEvents();
     }
@@ -102,23 +144,24 @@ int render(const CommandLine& line) {
     const core::Image image = stage.renderer().readBack();
     statistics.other["readBack"] += reading.ms();
     const Stopwatch writing;
-    core::writePng(framePath(line.out, frame), image);
+    files.write(frame, image);
     statistics.other["png"] += writing.ms();
     if (overlay && overlay->showsCosts()) {
       shown = {};
       simulation.writeTo(shown);
       stage.writeTo(shown);
     }
-    std::printf("%s\n", framePath(line.out, frame).c_str());
+    progress.clear();
+    if (line.out != "-") print("%s\n", files.path(frame).c_str());
   }
   for (const std::string& message : stage.takeMessages())
     std::fprintf(stderr, "skydrop: %s\n", message.c_str());
 
-  if (line.stats) {
+  if (stats) {
     times.writeTo(statistics);
     simulation.writeTo(statistics);
     stage.writeTo(statistics);
-    writeStatistics(*line.stats, statistics);
+    writeStatistics(*stats, statistics);
   }
   return 0;
 }

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "skydrop/core/file.h"
 
 namespace skydrop::app {
 namespace {
@@ -77,8 +76,8 @@ std::string statisticsJson(const core::FrameStatistics& s) {
   return json.dump(2) + "\n";
 }
 
-void writeStatistics(const std::filesystem::path& file, const core::FrameStatistics& statistics) {
-  core::writeFileAtomically(file, statisticsJson(statistics));
+void writeStatistics(core::OutputFile& file, const core::FrameStatistics& statistics) {
+  file.write(statisticsJson(statistics));
 }
 
 }  // namespace skydrop::app

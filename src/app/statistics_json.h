@@ -1,10 +1,10 @@
 // --stats: what a run measured, as JSON.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "skydrop/core/frame_statistics.h"
+#include "skydrop/core/output_file.h"
 
 namespace skydrop::app {
 
@@ -15,6 +15,6 @@ inline constexpr int kStatisticsSchema = 1;
 std::string statisticsJson(const core::FrameStatistics& statistics);
 
 // Throws core::DataError when the file cannot be written.
-void writeStatistics(const std::filesystem::path& file, const core::FrameStatistics& statistics);
+void writeStatistics(core::OutputFile& file, const core::FrameStatistics& statistics);
 
 }  // namespace skydrop::app

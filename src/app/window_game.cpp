@@ -8,6 +8,7 @@
 
 #include "app/machine.h"
 #include "app/quality_preset.h"
+#include "app/standard_output.h"
 #include "app/statistics_json.h"
 #include "app/user_settings.h"
 #include "skydrop/core/error.h"
@@ -32,6 +33,17 @@ std::filesystem::path screenshotFolder(const Run& run) {
   return run.userFolder ? *run.userFolder / "screenshots" : "screenshots";
 }
 
+// Why settings and screenshots will not be kept, known before the flight.
+std::optional<std::string> folderRefusal(const Run& run) {
+  try {
+    if (run.userFolder) core::requireFolder(*run.userFolder);
+    core::requireFolder(screenshotFolder(run));
+    return std::nullopt;
+  } catch (const core::DataError& refusal) {
+    return refusal.what();
+  }
+}
+
 class WindowClipboard final : public Clipboard {
  public:
   explicit WindowClipboard(render::gl::WindowContext& window) : window_(window) {}
@@ -51,6 +63,7 @@ std::filesystem::path gamepadMappings(const Run& run) {
 WindowGame::WindowGame(const CommandLine& line)
     : line_(line),
       run_(prepareRun(line)),
+      stats_(openOutput(line.stats)),
       window_(line),
       clipboard_(std::make_unique<WindowClipboard>(window_.context())),
       joysticks_(gamepadMappings(*run_)),
@@ -61,6 +74,7 @@ WindowGame::WindowGame(const CommandLine& line)
   beginClouds();
   std::vector<std::string> warnings;
   if (run_->warning) warnings.push_back(*run_->warning);
+  if (auto warning = folderRefusal(*run_)) warnings.push_back(std::move(*warning));
   window_.apply(run_->settings.view);
   if (auto warning = window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
     warnings.push_back(std::move(*warning));
@@ -121,7 +135,7 @@ void WindowGame::buildScene() {
     simulation_.emplace(run_->setup, run_->settings, run_->table);
     const scene::EffectSet& effects = simulation_->effects();
     overlay_->showEffects(effects);
-    const Stage::Setup setup{effects, simulation_->ground(), line_.workers, line_.stats.has_value(),
+    const Stage::Setup setup{effects, simulation_->ground(), line_.workers, stats_.has_value(),
                              cloudNoise_ ? cloudNoise_->get() : nullptr};
     stage_ = std::make_unique<Stage>(window_.context(), setup, run_->settings);
     stage_->addOverlay();
@@ -291,7 +305,7 @@ void WindowGame::drawFrame(double seconds) {
     sound_->update(snapshot, events_);
   }
   events_.clear();
-  stage_->setMeasuring(line_.stats.has_value() || overlay_->showsCosts());
+  stage_->setMeasuring(stats_.has_value() || overlay_->showsCosts());
   renewCosts();
 
   imguiInput_->beginFrame();
@@ -359,7 +373,15 @@ void WindowGame::servePreset(const ui::PresetRequest& request) {
 void WindowGame::report() {
   if (Clock::now() < nextStatistics_) return;
   nextStatistics_ = Clock::now() + kStatisticsPeriod;
-  if (line_.stats) writeStatistics(*line_.stats, statistics());
+  if (!stats_) return;
+  try {
+    writeStatistics(*stats_, statistics());
+  } catch (const core::ClosedPipe&) {
+    stats_.reset();  // nobody reads them any more
+  } catch (const core::DataError& refusal) {
+    if (error_ != refusal.what()) warn(refusal.what());
+    error_ = refusal.what();
+  }
 }
 
 void WindowGame::applyMenuChanges(const std::vector<std::string>& paths) {
@@ -445,12 +467,10 @@ core::FrameStatistics WindowGame::statistics(std::size_t frames) {
 }
 
 void WindowGame::finish() {
-  if (stage_) {
-    stage_->renderer().finish();
-    if (line_.stats) writeStatistics(*line_.stats, statistics());
-  }
+  if (stage_) stage_->renderer().finish();
   if (line_.record && simulation_) game::writeInputLog(*line_.record, simulation_->recording());
   keepChoices();
+  if (stage_ && stats_) writeStatistics(*stats_, statistics());
 }
 
 // What cannot be written is said once and lost; the game goes on.

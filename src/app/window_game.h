@@ -29,6 +29,7 @@
 #include "skydrop/audio/audio_manager.h"
 #include "skydrop/audio/sound_scene.h"
 #include "skydrop/core/fixed_step.h"
+#include "skydrop/core/output_file.h"
 
 namespace skydrop::app {
 
@@ -75,6 +76,7 @@ class WindowGame {
 
   CommandLine line_;
   std::unique_ptr<Run> run_;
+  std::optional<core::OutputFile> stats_;  // --stats; opened before the window
   GameWindow window_;
   std::optional<CloudNoise> cloudNoise_;  // with clouds only
   std::optional<Simulation> simulation_;

@@ -79,6 +79,22 @@ TEST(CommandLine, wrongWordsAreRefusedInOneLineThatNamesThem) {
   }
 }
 
+TEST(CommandLine, onlyTheNameOfAPictureCountsFrames) {
+  // A folder may have any name; a percent sign of the name is written twice, and nothing else follows one.
+  EXPECT_EQ(framePath("100%done/x-%d.png", 3), "100%done/x-3.png");
+  EXPECT_EQ(framePath("%d/%d.png", 3), "%d/3.png");
+  EXPECT_EQ(framePath("/a/50%%-%d-%d.png", 3), "/a/50%-3-3.png");
+  EXPECT_EQ(framePath("%%d.png", 3), "%d.png");
+  EXPECT_EQ(parse({"render", "--out", "100%done/x.png"}).commandLine.out, "100%done/x.png");
+  EXPECT_EQ(parse({"render", "--out", "-"}).commandLine.out, "-");
+  for (const char* wrong : {"a-%04d.png", "100%.png", "%s.png", "a%20b.png", "%%%.png"}) {
+    EXPECT_NE(refusalOf({"render", "--out", wrong}).find(wrong), std::string::npos) << wrong;
+  }
+  for (const char* one : {"%d/x.png", "%%d.png", "-"}) {
+    EXPECT_NE(refusalOf({"render", "--frames", "2", "--out", one}).find("needs %d"), std::string::npos) << one;
+  }
+}
+
 TEST(CommandLine, framePathsCountFrames) {
   EXPECT_EQ(framePath("a-%d.png", 12), "a-12.png");
   EXPECT_EQ(framePath("a.png", 12), "a.png");

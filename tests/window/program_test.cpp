@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,123 @@ TEST(Program, badDataExitsWithOneAndNamesTheFile) {
     EXPECT_TRUE(isOneLine(result)) << named;
     EXPECT_NE(result.err.find(named), std::string::npos) << result.err;
   }
+}
+
+// A shell's view of the program: redirections and pipes.
+ProcessResult runShell(const std::string& command) {
+  return runProcess({"/bin/sh", "-c", command},
+                    {"DISPLAY", "WAYLAND_DISPLAY", "SKYDROP=" + programFile(),
+                     "XDG_CACHE_HOME=" + sharedCacheHome().string()});
+}
+
+TEST(Program, outputsAreTriedBeforeTheWork) {
+  // Nothing is drawn, simulated or studied (a study names itself first), nothing is left behind, and the line
+  // names the path that was asked for.
+  const TemporaryFolder folder;
+  const std::string here = folder.path().string(), picture = here + "/a-%d.png";
+  std::filesystem::create_directory(folder.path() / "a-1.png");
+  std::filesystem::create_directory(folder.path() / "shape.dds");
+  const std::string old = folder.write("old.json", "old");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"accuracy", "--out", "/nonexistent/a.md"}, "/nonexistent/a.md: cannot write: No such file or directory"},
+      {{"accuracy", "--out", here}, here + ": cannot write: is a folder"},
+      {{"render", "--out", picture, "--frames", "2"}, here + "/a-1.png: cannot write: is a folder"},
+      {{"render", "--out", here + "/no%d/a.png"}, here + "/no%d/a.png: cannot write: No such file or directory"},
+      {{"render", "--out", here + "/b.png", "--stats", "/nonexistent/s"}, "/nonexistent/s: cannot write"},
+      {{"simulate", "--stats", old + "/s"}, old + "/s: cannot write: Not a directory"},
+      {{"--stats", "/nonexistent/s"}, "/nonexistent/s: cannot write"},
+      {{"noise", "--check", "--out", old}, old + ": cannot make the folder: File exists"},
+      {{"noise", "--check", "--out", "/proc/export"}, "/proc/export: cannot make the folder"},
+      {{"noise", "--out", here}, here + "/shape.dds: cannot write: is a folder"},
+  };
+  for (const auto& [words, line] : wrong) {
+    const ProcessResult result = runSkydrop(words);
+    EXPECT_EQ(result.exitCode, 1) << line;
+    EXPECT_TRUE(isOneLine(result)) << line;
+    EXPECT_TRUE(result.err.starts_with("skydrop: " + line)) << result.err;
+    EXPECT_EQ(result.out, "") << line;
+  }
+  // A run that fails for another reason touches no output either.
+  EXPECT_EQ(runSkydrop({"simulate", "--stats", old, "--scene", here + "/none.json"}).exitCode, 1);
+  EXPECT_EQ(runSkydrop({"--stats", here + "/new.json"}).exitCode, 3);
+  EXPECT_EQ(std::ifstream(old).peek(), 'o');
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 3);
+}
+
+TEST(Program, noiseForACacheThatCannotBeWrittenIsNotMade) {
+  // Exported it is made all the same.
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "");
+  const std::vector<std::string> environment = {"XDG_CACHE_HOME=" + file};
+  const ProcessResult lost = runProcess({programFile(), "noise"}, environment);
+  EXPECT_EQ(lost.exitCode, 1);
+  EXPECT_TRUE(isOneLine(lost));
+  EXPECT_NE(lost.err.find(file + "/skydrop: cannot make the folder"), std::string::npos) << lost.err;
+  EXPECT_EQ(lost.out, "");
+  const std::string out = (folder.path() / "out").string();
+  EXPECT_EQ(runProcess({programFile(), "noise", "--out", out}, environment).exitCode, 0);
+  EXPECT_TRUE(std::filesystem::exists(out + "/shape.dds"));
+}
+
+TEST(Program, aResultThatCannotBeWrittenIsAFailure) {
+  // A full disk and a closed descriptor, for everything that prints.
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "a.png").string(), report = (folder.path() / "a.md").string();
+  for (const std::string& words : {std::string("--help"), std::string("--version"), std::string("--list-scenes"),
+                                   std::string("render --help"), std::string("simulate --seconds 1"),
+                                   std::string("simulate --seconds 1 --stats -"), std::string("noise"),
+                                   std::string("info"), std::string("accuracy integrators --out ") + report,
+                                   "render --scene empty --size 16x16 --out " + out}) {
+    const ProcessResult result = runShell("\"$SKYDROP\" " + words + " >/dev/full");
+    EXPECT_EQ(result.exitCode, 1) << words;
+    EXPECT_NE(result.err.find("skydrop: standard output: cannot write: No space left on device\n"),
+              std::string::npos)
+        << words << ": " << result.err;
+    const ProcessResult closed = runShell("\"$SKYDROP\" " + words + " >&-");
+    EXPECT_EQ(closed.exitCode, 1) << words;
+    EXPECT_NE(closed.err.find("skydrop: standard output: cannot write: Bad file descriptor\n"), std::string::npos)
+        << words << ": " << closed.err;
+  }
+}
+
+TEST(Program, aClosedPipeEndsItWithoutALine) {
+  // The named pipe has lost its reader when the program starts. What was finished before is kept.
+  const TemporaryFolder folder;
+  const std::string pipe = (folder.path() / "pipe").string(), out = (folder.path() / "%d.png").string();
+  for (const std::string& words : {std::string("--help"), std::string("simulate --seconds 1"),
+                                   "render --scene empty --size 16x16 --frames 3 --out " + out}) {
+    const ProcessResult result = runShell("mkfifo " + pipe + "; exec 3<>" + pipe + " 4>" + pipe +
+                                          " 3<&-; rm " + pipe + "; exec \"$SKYDROP\" " + words + " >&4");
+    EXPECT_EQ(result.exitCode, 141) << words;
+    EXPECT_EQ(result.err, "") << words;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "0.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "1.png"));
+}
+
+TEST(Program, aDashWritesAFileToStandardOutputAndNothingElse) {
+  const ProcessResult stats = runSkydrop({"simulate", "--seconds", "1", "--stats", "-"});
+  EXPECT_EQ(stats.exitCode, 0);
+  EXPECT_TRUE(nlohmann::json::accept(stats.out)) << stats.out;
+  EXPECT_NE(stats.err.find("1.000 s, score"), std::string::npos) << stats.err;
+  EXPECT_TRUE(nlohmann::json::accept(runSkydrop({"simulate", "--seconds", "1", "--stats", "/dev/stdout"}).out));
+  const ProcessResult picture = runSkydrop({"render", "--scene", "empty", "--size", "16x16", "--out", "-"});
+  EXPECT_EQ(picture.exitCode, 0) << picture.err;
+  EXPECT_TRUE(picture.out.starts_with("\x89PNG")) << picture.out;
+  EXPECT_TRUE(picture.out.ends_with("IEND\xae\x42\x60\x82")) << "a name was printed behind it";
+  EXPECT_EQ(runSkydrop({"render", "--out", "-", "--stats", "-"}).exitCode, 2);
+}
+
+TEST(Program, longWorkTellsHowFarItIsWhereItIsAsked) {
+  const std::vector<std::string> words = {"simulate", "--autopilot", "--seconds", "30"};
+  std::vector<std::string> asked = words;
+  asked.emplace_back("--progress");
+  EXPECT_EQ(runSkydrop(words).err, "");
+  EXPECT_TRUE(runSkydrop(asked).err.starts_with("simulate: 0 of 30 s\n"));
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "a-%d.png").string();
+  EXPECT_TRUE(runSkydrop({"render", "--scene", "empty", "--size", "16x16", "--frames", "2", "--out", out, "--progress"})
+                  .err.starts_with("render: 0 of 0 s, frame 1 of 2\n"));
 }
 
 TEST(Program, noiseIsMadeOnceAndKept) {

@@ -19,7 +19,7 @@ constexpr int kTimedFrames = 7;
 
 }  // namespace
 
-StudyResult cloudStudy() {
+StudyResult cloudStudy(const StudyProgress& progress) {
   CommandLine line;
   line.verb = Verb::accuracy;
   line.scene.emplace("fair");
@@ -50,9 +50,12 @@ StudyResult cloudStudy() {
   result.costName = "ms a frame";
   result.clock = clockOfTimedFrames(kTimedFrames) + " (reference: one)";
   result.machine = machineName() + ", " + context->renderer();
+  constexpr CloudTier kTiers[] = {CloudTier::off, CloudTier::low, CloudTier::medium, CloudTier::high,
+                                  CloudTier::ultra};
+  progress(0, std::size(kTiers) + 1);
   const TimedFrame reference = frameOf(CloudTier::reference, 1);
-  for (const CloudTier tier :
-       {CloudTier::off, CloudTier::low, CloudTier::medium, CloudTier::high, CloudTier::ultra}) {
+  for (const CloudTier tier : kTiers) {
+    progress(result.rows.size() + 1, std::size(kTiers) + 1);
     const TimedFrame frame = frameOf(tier, kTimedFrames);
     result.rows.push_back({std::string(clouds::kCloudTierNames[static_cast<std::size_t>(tier)]),
                            rootMeanSquare(frame.image, reference.image), frame.ms,

@@ -54,7 +54,7 @@ double cost(Integrator integrator, int rate) {
 
 }  // namespace
 
-StudyResult integratorStudy() {
+StudyResult integratorStudy(const StudyProgress& progress) {
   StudyResult result;
   result.title = "Integrators of the rigid body";
   result.method =
@@ -65,10 +65,14 @@ StudyResult integratorStudy() {
   result.costName = "microseconds for a simulated second";
   result.clock = "wall clock, the fastest of " + std::to_string(kRepetitions) + " runs";
   result.machine = machineName();
+  constexpr int kRates[] = {30, 60, 120, 240};
+  const std::size_t rows = flight::kIntegratorNames.size() * std::size(kRates);
+  progress(0, rows + 1);
   const glm::dquat reference = attitudeAfter(Integrator::rkmk4, kReferenceRate);
   for (std::size_t i = 0; i < flight::kIntegratorNames.size(); ++i) {
     const auto integrator = static_cast<Integrator>(i);
-    for (const int rate : {30, 60, 120, 240}) {
+    for (const int rate : kRates) {
+      progress(result.rows.size() + 1, rows + 1);
       const bool isDefault =
           integrator == flight::AirplaneSettings{}.integrator && rate == core::FixedStep::kStepsPerSecond;
       result.rows.push_back({std::string(flight::kIntegratorNames[i]) + " at " + std::to_string(rate) + " Hz",

@@ -5,6 +5,6 @@
 namespace skydrop::app {
 
 // Every integrator of flight at several step rates on hard case P01's body, against a far finer one.
-StudyResult integratorStudy();
+StudyResult integratorStudy(const StudyProgress& progress);
 
 }  // namespace skydrop::app

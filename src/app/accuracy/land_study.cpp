@@ -17,7 +17,7 @@ constexpr int kTimedFrames = 7;
 
 }  // namespace
 
-StudyResult landStudy() {
+StudyResult landStudy(const StudyProgress& progress) {
   CommandLine line;
   line.verb = Verb::accuracy;
   line.scene.emplace("terrain");
@@ -43,11 +43,13 @@ StudyResult landStudy() {
   result.costName = "ms a frame";
   result.clock = clockOfTimedFrames(kTimedFrames);
   result.machine = machineName() + ", " + context->renderer();
-  const TimedFrame reference = frameAt(kReferenceError);
   std::vector<double> errors = {0.5, 1, 2, 4, 8, 16, shipped};
   std::sort(errors.begin(), errors.end());
   errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
+  progress(0, errors.size() + 1);
+  const TimedFrame reference = frameAt(kReferenceError);
   for (const double pixelError : errors) {
+    progress(result.rows.size() + 1, errors.size() + 1);
     const TimedFrame frame = frameAt(pixelError);
     char knob[32];
     std::snprintf(knob, sizeof knob, "%g px", pixelError);

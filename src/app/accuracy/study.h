@@ -2,6 +2,7 @@
 // measured error against a converged reference and the measured cost. `skydrop accuracy` runs them.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -23,10 +24,13 @@ struct StudyResult {
   std::vector<StudyRow> rows;
 };
 
+// Told before each row: how many there are of how many, the reference included.
+using StudyProgress = std::function<void(std::size_t done, std::size_t all)>;
+
 struct Study {
   std::string_view name;         // "integrators"
   std::string_view description;  // one sentence
-  std::function<StudyResult()> run;
+  std::function<StudyResult(const StudyProgress&)> run;
 };
 
 // All there are, in the order of the report.
