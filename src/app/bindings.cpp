@@ -65,19 +65,16 @@ const std::vector<HelpEntry>& helpEntries() {
   return kEntries;
 }
 
-Inputs inputsFromJson(const nlohmann::json& names, std::string_view file, const std::string& place) {
-  if (!names.is_array()) throw core::DataError(file, place, "is no list of names");
-  Inputs inputs;
+// Reads the inputs, or returns why they cannot be read.
+std::string readInputs(const nlohmann::json& names, Inputs& inputs) {
+  if (!names.is_array()) return "is no list of names";
   for (const nlohmann::json& name : names) {
-    if (!name.is_string()) throw core::DataError(file, place, name.dump() + " is no name");
+    if (!name.is_string()) return name.dump() + " is no name";
     const std::optional<InputCode> input = inputNamed(name.get<std::string>());
-    if (!input) throw core::DataError(file, place, name.dump() + " is no key, button or axis");
+    if (!input) return name.dump() + " is no key, button or axis";
     inputs.push_back(*input);
   }
-  if (inputs.size() > kMaxInputs) {
-    throw core::DataError(file, place, "has more than " + std::to_string(kMaxInputs) + " inputs");
-  }
-  return inputs;
+  return inputs.size() > kMaxInputs ? "has more than " + std::to_string(kMaxInputs) + " inputs" : "";
 }
 
 }  // namespace
@@ -106,7 +103,7 @@ std::string Bindings::refusalOf() const {
   return {};
 }
 
-Bindings::Change Bindings::set(Action action, Inputs inputs) {
+Bindings::Change Bindings::assign(Action action, Inputs inputs) {
   Bindings after = *this;
   Change change;
   for (std::size_t i = 0; i < kActions; ++i) {
@@ -132,7 +129,7 @@ Bindings::Change Bindings::bind(Action action, InputCode input, std::optional<st
   if (const auto own = std::ranges::find(inputs, input); own != inputs.end()) {
     if (!slot || *slot >= inputs.size()) return {};
     std::swap(*own, inputs[*slot]);
-    return set(action, std::move(inputs));
+    return assign(action, std::move(inputs));
   }
   if (slot && *slot < inputs.size()) {
     inputs[*slot] = input;
@@ -141,16 +138,16 @@ Bindings::Change Bindings::bind(Action action, InputCode input, std::optional<st
   } else {
     return {{}, "no room for more than " + std::to_string(kMaxInputs)};
   }
-  return set(action, std::move(inputs));
+  return assign(action, std::move(inputs));
 }
 
 Bindings::Change Bindings::unbind(Action action, std::size_t slot) {
   Inputs inputs = inputsOf(action);
   if (slot < inputs.size()) inputs.erase(inputs.begin() + static_cast<std::ptrdiff_t>(slot));
-  return set(action, std::move(inputs));
+  return assign(action, std::move(inputs));
 }
 
-Bindings::Change Bindings::resetAction(Action action) { return set(action, Bindings().inputsOf(action)); }
+Bindings::Change Bindings::resetAction(Action action) { return assign(action, Bindings().inputsOf(action)); }
 
 nlohmann::json Bindings::toJson() const {
   nlohmann::json json = nlohmann::json::object();
@@ -163,31 +160,65 @@ nlohmann::json Bindings::toJson() const {
   return json;
 }
 
-Bindings Bindings::fromJson(const nlohmann::json& json, std::string_view file) {
-  if (!json.is_object()) throw core::DataError(file, "bindings", "is no object");
+Bindings Bindings::changedBy(const std::map<Action, Inputs>& wanted) {
   Bindings bindings;
   std::set<InputCode> named;
-  std::set<Action> actions;
+  for (const auto& [action, inputs] : wanted) named.insert(inputs.begin(), inputs.end());
+  for (std::size_t i = 0; i < kActions; ++i) {
+    const auto own = wanted.find(static_cast<Action>(i));
+    if (own != wanted.end()) {
+      bindings.inputs_[i] = own->second;
+    } else {
+      std::erase_if(bindings.inputs_[i], [&](InputCode input) { return named.contains(input); });
+    }
+  }
+  return bindings;
+}
+
+Bindings::Read Bindings::fromJson(const nlohmann::json& json) {
+  Read read;
+  const auto complain = [&](const std::string& place, const std::string& reason) {
+    read.complaints.push_back(place + ": " + reason);
+  };
+  if (!json.is_object()) {
+    complain("bindings", "is no object");
+    return read;
+  }
+  std::set<InputCode> named;
   for (const auto& [name, names] : json.items()) {
     const std::string place = "bindings." + name;
     const std::optional<Action> action = actionNamed(name);
-    if (!action) throw core::DataError(file, place, "is no action");
-    actions.insert(*action);
-    Inputs& inputs = bindings.inputs_[indexOf(*action)] = inputsFromJson(names, file, place);
+    Inputs inputs;
+    std::string reason = action ? readInputs(names, inputs) : "is no action";
+    std::set<InputCode> taken = named;
     for (const InputCode input : inputs) {
-      if (!named.insert(input).second) {
-        throw core::DataError(file, place, inputName(input) + " is bound twice");
-      }
+      if (reason.empty() && !taken.insert(input).second) reason = inputName(input) + " is bound twice";
+    }
+    if (reason.empty()) {
+      named = std::move(taken);
+      read.used.emplace(*action, std::move(inputs));
+    } else {
+      complain(place, reason);
     }
   }
-  for (std::size_t i = 0; i < kActions; ++i) {
-    if (actions.contains(static_cast<Action>(i))) continue;
-    std::erase_if(bindings.inputs_[i], [&](InputCode input) { return named.contains(input); });
+  // A rule is broken by one entry, or, rarely, by several together: then none of them counts.
+  for (std::string refusal; !(refusal = changedBy(read.used).refusalOf()).empty();) {
+    const auto mended = [&](const auto& entry) {
+      std::map<Action, Inputs> others = read.used;
+      others.erase(entry.first);
+      return changedBy(others).refusalOf().empty();
+    };
+    const auto culprit = std::ranges::find_if(read.used, mended);
+    if (culprit == read.used.end()) {
+      complain("bindings", refusal);
+      read.used.clear();
+    } else {
+      complain("bindings." + std::string(actionName(culprit->first)), refusal);
+      read.used.erase(culprit);
+    }
   }
-  if (const std::string refusal = bindings.refusalOf(); !refusal.empty()) {
-    throw core::DataError(file, "bindings", refusal);
-  }
-  return bindings;
+  read.bindings = changedBy(read.used);
+  return read;
 }
 
 std::vector<ui::HelpRow> helpRows(const Bindings& bindings, bool gamepad, const KeyLabels& keys) {

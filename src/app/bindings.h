@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/action.h"
@@ -44,22 +44,30 @@ class Bindings {
   Change unbind(Action action, std::size_t slot);
   // Back to the defaults, which are taken from whatever has them now.
   Change resetAction(Action action);
+  // Exactly these inputs.
+  Change assign(Action action, std::vector<InputCode> inputs);
   void resetAll() { *this = Bindings(); }
 
   // {"rollLeft": ["A", "GAMEPAD_AXIS_LEFT_X-"], ...}: the actions that are not at their defaults.
   nlohmann::json toJson() const;
   // Defaults, changed by such an object. What the object names keeps its inputs; a default that it gives to
-  // another action is taken from its own. Throws core::DataError, which names `file`, the action and the
-  // reason.
-  static Bindings fromJson(const nlohmann::json& json, std::string_view file);
+  // another action is taken from its own. What does not fit is left out and complained of.
+  struct Read;
+  static Read fromJson(const nlohmann::json& json);
 
   bool operator==(const Bindings&) const = default;
 
  private:
   std::string refusalOf() const;  // why these bindings would break a rule
-  Change set(Action action, std::vector<InputCode> inputs);
+  static Bindings changedBy(const std::map<Action, std::vector<InputCode>>& wanted);
 
   std::array<std::vector<InputCode>, kActions> inputs_;
+};
+
+struct Bindings::Read {
+  Bindings bindings;
+  std::map<Action, std::vector<InputCode>> used;  // what the object asked for and got
+  std::vector<std::string> complaints;            // "bindings.fly: is no action"
 };
 
 // The rows of the help overlay; opposite actions share one. Inputs of a gamepad only where one is there.

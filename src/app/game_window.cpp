@@ -1,10 +1,8 @@
 #include "app/game_window.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/machine.h"
-#include "app/user_settings.h"
 
 namespace skydrop::app {
 namespace {
@@ -34,7 +32,11 @@ std::optional<std::string> GameWindow::show(Size usual, const std::optional<std:
   usual_.height = usual.height;
   remembered_ = usual_;
   std::optional<std::string> warning;
-  if (folder) warning = loadWindowMemory(remembered_, *folder);
+  if (folder) {
+    memoryFile_ = KeptFile(windowMemoryFile(*folder));
+    warning = loadWindowMemory(remembered_, memoryFile_);
+  }
+  saved_ = remembered_;
   const WindowMemory& place = remembered_;
   if (sizeWanted_) {
     context_.setSize(sizeWanted_->width, sizeWanted_->height);
@@ -51,7 +53,7 @@ std::optional<std::string> GameWindow::show(Size usual, const std::optional<std:
   return warning;
 }
 
-void GameWindow::remember(const std::filesystem::path& folder) {
+std::optional<std::string> GameWindow::remember() {
   WindowMemory now = remembered_;
   if (!placedByHand_) {
     const WindowRect rect = context_.rect();
@@ -64,12 +66,9 @@ void GameWindow::remember(const std::filesystem::path& folder) {
       now.top = rect.top;
     }
   }
-  const auto isSame = [](const WindowMemory& a, const WindowMemory& b) {
-    WindowMemory first = a, second = b;
-    return changedJson(core::SettingsTable(first), core::SettingsTable(second)).empty();
-  };
-  if (isSame(now, usual_) && !std::filesystem::exists(windowMemoryFile(folder))) return;
-  saveWindowMemory(now, usual_, folder);
+  std::optional<std::string> warning = saveWindowMemory(now, saved_, usual_, memoryFile_);
+  saved_ = now;
+  return warning;
 }
 
 bool GameWindow::takeSoftwareNews() { return !std::exchange(remembered_.knowsSoftware, true); }

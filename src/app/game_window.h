@@ -29,8 +29,9 @@ class GameWindow {
   // Shows it as the command line says, else as remembered in the folder, else in the usual size. What to warn
   // of comes back.
   std::optional<std::string> show(Size usual, const std::optional<std::filesystem::path>& folder);
-  // Keeps what the player changed, unless the command line said where it opens. Throws core::DataError.
-  void remember(const std::filesystem::path& folder);
+  // Keeps what the player changed, unless the command line said where it opens. What to warn of comes back. Throws
+  // core::DataError.
+  std::optional<std::string> remember();
 
   // True once for each player who draws in software: it is news, and remembered.
   bool takeSoftwareNews();
@@ -55,7 +56,9 @@ class GameWindow {
   bool fullScreenWanted_;
   std::optional<Size> sizeWanted_;
   render::gl::WindowContext context_;
+  KeptFile memoryFile_;
   WindowMemory usual_, remembered_;
+  WindowMemory saved_;  // as the file was read or written last
   render::gl::WindowRect opened_;
   double interfaceScale_ = 1;
   double frameCapHz_ = 0;

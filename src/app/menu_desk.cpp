@@ -1,43 +1,53 @@
 #include "app/menu_desk.h"
 
+#include <algorithm>
 #include <array>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 
 #include "app/pose_text.h"
-#include "skydrop/core/error.h"
-#include "skydrop/core/settings_file.h"
 
 namespace skydrop::app {
 namespace {
 
-std::filesystem::path stateFile(const std::filesystem::path& userFolder) { return userFolder / "menu.json"; }
-
-ui::MenuState readState(const std::filesystem::path& file) {
-  const nlohmann::json json = core::readSettingsFile(file);
+// What the file says, where it fits; the rest is complained of.
+ui::MenuState readState(const nlohmann::json& content, std::vector<std::string>& complaints) {
   ui::MenuState state;
-  try {
-    if (json.contains("place")) {
-      const auto sides = json["place"].get<std::array<float, 4>>();
-      for (const float side : sides) {
-        if (!(side >= 0 && side <= 1))
-          throw core::DataError(file.string(), "place", "is not within the window");
-      }
+  const auto isShare = [](const nlohmann::json& side) {
+    return side.is_number() && side.get<double>() >= 0 && side.get<double>() <= 1;
+  };
+  if (const auto place = content.find("place"); place != content.end()) {
+    if (place->is_array() && place->size() == 4 && std::ranges::all_of(*place, isShare)) {
+      const auto sides = place->get<std::array<float, 4>>();
       state.place = ui::ScreenRect{sides[0], sides[1], sides[2], sides[3]};
+    } else {
+      complaints.emplace_back("place: is not four shares of the window");
     }
-    state.open = json.value("open", std::map<std::string, bool>());
-  } catch (const nlohmann::json::exception& error) {
-    throw core::DataError(file.string(), "menu", error.what());
+  }
+  const nlohmann::json open = content.value("open", nlohmann::json::object());
+  if (!open.is_object()) complaints.emplace_back("open: is not an object");
+  for (const auto& [section, isOpen] : open.items()) {
+    if (!open.is_object()) break;
+    if (isOpen.is_boolean()) {
+      state.open[section] = isOpen.get<bool>();
+    } else {
+      complaints.push_back("open." + section + ": is not true or false");
+    }
   }
   return state;
 }
 
+bool isSamePlace(const std::optional<ui::ScreenRect>& a, const std::optional<ui::ScreenRect>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->left == b->left && a->top == b->top && a->right == b->right && a->bottom == b->bottom;
+}
+
 }  // namespace
 
-MenuDesk::MenuDesk(std::optional<std::filesystem::path> userFolder) : userFolder_(std::move(userFolder)) {
-  if (userFolder_) shelf_.emplace(presetFolder(*userFolder_));
+MenuDesk::MenuDesk(std::optional<std::filesystem::path> userFolder) {
+  if (!userFolder) return;
+  file_ = KeptFile(*userFolder / "menu.json");
+  shelf_.emplace(presetFolder(*userFolder));
 }
 
 ui::MenuTools MenuDesk::tools(const core::SettingsTable& base, const render::View& view,
@@ -59,9 +69,11 @@ MenuDesk::Served MenuDesk::serve(const ui::PresetRequest& request, const core::S
   if (!shelf_) return {};
   presets_.reset();
   switch (request.kind) {
-    case ui::PresetRequest::Kind::save:
-      shelf_->save(request.name, table, request.group);
-      return {{}, "Saved preset " + request.name};
+    case ui::PresetRequest::Kind::save: {
+      const auto aside = shelf_->save(request.name, table, request.group);
+      const std::string replaced = aside ? "; the old one, which is broken, is kept as " + aside->string() : "";
+      return {{}, "Saved preset " + request.name + replaced};
+    }
     case ui::PresetRequest::Kind::load:
       return {menu.change(table, shelf_->load(request.name)), "Loaded preset " + request.name};
     case ui::PresetRequest::Kind::remove:
@@ -71,28 +83,30 @@ MenuDesk::Served MenuDesk::serve(const ui::PresetRequest& request, const core::S
   return {};
 }
 
-std::optional<std::string> MenuDesk::load(ui::ConfigurationMenu& menu) const {
-  if (!userFolder_) return std::nullopt;
-  const std::filesystem::path file = stateFile(*userFolder_);
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) return std::nullopt;
-  try {
-    menu.setState(readState(file));
-    return std::nullopt;
-  } catch (const core::DataError& refusal) {
-    std::filesystem::rename(file, file.string() + ".bad", error);
-    return refusal.what();
-  }
+std::optional<std::string> MenuDesk::load(ui::ConfigurationMenu& menu) {
+  if (auto broken = file_.load()) return broken;
+  std::vector<std::string> complaints;
+  saved_ = readState(file_.content(), complaints);
+  menu.setState(saved_);
+  return file_.complaintLine(complaints);
 }
 
-void MenuDesk::save(const ui::ConfigurationMenu& menu) const {
-  if (!userFolder_) return;
+std::optional<std::string> MenuDesk::save(const ui::ConfigurationMenu& menu) {
   const ui::MenuState& state = menu.state();
-  if (!state.place && state.open.empty()) return;
-  nlohmann::json json = {{"open", state.open}};
-  if (state.place)
-    json["place"] = {state.place->left, state.place->top, state.place->right, state.place->bottom};
-  core::writeSettingsFile(stateFile(*userFolder_), json);
+  std::optional<std::string> line = file_.save([&](nlohmann::json& content) {
+    if (state.place && !isSamePlace(state.place, saved_.place)) {
+      content["place"] = {state.place->left, state.place->top, state.place->right, state.place->bottom};
+    }
+    nlohmann::json changed = content.value("open", nlohmann::json::object());
+    if (!changed.is_object()) changed = nlohmann::json::object();
+    for (const auto& [section, isOpen] : state.open) {
+      const auto before = saved_.open.find(section);
+      if (before == saved_.open.end() || before->second != isOpen) changed[section] = isOpen;
+    }
+    if (!changed.empty()) content["open"] = changed;
+  });
+  saved_ = state;
+  return line;
 }
 
 }  // namespace skydrop::app

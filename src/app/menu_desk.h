@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/kept_file.h"
 #include "app/preset_shelf.h"
 #include "app/settings.h"
 #include "skydrop/core/settings_table.h"
@@ -34,13 +35,14 @@ class MenuDesk {
   Served serve(const ui::PresetRequest& request, const core::SettingsTable& table,
                ui::ConfigurationMenu& menu);
 
-  // What the menu remembers, "menu.json" in the player's folder. A broken file is set aside as .bad and comes
-  // back as a line; the menu is then as at first. Saving throws core::DataError.
-  std::optional<std::string> load(ui::ConfigurationMenu& menu) const;
-  void save(const ui::ConfigurationMenu& menu) const;
+  // What the menu remembers, "menu.json" in the player's folder (kept_file.h). What is wrong with the file comes
+  // back as a line; the menu is there as at first. Saving writes what changed and throws core::DataError.
+  std::optional<std::string> load(ui::ConfigurationMenu& menu);
+  std::optional<std::string> save(const ui::ConfigurationMenu& menu);
 
  private:
-  std::optional<std::filesystem::path> userFolder_;
+  KeptFile file_;
+  ui::MenuState saved_;  // as the file was read or written last
   Settings defaults_;
   core::SettingsTable defaultTable_{defaults_};
   std::optional<PresetShelf> shelf_;

@@ -7,7 +7,6 @@
 #include "app/cloud_tier.h"
 #include "app/preset_shelf.h"
 #include "app/quality_preset.h"
-#include "app/user_settings.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::app {
@@ -69,25 +68,16 @@ void compose(Run& run, const scene::Scene& scene, const Layer& player) {
   run.table.takeDefaults(run.baseTable);
 }
 
-// The player's file at the start. It is read more than once: after the first time without what was broken.
-Layer playersFile(Run& run) {
-  return [&run](const core::SettingsTable& table) {
-    if (!run.userFolder) return;
-    if (auto warning = loadUserSettings(table, run.bindings, *run.userFolder))
-      run.warning = std::move(warning);
-  };
+// What the player chose so far, in their file and in the menu.
+Layer ownChoices(const UserSettings& settings) {
+  return [&settings](const core::SettingsTable& table) { settings.applyTo(table); };
 }
 
-// What the player chose so far, as a layer.
-Layer ownChoices(const Run& run) {
-  std::vector<std::pair<std::string, double>> choices;
-  for (std::size_t i = 0; i < run.playerTable.fields().size(); ++i) {
-    const core::Field& field = run.playerTable.fields()[i];
-    if (field.get() != run.baseTable.fields()[i].get()) choices.emplace_back(field.path, field.get());
-  }
-  return [choices](const core::SettingsTable& table) {
-    for (const auto& [path, value] : choices) table.at(path).set(value);
-  };
+// Takes over a row of the player's table: what is at its base follows that.
+void choose(Run& run, const std::string& path) {
+  const double value = run.playerTable.at(path).get();
+  const bool isBase = value == run.baseTable.at(path).get();
+  run.userSettings.choose(path, isBase ? std::nullopt : std::optional(value));
 }
 
 std::vector<std::string> changedPaths(Settings before, const Run& run) {
@@ -147,18 +137,24 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line) {
 
   run->overrides = line.set;
   run->userFolder = userFolder(line);
-  compose(*run, setup.scene, playersFile(*run));
+  if (run->userFolder) {
+    run->userSettings = UserSettings(*run->userFolder);
+    run->warning = run->userSettings.load();
+    run->bindings = run->userSettings.bindings();
+  }
+  compose(*run, setup.scene, ownChoices(run->userSettings));
   return run;
 }
 
 void useSoftwareRenderer(Run& run) {
   run.softwareRenderer = true;
-  compose(run, run.setup.scene, playersFile(run));
+  compose(run, run.setup.scene, ownChoices(run.userSettings));
 }
 
 std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     run.playerTable.at(path).set(run.table.at(path).get());
+    choose(run, path);
     forgetOverrides(run, path);
   }
   const std::vector<std::string> following = rowsThatFollow(run.table, paths);
@@ -166,10 +162,11 @@ std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string
   for (const std::string& path : following) {
     if (holds(paths, path)) continue;  // chosen too: a preset of the player's, a reset of everything
     run.playerTable.at(path).set(run.baseTable.at(path).get());
+    choose(run, path);
     forgetOverrides(run, path);
   }
   Settings before = run.settings;
-  compose(run, run.setup.scene, ownChoices(run));
+  compose(run, run.setup.scene, ownChoices(run.userSettings));
   std::vector<std::string> changed = changedPaths(before, run);
   for (const std::string& path : paths) {
     if (!holds(changed, path)) changed.push_back(path);
@@ -179,15 +176,19 @@ std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string
 
 void reloadScene(Run& run, const CommandLine& line) {
   const scene::Scene scene = scene::loadScene(run.setup.scene.file.string());
-  compose(run, scene, ownChoices(run));
+  compose(run, scene, ownChoices(run.userSettings));
   run.setup.scene = scene;
   if (!line.seed && !line.replay) run.setup.seed = scene.seed;
 }
 
 std::vector<std::string> reloadPlayer(Run& run) {
   Settings before = run.settings;
-  compose(run, run.setup.scene,
-          [&](const core::SettingsTable& table) { readUserSettings(table, run.bindings, *run.userFolder); });
+  UserSettings edited = run.userSettings;
+  std::optional<std::string> warning = edited.reload();
+  compose(run, run.setup.scene, ownChoices(edited));
+  run.bindings = mergedBindings(edited.bindings(), run.userSettings.bindings(), run.bindings);
+  run.userSettings = std::move(edited);
+  run.warning = std::move(warning);
   return changedPaths(before, run);
 }
 

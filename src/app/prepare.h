@@ -10,6 +10,7 @@
 #include "app/command_line.h"
 #include "app/settings.h"
 #include "app/simulation.h"
+#include "app/user_settings.h"
 
 namespace skydrop::app {
 
@@ -23,7 +24,7 @@ struct Run {
   core::SettingsTable table;
   Settings base;  // defaults, tier, the quality's preset and the scene: what a reset goes back to
   core::SettingsTable baseTable;
-  Settings player;  // base, the player's file and the menu, without --set: saved is what differs from base
+  Settings player;  // base, the player's file and the menu, without --set
   core::SettingsTable playerTable;
   Bindings bindings;                   // the player's
   std::vector<std::string> overrides;  // --set, without what the menu changed since
@@ -31,7 +32,8 @@ struct Run {
   Quality quality = Quality::high;  // in force: never automatic
   SimulationSetup setup;
   std::optional<std::filesystem::path> userFolder;  // where the player's settings are kept
-  std::optional<std::string> warning;               // a broken settings file, to be said once
+  UserSettings userSettings;                        // their file, and what the menu chose since
+  std::optional<std::string> warning;               // what is wrong with it, to be said once
 };
 
 // The line with --preset spelled out as values of --set that come before the others. Names are looked up in
@@ -55,8 +57,8 @@ std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string
 // All or nothing: throws core::DataError and changes nothing.
 void reloadScene(Run& run, const CommandLine& line);
 
-// The same for the player's file, which now says all that the player wants: what the menu changed since is
-// forgotten. Returns the paths of the settings that changed.
+// The same for the player's file; what the menu changed since it was saved stays. Returns the paths of the settings
+// that changed. What does not fit is in `run.warning`.
 std::vector<std::string> reloadPlayer(Run& run);
 
 }  // namespace skydrop::app

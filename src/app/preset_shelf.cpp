@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/output_file.h"
 #include "skydrop/core/settings_file.h"
 
 namespace skydrop::app {
@@ -82,6 +83,18 @@ Preset readWhole(const std::filesystem::path& file) {
   return preset;
 }
 
+// What cannot be read may be a preset with one slip of the hand: it is not written over.
+std::optional<std::filesystem::path> setAsideIfBroken(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  try {
+    readWhole(file);
+    return std::nullopt;
+  } catch (const core::DataError&) {
+    return core::setAside(file);
+  }
+}
+
 }  // namespace
 
 std::string presetNameRefusal(std::string_view name) {
@@ -124,8 +137,9 @@ std::filesystem::path PresetShelf::file(const std::string& name) const {
   return folder_ / (requireName(name) + std::string(kEnding));
 }
 
-void PresetShelf::save(const std::string& name, const core::SettingsTable& table,
-                       const std::string& group) const {
+std::optional<std::filesystem::path> PresetShelf::save(const std::string& name,
+                                                       const core::SettingsTable& table,
+                                                       const std::string& group) const {
   const std::filesystem::path target = file(name);
   const std::vector<std::string> groups = groupsOf(table, group);
   // The values of the groups over the program's own defaults, whatever the table takes for its.
@@ -136,7 +150,9 @@ void PresetShelf::save(const std::string& name, const core::SettingsTable& table
         std::ranges::any_of(groups, [&](const std::string& path) { return isWithin(field.path, path); });
     if (chosen) heldTable.at(field.path).set(field.get());
   }
+  std::optional<std::filesystem::path> aside = setAsideIfBroken(target);
   core::writeSettingsFile(target, {{"groups", groups}, {"settings", core::toJson(heldTable, true)}});
+  return aside;
 }
 
 std::vector<ui::SettingValue> PresetShelf::load(const std::string& name) const {

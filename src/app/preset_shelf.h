@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,9 +32,10 @@ class PresetShelf {
   std::vector<ui::PresetEntry> list() const;
 
   // `group`: a group of the table ("aircraft", "render.sun"); empty: every group but those that belong to the
-  // player and not to the game (what is heard, how it is looked at). Replaces a preset of the same name.
-  // Throws core::RangeError (name, group) and core::DataError (file).
-  void save(const std::string& name, const core::SettingsTable& table, const std::string& group) const;
+  // player and not to the game (what is heard, how it is looked at). Replaces a preset of the same name; one
+  // that cannot be read is kept aside, and its new name comes back. Throws core::RangeError (name, group) and
+  // core::DataError (file).
+  std::optional<std::filesystem::path> save(const std::string& name, const core::SettingsTable& table, const std::string& group) const;
 
   // Throws core::RangeError (name) and core::DataError.
   std::vector<ui::SettingValue> load(const std::string& name) const;

@@ -1,13 +1,15 @@
-// The player's own settings: what was changed in the menu, kept between flights.
+// The player's own settings: what was changed in the menu, kept between flights in settings.json of their folder,
+// and edited there by hand.
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
 #include "app/bindings.h"
+#include "app/kept_file.h"
 #include "skydrop/core/settings_table.h"
 
 namespace skydrop::app {
@@ -18,29 +20,40 @@ std::filesystem::path userSettingsFile(const std::filesystem::path& folder);
 // $XDG_CONFIG_HOME/skydrop, or ~/.config/skydrop; empty where neither variable is set.
 std::filesystem::path defaultUserFolder();
 
-// Runs `load` if the file exists. If it throws core::DataError the file is broken, which in the player's
-// folder is no failure: it is renamed to NAME.bad and the line to say so comes back.
-std::optional<std::string> loadOrSetAside(const std::filesystem::path& file,
-                                          const std::function<void()>& load);
+// A value: what the file says, and what the menu chose since it was written. Main thread.
+class UserSettings {
+ public:
+  UserSettings() = default;  // no folder: choices are held, nothing is read or written
+  explicit UserSettings(const std::filesystem::path& folder) : file_(userSettingsFile(folder)) {}
 
-// What differs from `base`, as nested JSON: what is worth keeping.
-nlohmann::json changedJson(const core::SettingsTable& table, const core::SettingsTable& base);
+  // Reads the file at the start; what is wrong with it comes back as one line. Broken as a whole it is set aside
+  // (kept_file.h) and defaults are used; a value or key that does not fit is left out, and the rest applies.
+  std::optional<std::string> load();
+  // The same after it was edited while flying, but what is broken as a whole is refused: throws core::DataError,
+  // and the last state stays. What the menu chose and was not saved yet stays too.
+  std::optional<std::string> reload();
 
-// Applies settings.json of the folder, if there is one: settings, and the bindings that it changes. A broken
-// file is the one exception of the failure policy: it is renamed to settings.json.bad, nothing of it is
-// applied, and the line to say so comes back.
-std::optional<std::string> loadUserSettings(const core::SettingsTable& table, Bindings& bindings,
-                                            const std::filesystem::path& folder);
+  // The player's layer of the settings.
+  void applyTo(const core::SettingsTable& table) const;
+  const Bindings& bindings() const { return bindings_; }
 
-// Applies the file as it stands now: after it was edited while flying. All or nothing: throws
-// core::DataError.
-void readUserSettings(const core::SettingsTable& table, Bindings& bindings,
-                      const std::filesystem::path& folder);
+  // What the menu chose: a value, or to follow the defaults again. It wins over the file when that is saved.
+  void choose(const std::string& path, std::optional<double> value);
 
-// Writes what differs, or nothing where nothing does and there is no file: from `base` (the values before the
-// player's file and the menu came in) and from the default bindings. Makes the folder. Throws
-// core::DataError.
-void saveUserSettings(const core::SettingsTable& table, const core::SettingsTable& base,
-                      const Bindings& bindings, const std::filesystem::path& folder);
+  // Writes what was chosen and which bindings changed into the file, and nothing else: `table` has the values.
+  // Nothing is written where there is nothing new. The line to warn of comes back. Throws core::DataError, and the
+  // choices wait for the next time.
+  std::optional<std::string> save(const core::SettingsTable& table, const Bindings& bindings);
+
+ private:
+  std::optional<std::string> take();
+
+  KeptFile file_;
+  std::map<std::string, std::optional<double>> chosen_;
+  Bindings bindings_;  // as in the file
+};
+
+// `into`, with every action that differs between `before` and `after` as it is in `after`.
+Bindings mergedBindings(const Bindings& into, const Bindings& before, const Bindings& after);
 
 }  // namespace skydrop::app

@@ -175,6 +175,7 @@ void WindowGame::run() {
     handleEvents();
     watchFiles();
     if (!stage_) break;
+    if (std::exchange(choicesWait_, false)) keepChoices();
     if (window_.isHidden()) paused_ = true;
     advance(seconds);
     if (!window_.isHidden()) {
@@ -324,7 +325,10 @@ void WindowGame::drawFrame(double seconds) {
 
   // What the player did in this frame takes effect after it was drawn.
   controls_.apply(result.menu.binding);
-  if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) keepChoices();
+  if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
+    nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it
+    choicesWait_ = true;
+  }
   if (!result.menu.changedPaths.empty()) applyMenuChanges(result.menu.changedPaths);
   if (result.menu.preset) servePreset(*result.menu.preset);
   switch (result.escape) {
@@ -416,7 +420,7 @@ void WindowGame::watchFiles() {
     if (playerFile_.wasWritten()) reloadPlayerFile();
   } catch (const std::exception& refusal) {
     if (!stage_) throw;  // refused when the old scene was gone: nothing is left to fly in
-    error_ = refusal.what();
+    warn(error_ = refusal.what());
   }
 }
 
@@ -432,6 +436,7 @@ void WindowGame::reloadPlayerFile() {
   error_.clear();
   controls_.bindingsWereReplaced();
   applyAll(changed);
+  if (run_->warning) warn(error_ = *run_->warning);
   notices_.add("The settings were loaded anew");
 }
 
@@ -473,18 +478,24 @@ void WindowGame::finish() {
   if (stage_ && stats_) writeStatistics(*stats_, statistics());
 }
 
-// What cannot be written is said once and lost; the game goes on.
+// What cannot be written is said once and waits for the next time; the game goes on.
 void WindowGame::keepChoices() {
   if (!run_->userFolder) return;
-  try {
-    saveUserSettings(run_->playerTable, run_->baseTable, run_->bindings, *run_->userFolder);
-    playerFile_.forget();
-    desk_.save(overlay_->menu());
-    window_.remember(*run_->userFolder);
-  } catch (const std::exception& refusal) {
-    if (error_ != refusal.what()) warn(refusal.what());
-    error_ = refusal.what();
-  }
+  const auto keep = [this](const auto& save) {
+    std::optional<std::string> line;
+    try {
+      line = save();
+    } catch (const std::exception& refusal) {
+      line = refusal.what();
+    }
+    if (!line) return;
+    if (error_ != *line) warn(*line);
+    error_ = *line;
+  };
+  keep([this] { return run_->userSettings.save(run_->playerTable, run_->bindings); });
+  playerFile_.forget();
+  keep([this] { return desk_.save(overlay_->menu()); });
+  keep([this] { return window_.remember(); });
 }
 
 }  // namespace skydrop::app

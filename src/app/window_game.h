@@ -98,6 +98,7 @@ class WindowGame {
   bool screenshotWanted_ = false;
   bool replayEnded_ = false;
   bool menuWasOpen_ = false;
+  bool choicesWait_ = false;  // to be kept, once the files were looked at
   Screenshots screenshots_;
   std::string error_;  // of the last reload, shown in the menu
   Notices notices_;

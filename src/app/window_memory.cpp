@@ -2,8 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/user_settings.h"
-#include "skydrop/core/settings_file.h"
+#include "skydrop/core/settings_table.h"
 
 namespace skydrop::app {
 
@@ -20,17 +19,27 @@ void describe(core::SettingsVisitor& visitor, WindowMemory& memory) {
 
 std::filesystem::path windowMemoryFile(const std::filesystem::path& folder) { return folder / "window.json"; }
 
-std::optional<std::string> loadWindowMemory(WindowMemory& memory, const std::filesystem::path& folder) {
-  const std::filesystem::path file = windowMemoryFile(folder);
-  return loadOrSetAside(file, [&] {
-    core::applyJson(core::SettingsTable(memory), core::readSettingsFile(file)["settings"], file.string());
-  });
+std::optional<std::string> loadWindowMemory(WindowMemory& memory, KeptFile& file) {
+  if (auto broken = file.load()) return broken;
+  return file.complaintLine(
+      core::applyJsonWhereItFits(core::SettingsTable(memory), file.content()["settings"]));
 }
 
-void saveWindowMemory(WindowMemory memory, WindowMemory usual, const std::filesystem::path& folder) {
-  core::writeSettingsFile(
-      windowMemoryFile(folder),
-      {{"settings", changedJson(core::SettingsTable(memory), core::SettingsTable(usual))}});
+std::optional<std::string> saveWindowMemory(WindowMemory memory, WindowMemory before, WindowMemory usual,
+                                            KeptFile& file) {
+  const core::SettingsTable table(memory), beforeTable(before), usualTable(usual);
+  const nlohmann::json values = core::toJson(table);
+  return file.save([&](nlohmann::json& content) {
+    for (std::size_t i = 0; i < table.fields().size(); ++i) {
+      const core::Field& field = table.fields()[i];
+      if (field.get() == beforeTable.fields()[i].get()) continue;
+      if (field.get() == usualTable.fields()[i].get()) {
+        eraseAt(content["settings"], field.path);
+      } else {
+        setAt(content["settings"], field.path, values[field.path]);
+      }
+    }
+  });
 }
 
 }  // namespace skydrop::app

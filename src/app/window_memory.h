@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/command_line.h"
+#include "app/kept_file.h"
 #include "skydrop/core/settings.h"
 
 namespace skydrop::app {
@@ -24,11 +25,12 @@ void describe(core::SettingsVisitor& visitor, WindowMemory& memory);
 
 std::filesystem::path windowMemoryFile(const std::filesystem::path& folder);
 
-// Applies the file to `memory`, if there is one. Broken, it is kept aside as `.bad` and the line to say so
-// comes back (user_settings.h).
-std::optional<std::string> loadWindowMemory(WindowMemory& memory, const std::filesystem::path& folder);
+// Applies the file to `memory` where it fits; what is wrong with it comes back as one line (kept_file.h).
+std::optional<std::string> loadWindowMemory(WindowMemory& memory, KeptFile& file);
 
-// Writes what differs from `usual`. Throws core::DataError.
-void saveWindowMemory(WindowMemory memory, WindowMemory usual, const std::filesystem::path& folder);
+// Writes what differs from `before`, the state when the file was read or written last; what is `usual` is taken
+// out of the file. The line to warn of comes back. Throws core::DataError.
+std::optional<std::string> saveWindowMemory(WindowMemory memory, WindowMemory before, WindowMemory usual,
+                                            KeptFile& file);
 
 }  // namespace skydrop::app

@@ -4,6 +4,7 @@
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/output_file.h"
 
 namespace skydrop::core {
 namespace {
@@ -31,7 +32,7 @@ void writeSettingsFile(const std::filesystem::path& file, const nlohmann::json& 
   nlohmann::json json = members;
   json["schema"] = kSettingsSchema;
   makeFolder(file.parent_path());
-  writeFileAtomically(file, json.dump(2) + "\n");
+  OutputFile(file).write(json.dump(2) + "\n", Survives::powerLoss);
 }
 
 }  // namespace skydrop::core

@@ -134,22 +134,26 @@ std::string parseValue(const Field& field, std::string_view text, double& value)
 
 using Change = std::pair<const Field*, double>;
 
+// What becomes of a value that does not fit: a place and a reason.
+using Complain = std::function<void(const std::string&, const std::string&)>;
+
 void collectChanges(const SettingsTable& table, const nlohmann::json& json, const std::string& prefix,
-                    std::string_view file, std::vector<Change>& changes) {
-  if (!json.is_object()) throw DataError(file, prefix.empty() ? "settings" : prefix, "is not an object");
+                    const Complain& complain, std::vector<Change>& changes) {
+  if (!json.is_object()) return complain(prefix.empty() ? "settings" : prefix, "is not an object");
   for (const auto& [name, value] : json.items()) {
     const std::string path = prefix.empty() ? name : prefix + "." + name;
     const Field* field = table.find(path);
     if (!field) {
       const bool isGroup = std::any_of(table.groups().begin(), table.groups().end(),
                                        [&](const GroupInfo& group) { return group.path == path; });
-      if (!isGroup) throw DataError(file, path, "unknown setting");
-      if (value.is_array()) {
+      if (!isGroup) {
+        complain(path, "unknown setting");
+      } else if (value.is_array()) {
         for (std::size_t i = 0; i < value.size(); ++i) {
-          collectChanges(table, nlohmann::json{{std::to_string(i), value[i]}}, path, file, changes);
+          collectChanges(table, nlohmann::json{{std::to_string(i), value[i]}}, path, complain, changes);
         }
       } else {
-        collectChanges(table, value, path, file, changes);
+        collectChanges(table, value, path, complain, changes);
       }
       continue;
     }
@@ -178,8 +182,11 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
           reason = parseValue(*field, value.get<std::string>(), number);
         break;
     }
-    if (!reason.empty()) throw DataError(file, path, value.dump() + " " + reason);
-    changes.emplace_back(field, number);
+    if (reason.empty()) {
+      changes.emplace_back(field, number);
+    } else {
+      complain(path, value.dump() + " " + reason);
+    }
   }
 }
 
@@ -282,8 +289,22 @@ nlohmann::json toJson(const SettingsTable& table, bool onlyChanged) {
 
 void applyJson(const SettingsTable& table, const nlohmann::json& json, std::string_view file) {
   std::vector<Change> changes;
-  collectChanges(table, json, "", file, changes);
+  const auto refuse = [file](const std::string& place, const std::string& reason) {
+    throw DataError(file, place, reason);
+  };
+  collectChanges(table, json, "", refuse, changes);
   for (const auto& [field, value] : changes) field->set(value);
+}
+
+std::vector<std::string> applyJsonWhereItFits(const SettingsTable& table, const nlohmann::json& json) {
+  std::vector<Change> changes;
+  std::vector<std::string> complaints;
+  const auto note = [&](const std::string& place, const std::string& reason) {
+    complaints.push_back(place + ": " + reason);
+  };
+  collectChanges(table, json, "", note, changes);
+  for (const auto& [field, value] : changes) field->set(value);
+  return complaints;
 }
 
 }  // namespace skydrop::core

@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/pose_text.h"
 #include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
 #include "skydrop/core/flag_text.h"
 #include "skydrop/render/camera.h"
 #include "support/temporary_folder.h"
@@ -71,7 +73,7 @@ TEST(MenuDesk, presetsAreServedThroughTheMenu) {
 
 TEST(MenuDesk, theMenuIsRememberedAndABrokenMemoryIsSetAside) {
   const test::TemporaryFolder folder;
-  const MenuDesk desk(folder.path());
+  MenuDesk desk(folder.path());
   ui::ConfigurationMenu menu;
   EXPECT_EQ(desk.load(menu), std::nullopt) << "no file is as good as none";
   desk.save(menu);
@@ -79,19 +81,47 @@ TEST(MenuDesk, theMenuIsRememberedAndABrokenMemoryIsSetAside) {
   menu.setState({ui::ScreenRect{0.25f, 0.1f, 0.6f, 0.9f}, {{"aircraft", false}, {"#costs", true}}});
   desk.save(menu);
   ui::ConfigurationMenu next;
-  EXPECT_EQ(desk.load(next), std::nullopt);
+  MenuDesk nextDesk(folder.path());
+  EXPECT_EQ(nextDesk.load(next), std::nullopt);
   EXPECT_EQ(next.state().open, menu.state().open);
   EXPECT_EQ(next.state().place.value().right, 0.6f);
-  for (const char* broken :
-       {"{", R"({"schema": 2})", R"({"schema": 1, "place": [0, 0, 1]})",
-        R"({"schema": 1, "place": [0, 0, 1, 7]})", R"({"schema": 1, "open": {"aircraft": 3}})"}) {
+  for (const char* broken : {"{", R"({"schema": 2})"}) {
+    std::filesystem::remove(folder.path() / "menu.json.bad");
     folder.write("menu.json", broken);
     ui::ConfigurationMenu fresh;
-    EXPECT_TRUE(desk.load(fresh)) << broken;
+    EXPECT_TRUE(MenuDesk(folder.path()).load(fresh)) << broken;
     EXPECT_FALSE(fresh.state().place) << broken;
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "menu.json.bad"));
+    EXPECT_EQ(core::readTextFile(folder.path() / "menu.json.bad"), broken);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "menu.json"));
   }
+  for (const char* wrong : {R"({"schema": 1, "place": [0, 0, 1]})", R"({"schema": 1, "place": [0, 0, 1, 7]})",
+                            R"({"schema": 1, "open": {"aircraft": 3, "game": true}})", R"({"schema": 1, "open": 3})"}) {
+    folder.write("menu.json", wrong);
+    ui::ConfigurationMenu fresh;
+    const auto warning = MenuDesk(folder.path()).load(fresh);
+    ASSERT_TRUE(warning) << wrong;
+    EXPECT_TRUE(warning->starts_with((folder.path() / "menu.json").string())) << *warning;
+    EXPECT_EQ(warning->find('\n'), std::string::npos) << *warning;
+    EXPECT_FALSE(fresh.state().place) << wrong;
+    EXPECT_EQ(fresh.state().open.contains("game"), std::string(wrong).find("game") != std::string::npos);
+  }
+}
+
+TEST(MenuDesk, onlyWhatChangedInTheMenuIsWritten) {
+  const test::TemporaryFolder folder;
+  folder.write("menu.json", R"({"schema": 1, "open": {"aircraft": true, "game": true}})");
+  MenuDesk desk(folder.path());
+  ui::ConfigurationMenu menu;
+  desk.load(menu);
+  const std::string edited = folder.write(
+      "menu.json", R"({"schema": 1, "open": {"aircraft": true, "game": false, "sails": true}, "colour": "red"})");
+  ui::MenuState state = menu.state();
+  state.open["aircraft"] = false;
+  menu.setState(state);
+  EXPECT_EQ(desk.save(menu), std::nullopt);
+  EXPECT_EQ(nlohmann::json::parse(core::readTextFile(edited)),
+            nlohmann::json::parse(
+                R"({"schema": 1, "open": {"aircraft": false, "game": false, "sails": true}, "colour": "red"})"));
 }
 
 }  // namespace

@@ -109,6 +109,19 @@ TEST_F(PresetShelfTest, aBrokenPresetIsALineAndLosesNothing) {
   }
 }
 
+TEST_F(PresetShelfTest, aPresetThatCannotBeReadIsNotWrittenOver) {
+  // It may be one slip of a hand away from a good one.
+  EXPECT_EQ(shelf.save("light", table, "aircraft"), std::nullopt);
+  EXPECT_EQ(shelf.save("light", table, "game"), std::nullopt) << "a good one is replaced";
+  for (const char* name : {"light.json.bad", "light.json.bad2"}) {
+    std::ofstream(presets / "light.json") << name;
+    EXPECT_EQ(shelf.save("light", table, "game"), presets / name);
+    EXPECT_EQ(core::readTextFile(presets / name), name);
+    ASSERT_EQ(shelf.list().size(), 1u);
+    EXPECT_TRUE(shelf.list()[0].usable);
+  }
+}
+
 TEST_F(PresetShelfTest, aNameIsNeverAPath) {
   for (const std::string name : {"", ".", "..", "../settings", "a/b", "a\\b", ".hidden", "dot.", " space",
                                  "space ", "tab\t", "c:", "*", "\xc3\xa4"}) {

@@ -1,9 +1,11 @@
 #include "app/settings.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -178,7 +180,7 @@ TEST(Settings, aReloadKeepsWhatThePlayerChose) {
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 15) << "the last good state stays";
 }
 
-TEST(Settings, anEditedPlayerFileTakesEffectWholeOrNotAtAll) {
+TEST(Settings, anEditedPlayerFileTakesEffectWhereItFits) {
   const test::TemporaryFolder folder;
   CommandLine line;
   line.verb = Verb::simulate;
@@ -190,89 +192,215 @@ TEST(Settings, anEditedPlayerFileTakesEffectWholeOrNotAtAll) {
   EXPECT_EQ(reloadPlayer(*run), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21);
   EXPECT_EQ(run->player.aircraft.yawSpeed, 22);
+  EXPECT_EQ(run->warning, std::nullopt);
   folder.write("settings.json",
-               R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 25, "yawSpeed": -1}}})");
+               R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 25, "yawSpeed": -1, "wings": 2}}})");
+  EXPECT_EQ(reloadPlayer(*run), std::vector<std::string>{"aircraft.pitchSpeed"});
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 25);
+  ASSERT_TRUE(run->warning);
+  EXPECT_THAT(*run->warning, testing::HasSubstr("aircraft.yawSpeed: -1 is out of range"));
+  EXPECT_THAT(*run->warning, testing::HasSubstr("aircraft.wings: unknown setting"));
+  folder.write("settings.json", R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 27},}})");
   EXPECT_THROW(reloadPlayer(*run), core::DataError);
-  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21) << "the last good state stays";
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 25) << "the last good state stays";
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "settings.json")) << "and so does the file";
 }
 
-TEST(UserSettings, whatWasChangedComesBackAndNothingElseIsWritten) {
+// A run whose player's file is in a folder of the test's.
+class UserSettingsTest : public testing::Test {
+ protected:
+  std::unique_ptr<app::Run> start(const std::string& content = "") {
+    if (!content.empty()) folder.write("settings.json", content);
+    CommandLine line;
+    line.verb = Verb::simulate;
+    line.userDir = folder.path();
+    return prepareRun(line);
+  }
+  static void change(app::Run& run, const std::string& assignment) {
+    core::setField(run.table, assignment);
+    takeMenuChanges(run, {assignment.substr(0, assignment.find('='))});
+  }
+  static std::optional<std::string> save(app::Run& run) {
+    return run.userSettings.save(run.playerTable, run.bindings);
+  }
+  nlohmann::json kept() const { return nlohmann::json::parse(core::readTextFile(file)); }
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+      found.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(found);
+    return found;
+  }
+
   const test::TemporaryFolder folder;
-  Settings base, player;
-  const core::SettingsTable baseTable(base), table(player);
-  core::setField(table, "aircraft.rollSpeed=40");
-  Bindings bindings;
-  saveUserSettings(table, baseTable, bindings, folder.path() / "new");
-  Settings back;
-  const core::SettingsTable backTable(back);
-  EXPECT_EQ(loadUserSettings(backTable, bindings, folder.path() / "new"), std::nullopt);
-  EXPECT_EQ(back.aircraft.rollSpeed, 40);
-  const auto json = nlohmann::json::parse(core::readTextFile(folder.path() / "new/settings.json"));
-  EXPECT_EQ(json["settings"].size(), 1u);
-  EXPECT_EQ(json["settings"]["aircraft"].size(), 1u);
-  EXPECT_FALSE(json.contains("bindings"));
+  const std::filesystem::path file = folder.path() / "settings.json";
+};
+
+TEST_F(UserSettingsTest, whatWasChangedComesBackAndNothingElseIsWritten) {
+  const auto run = start();
+  save(*run);
+  EXPECT_FALSE(std::filesystem::exists(file)) << "nothing to keep";
+  change(*run, "aircraft.rollSpeed=40");
+  EXPECT_EQ(save(*run), std::nullopt);
+  EXPECT_EQ(kept(), nlohmann::json::parse(R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40}}})"));
+  EXPECT_EQ(start()->settings.aircraft.rollSpeed, 40);
+  run->table.at("aircraft.rollSpeed").reset();
+  takeMenuChanges(*run, {"aircraft.rollSpeed"});
+  save(*run);
+  EXPECT_EQ(kept(), nlohmann::json::parse(R"({"schema": 1})"));
 }
 
-TEST(UserSettings, boundKeysComeBack) {
-  // They stand beside the settings; an edit of the file is taken up whole or not at all.
-  const test::TemporaryFolder folder;
-  Settings settings;
-  const core::SettingsTable table(settings);
-  Bindings bindings;
-  bindings.bind(Action::drop, keyInput('W'));
-  saveUserSettings(table, table, bindings, folder.path());
-  Bindings back;
-  EXPECT_EQ(loadUserSettings(table, back, folder.path()), std::nullopt);
-  EXPECT_EQ(back, bindings);
+TEST_F(UserSettingsTest, anEditByHandAndAChangeInTheMenuAreBothKept) {
+  // The menu's own wins; what is not known stays where it stands, at every depth.
+  const auto run = start(R"({"schema": 1, "settings": {"aircraft": {"mass": 1300, "pitchSpeed": 21}}})");
+  change(*run, "aircraft.pitchSpeed=22");
+  change(*run, "game.targetRadius=50");
+  folder.write("settings.json", R"({"schema": 1, "note": [1, {"a": null}], "settings": {
+    "aircraft": {"mass": 1200, "pitchSpeed": 24, "sails": {"area": 12}, "yawSpeed": "fast"}, "moon": 1}})");
+  EXPECT_EQ(save(*run), std::nullopt);
+  EXPECT_EQ(kept(), nlohmann::json::parse(R"({"schema": 1, "note": [1, {"a": null}], "settings": {
+    "aircraft": {"mass": 1200, "pitchSpeed": 22, "sails": {"area": 12}, "yawSpeed": "fast"}, "moon": 1,
+    "game": {"targetRadius": 50}}})"));
+}
 
+TEST_F(UserSettingsTest, aChangeThatIsNotSavedYetOutlivesAnEditByHand) {
+  const auto run = start();
+  change(*run, "aircraft.pitchSpeed=22");
+  run->bindings.bind(Action::camera, keyInput('V'), 0);
+  folder.write("settings.json",
+               R"({"schema": 1, "settings": {"aircraft": {"mass": 1200}}, "bindings": {"mute": ["N"]}})");
+  reloadPlayer(*run);
+  EXPECT_EQ(run->settings.aircraft.mass, 1200);
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 22);
+  EXPECT_EQ(run->bindings.actionOf(keyInput('V')), Action::camera);
+  EXPECT_EQ(run->bindings.actionOf(keyInput('N')), Action::mute);
+  save(*run);
+  EXPECT_EQ(kept()["settings"]["aircraft"], nlohmann::json({{"mass", 1200}, {"pitchSpeed", 22}}));
+  EXPECT_EQ(kept()["bindings"].size(), 2u) << kept();
+}
+
+TEST_F(UserSettingsTest, aFileBrokenWhileFlyingIsKeptAsideForTheLastGoodOne) {
+  const auto run = start(R"({"schema": 1, "settings": {"aircraft": {"mass": 1200}}})");
+  const std::string broken = R"({"schema": 1, "settings": {"aircraft": {"mass": 1100},}})";
+  folder.write("settings.json", broken);
+  const auto untouched = save(*run);
+  ASSERT_TRUE(untouched) << "it is said";
+  EXPECT_EQ(core::readTextFile(file), broken) << "but nothing was to be written";
+  int pitchSpeed = 20;
+  for (const char* aside : {"settings.json.bad", "settings.json.bad2", "settings.json.bad3"}) {
+    folder.write("settings.json", broken + aside);
+    change(*run, "aircraft.pitchSpeed=" + std::to_string(++pitchSpeed));
+    const auto line = save(*run);
+    ASSERT_TRUE(line) << aside;
+    EXPECT_THAT(*line, testing::HasSubstr((folder.path() / aside).string()));
+    EXPECT_EQ(line->find('\n'), std::string::npos);
+    EXPECT_EQ(core::readTextFile(folder.path() / aside), broken + aside);
+    EXPECT_EQ(kept()["settings"]["aircraft"]["mass"], 1200);
+    EXPECT_EQ(kept()["settings"]["aircraft"]["pitchSpeed"], run->player.aircraft.pitchSpeed);
+  }
+}
+
+TEST_F(UserSettingsTest, theChoiceOfThePlayerOutlivesASceneThatHasTheSameValue) {
+  // What equals the scene's value on one flight is a choice on the next one.
+  folder.write("settings.json", R"({"schema": 1, "settings": {"aircraft": {"mass": 1200}}})");
   CommandLine line;
   line.verb = Verb::simulate;
   line.userDir = folder.path();
+  line.scene = folder.write("scene.json", R"({"schema": 1, "settings": {"aircraft": {"mass": 1200}}})");
   const auto run = prepareRun(line);
-  EXPECT_EQ(run->bindings, bindings);
-  folder.write("settings.json",
-               R"({"schema": 1, "bindings": {"camera": ["V"]}, "settings": {"aircraft": {"mass": -1}}})");
-  EXPECT_THROW(reloadPlayer(*run), core::DataError);
-  EXPECT_EQ(run->bindings, bindings);
+  change(*run, "game.targetRadius=50");
+  save(*run);
+  EXPECT_EQ(kept()["settings"]["aircraft"]["mass"], 1200);
+}
+
+TEST_F(UserSettingsTest, evenAFolderInItsPlaceIsKeptAside) {
+  const auto run = start();
+  std::filesystem::create_directory(file);
+  folder.write("settings.json/inner", "x");
+  change(*run, "aircraft.pitchSpeed=22");
+  const auto line = save(*run);
+  ASSERT_TRUE(line);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "settings.json.bad/inner")) << "a folder is kept too";
+  EXPECT_EQ(start()->settings.aircraft.pitchSpeed, 22);
+}
+
+TEST_F(UserSettingsTest, boundKeysComeBack) {
+  // They stand beside the settings. Entries of other versions stay, and so do those of the player's that are not
+  // understood.
+  const auto run = start();
+  run->bindings.bind(Action::drop, keyInput('W'));
+  save(*run);
+  EXPECT_EQ(start()->bindings, run->bindings);
+  nlohmann::json edited = kept();
+  edited["bindings"]["hover"] = {"H"};
+  edited["bindings"]["camera"] = {"ANY"};
+  edited["bindings"]["mute"] = {"N"};
+  const auto next = start(edited.dump());
+  ASSERT_TRUE(next->warning);
+  EXPECT_THAT(*next->warning, testing::HasSubstr("bindings.hover: is no action"));
+  EXPECT_THAT(*next->warning, testing::HasSubstr("bindings.camera: \"ANY\" is no key"));
+  EXPECT_EQ(next->bindings.actionOf(keyInput('W')), Action::drop);
+  next->bindings.resetAction(Action::thrust);
+  save(*next);
+  EXPECT_EQ(kept()["bindings"]["hover"], nlohmann::json({"H"}));
+  EXPECT_EQ(kept()["bindings"]["camera"], nlohmann::json({"ANY"}));
+  EXPECT_EQ(kept()["bindings"]["mute"], nlohmann::json({"N"}));
+  EXPECT_EQ(start()->bindings, next->bindings);
   folder.write("settings.json", R"({"schema": 1, "bindings": {"camera": ["V"]}})");
-  reloadPlayer(*run);
-  EXPECT_EQ(run->bindings.actionOf(keyInput('V')), Action::camera);
-  EXPECT_EQ(run->bindings.actionOf(keyInput('W')), Action::thrust)
-      << "what the file no longer changes is at its default";
+  reloadPlayer(*next);
+  EXPECT_EQ(next->bindings.actionOf(keyInput('V')), Action::camera);
+  EXPECT_EQ(next->bindings.actionOf(keyInput('N')), std::nullopt) << "what the file no longer changes is at its default";
 }
 
-TEST(UserSettings, aFlightNeverStartsFrozenBecauseTheLastOneWas) {
-  const test::TemporaryFolder folder;
-  Settings base, player;
-  const core::SettingsTable baseTable(base), table(player);
-  core::setField(table, "view.freezeTime=true");
-  Bindings bindings;
-  saveUserSettings(table, baseTable, bindings, folder.path());
-  Settings back;
-  EXPECT_EQ(loadUserSettings(core::SettingsTable(back), bindings, folder.path()), std::nullopt);
-  EXPECT_FALSE(back.view.freezeTime);
+TEST_F(UserSettingsTest, keysMovedAroundTheRulesAreSavedWhole) {
+  // The menu's key moves to where another one was: on the way no rule may drop a change.
+  const auto run = start();
+  run->bindings.bind(Action::menu, keyInput(key::kF1 + 1), 0);
+  run->bindings.bind(Action::help, keyInput(key::kF1), 0);
+  save(*run);
+  EXPECT_EQ(start()->bindings, run->bindings);
 }
 
-TEST(UserSettings, aBrokenFileIsReportedKeptAsideAndReplacedByDefaults) {
-  const test::TemporaryFolder folder;
-  for (const char* broken :
-       {"{", "[]", R"({"schema": 2})", R"({"schema": 1, "settings": {"aircraft": {"mass": "x"}}})",
-        R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40, "mass": -1}}})",
-        R"({"schema": 1, "settings": {"aircraft": {"rollSpeed": 40}}, "bindings": {"fly": []}})",
-        R"({"schema": 1, "bindings": {"drop": ["V"], "camera": ["ANY"]}})"}) {
-    folder.write("settings.json", broken);
-    Settings settings;
-    const core::SettingsTable table(settings);
-    Bindings bindings;
-    const std::optional<std::string> warning = loadUserSettings(table, bindings, folder.path());
-    ASSERT_TRUE(warning) << broken;
-    EXPECT_NE(warning->find("settings.json"), std::string::npos);
-    EXPECT_EQ(warning->find('\n'), std::string::npos);
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "settings.json"));
-    EXPECT_EQ(core::readTextFile(folder.path() / "settings.json.bad"), broken);
-    EXPECT_EQ(core::toJson(table, true), nlohmann::json::object()) << broken;
-    EXPECT_EQ(bindings, Bindings()) << broken;
+TEST_F(UserSettingsTest, aFlightNeverStartsFrozenBecauseTheLastOneWas) {
+  const auto run = start();
+  change(*run, "view.freezeTime=true");
+  save(*run);
+  EXPECT_FALSE(start()->settings.view.freezeTime);
+}
+
+TEST_F(UserSettingsTest, aFileThatIsBrokenAsAWholeIsKeptAsideUnderANewNameEachTime) {
+  std::vector<std::string> expected;
+  for (const char* broken : {"{", "[]", R"({"schema": 2})", R"({"schema": 1, "settings": {"aircraft": {"mass": 900},}})",
+                             R"({"schema": 1, "settings": 7})"}) {
+    const auto run = start(broken);
+    ASSERT_TRUE(run->warning) << broken;
+    EXPECT_EQ(run->warning->find('\n'), std::string::npos);
+    expected.push_back(expected.empty() ? "settings.json.bad" : "settings.json.bad" + std::to_string(expected.size() + 1));
+    EXPECT_THAT(*run->warning, testing::EndsWith(expected.back())) << broken;
+    EXPECT_EQ(core::readTextFile(folder.path() / expected.back()), broken);
+    EXPECT_EQ(names(), expected);
+    EXPECT_EQ(core::toJson(run->playerTable), core::toJson(run->baseTable)) << broken;
+    EXPECT_EQ(run->bindings, Bindings()) << broken;
+  }
+}
+
+TEST_F(UserSettingsTest, whatDoesNotFitIsSaidInOneLineAndTheRestApplies) {
+  for (const auto& [wrong, reason] : {std::pair(R"("wings": 2)", "aircraft.wings: unknown setting"),
+                                      std::pair(R"("mass": "x")", "aircraft.mass: \"x\" is not a number"),
+                                      std::pair(R"("mass": -1)", "aircraft.mass: -1 is out of range"),
+                                      std::pair(R"("mass": null)", "aircraft.mass: null is not a number")}) {
+    const std::string content =
+        std::string(R"({"schema": 1, "settings": {"game": 3, "aircraft": {"rollSpeed": 40, )") + wrong + "}}}";
+    const auto run = start(content);
+    ASSERT_TRUE(run->warning) << wrong;
+    EXPECT_TRUE(run->warning->starts_with(file.string() + ": ")) << *run->warning;
+    EXPECT_THAT(*run->warning, testing::HasSubstr(reason));
+    EXPECT_THAT(*run->warning, testing::HasSubstr("game: is not an object"));
+    EXPECT_EQ(run->warning->find('\n'), std::string::npos);
+    EXPECT_EQ(run->settings.aircraft.rollSpeed, 40);
+    EXPECT_EQ(run->settings.aircraft.mass, Settings().aircraft.mass);
+    EXPECT_EQ(core::readTextFile(file), content);
   }
 }
 

@@ -193,6 +193,30 @@ TEST(Program, longWorkTellsHowFarItIsWhereItIsAsked) {
                   .err.starts_with("render: 0 of 0 s, frame 1 of 2\n"));
 }
 
+TEST(Program, everyVerbTellsWhatIsWrongWithThePlayersFile) {
+  // Broken as a whole it is kept, under a new name each time; a key of a newer version costs nothing else.
+  const TemporaryFolder folder;
+  const std::string user = (folder.path() / "user").string();
+  std::filesystem::create_directory(user);
+  const std::vector<std::vector<std::string>> verbs = {
+      {"simulate", "--seconds", "1", "--user-dir", user},
+      {"render", "--scene", "empty", "--size", "16x16", "--user-dir", user, "--out", user + "/a.png"}};
+  for (std::size_t i = 0; i < verbs.size(); ++i) {
+    const std::string aside = user + (i == 0 ? "/settings.json.bad" : "/settings.json.bad2");
+    folder.write("user/settings.json", R"({"schema": 1, "settings": {},})");
+    const ProcessResult broken = runSkydrop(verbs[i]);
+    EXPECT_EQ(broken.exitCode, 0);
+    EXPECT_TRUE(isOneLine(broken));
+    EXPECT_TRUE(broken.err.ends_with("the file is kept as " + aside + "\n")) << broken.err;
+    EXPECT_TRUE(std::filesystem::exists(aside));
+    folder.write("user/settings.json", R"({"schema": 1, "settings": {"moon": 1}})");
+    const ProcessResult newer = runSkydrop(verbs[i]);
+    EXPECT_EQ(newer.exitCode, 0);
+    EXPECT_TRUE(isOneLine(newer));
+    EXPECT_NE(newer.err.find("/settings.json: moon: unknown setting"), std::string::npos) << newer.err;
+  }
+}
+
 TEST(Program, noiseIsMadeOnceAndKept) {
   // The second run reads what the first has made; a damaged file is said and made again; exports read back.
   const TemporaryFolder folder;

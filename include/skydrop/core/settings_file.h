@@ -14,7 +14,8 @@ inline constexpr int kSettingsSchema = 1;
 // that names the file, the place and the reason; what the settings say is judged by applyJson().
 nlohmann::json readSettingsFile(const std::filesystem::path& file);
 
-// Writes `members` with the schema, atomically, and makes the folder. Throws DataError.
+// Writes `members` with the schema, so that not even a loss of power loses the file, and makes the folder. Throws
+// DataError.
 void writeSettingsFile(const std::filesystem::path& file, const nlohmann::json& members);
 
 }  // namespace skydrop::core

@@ -92,4 +92,8 @@ nlohmann::json toJson(const SettingsTable& table, bool onlyChanged = false);
 // throws DataError(file, path, reason) and leaves every field as it was.
 void applyJson(const SettingsTable& table, const nlohmann::json& json, std::string_view file);
 
+// The same for a file that the player edits and that another version may have written: what fits is applied,
+// and what does not comes back, a line each ("aircraft.mass: -1 is out of range 100 to 20000 kg").
+std::vector<std::string> applyJsonWhereItFits(const SettingsTable& table, const nlohmann::json& json);
+
 }  // namespace skydrop::core
