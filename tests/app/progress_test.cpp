@@ -17,9 +17,9 @@ class ProgressTest : public testing::Test {
     text.resize(std::fread(text.data(), 1, text.size(), file_.get()));
     return text;
   }
-  // A loop that asks a hundred times a second.
-  void work(Progress& progress, int hundredths) {
-    for (int i = 0; i < hundredths; ++i, now_ += 0.01) {
+  // A loop that asks 128 times a second: a period that doubles add up exactly.
+  void work(Progress& progress, int turns) {
+    for (int i = 0; i < turns; ++i, now_ += 1.0 / 128) {
       if (progress.isDue()) progress.show(std::to_string(++shown_));
     }
   }
@@ -32,7 +32,7 @@ class ProgressTest : public testing::Test {
 TEST_F(ProgressTest, aTerminalShowsOneLineThatIsGoneAtTheEnd) {
   {
     Progress progress("simulate", Progress::Style::overwritten, file_.get(), [&] { return now_; });
-    work(progress, 95);
+    work(progress, 122);
     EXPECT_EQ(shown_, 10) << "ten times a second";
   }
   const std::string text = written();
@@ -44,14 +44,14 @@ TEST_F(ProgressTest, aTerminalShowsOneLineThatIsGoneAtTheEnd) {
 TEST_F(ProgressTest, elsewhereItIsALineASecond) {
   {
     Progress progress("simulate", Progress::Style::lines, file_.get(), [&] { return now_; });
-    work(progress, 250);
+    work(progress, 320);
   }
   EXPECT_EQ(written(), "simulate: 1\nsimulate: 2\nsimulate: 3\n");
 }
 
 TEST_F(ProgressTest, nothingIsWrittenWhereItWasNotAskedFor) {
   Progress progress("simulate", Progress::Style::none, file_.get(), [&] { return now_; });
-  work(progress, 250);
+  work(progress, 320);
   progress.show("in any case");
   EXPECT_EQ(shown_, 0);
   EXPECT_EQ(written(), "");
