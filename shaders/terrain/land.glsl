@@ -5,6 +5,9 @@ layout(binding = 2) uniform usampler2D chunkTable;  // slots by level and place:
 
 uniform float chunkSplit[7];  // from this distance on the samples of a level are fine enough
 
+const float kNormalSide = 256.0;   // normals of a chunk (include/skydrop/terrain/chunk_data.h)
+const float kNormalMargin = 8.0;
+const float kNormalReachM = 24.0;
 const int kTopLevel = 6;
 const int kTableSide = 32;
 const uint kNoChunk = 0xffffu;
@@ -22,18 +25,15 @@ vec3 unpackedNormal(vec2 unorm) {
   return normalize(vec3(xz.x, 1.0 - abs(xz.x) - abs(xz.y), xz.y));
 }
 
-// Where the samples of a place (metres from the base) are: texel and layer; and how many metres a texel covers. From the
-// finest chunk at hand that is not finer than the distance asks for; metres 0: none is at hand.
+// Where the normals of a place are: texture coordinates and layer; and how many metres a texel covers. metres 0: none
+// is at hand.
 struct LandTexel {
   vec3 at;
   float metres;
 };
 
-LandTexel landTexel(vec2 place, float distanceM) {
-  vec2 cell = floor(place / kChunkMetres);
-  vec2 inside = place - cell * kChunkMetres;
-  ivec2 chunk = baseChunk + ivec2(cell);
-  int level = levelAt(distanceM);
+// At a position (metres) inside a chunk of level 0, from the finest chunk at hand that is not finer than `level`.
+LandTexel texelInChunk(ivec2 chunk, vec2 inside, int level) {
   uint slot = kNoChunk;
   for (; level <= kTopLevel; ++level) {
     ivec2 entry = (chunk >> level) & (kTableSide - 1);
@@ -42,18 +42,25 @@ LandTexel landTexel(vec2 place, float distanceM) {
   }
   if (slot == kNoChunk) return LandTexel(vec3(0.0), 0.0);
   vec2 sampleAt = (vec2(chunk & ((1 << level) - 1)) * 240.0 + inside * 0.25) / float(1 << level);
-  return LandTexel(vec3(sampleAt, float(slot)), float(4 << level));
+  return LandTexel(vec3((sampleAt + (kNormalMargin + 0.5)) / kNormalSide, float(slot)), float(4 << level));
 }
 
+// At a place, metres from the base.
+LandTexel landTexel(vec2 place, float distanceM) {
+  vec2 cell = floor(place / kChunkMetres);
+  return texelInChunk(baseChunk + ivec2(cell), place - cell * kChunkMetres, levelAt(distanceM));
+}
+
+// `aside` in texture coordinates.
 vec3 normalAt(LandTexel texel, vec2 aside) {
-  return unpackedNormal(texture(chunkNormals, vec3((texel.at.xy + aside + 0.5) / 241.0, texel.at.z)).rg);
+  return unpackedNormal(texture(chunkNormals, vec3(texel.at.xy + aside, texel.at.z)).rg);
 }
 
 // How much the normals diverge over 24 m (or a texel, where that is wider): ridges positive, hollows negative. Sums of
-// two neighbours on each axis; at a chunk's border the last sample stands for the one outside.
+// two neighbours on each axis, which every chunk has also for the places on its border.
 float landCurvature(LandTexel texel) {
   if (texel.metres <= 0.0) return 0.0;
-  float aside = max(24.0 / texel.metres, 1.0);
+  float aside = max(kNormalReachM / texel.metres, 1.0) / kNormalSide;
   vec2 east = vec2(aside, 0.0);
   return 0.5 * (normalAt(texel, east).x - normalAt(texel, -east).x + normalAt(texel, east.yx).z -
                 normalAt(texel, -east.yx).z);

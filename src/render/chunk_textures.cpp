@@ -14,8 +14,8 @@ ChunkTextures::ChunkTextures(gl::Context& context, int slots)
     : slots_(slots),
       heights_(gl::Texture::make2DArray(context, GL_R16UI, terrain::kChunkSamples, terrain::kChunkSamples,
                                         slots, "chunk heights")),
-      normals_(gl::Texture::make2DArray(context, GL_RG8, terrain::kChunkSamples, terrain::kChunkSamples,
-                                        slots, "chunk normals")),
+      normals_(gl::Texture::make2DArray(context, GL_RG8, terrain::kNormalSide, terrain::kNormalSide, slots,
+                                        "chunk normals")),
       table_(gl::Texture::make2D(context, GL_R16UI, kTableSide, kTableSide * kLevels, "chunk table")) {
   assert(slots > 0 && slots < kNoChunk);
 }

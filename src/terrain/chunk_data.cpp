@@ -37,13 +37,15 @@ glm::dvec3 decodeNormal(std::uint16_t code) {
 bool HeightSource::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const {
   const glm::dvec2 origin = chunkOrigin(key);
   const double cell = cellMetres(key.level);
-  for (int row = 0; row < kChunkSamples; ++row) {
+  const int reach = normalReach(key.level);
+  const auto isInside = [](int i) { return i >= 0 && i < kChunkSamples; };
+  for (int row = -reach; row < kChunkSamples + reach; ++row) {
     if (stop.stop_requested()) return false;
-    for (int column = 0; column < kChunkSamples; ++column) {
+    for (int column = -reach; column < kChunkSamples + reach; ++column) {
       const HeightSample s = sample(origin + glm::dvec2(column, row) * cell);
-      const auto i = static_cast<std::size_t>(sampleIndex(column, row));
-      out.heights[i] = encodeHeight(s.height);
-      out.normals[i] = encodeNormal(s.gradient);
+      out.normals[static_cast<std::size_t>(normalIndex(column, row))] = encodeNormal(s.gradient);
+      if (!isInside(row) || !isInside(column)) continue;
+      out.heights[static_cast<std::size_t>(sampleIndex(column, row))] = encodeHeight(s.height);
     }
   }
   return true;
@@ -53,7 +55,7 @@ ChunkData makeChunk(const HeightSource& source, const ChunkKey& key, std::stop_t
   ChunkData chunk;
   chunk.key = key;
   chunk.heights.resize(static_cast<std::size_t>(kChunkSamples) * kChunkSamples);
-  chunk.normals.resize(chunk.heights.size());
+  chunk.normals.resize(static_cast<std::size_t>(kNormalSide) * kNormalSide);
   if (!source.fillChunk(key, stop, chunk)) {
     chunk.heights.clear();
     chunk.normals.clear();

@@ -15,8 +15,8 @@
 namespace skydrop::terrain {
 namespace {
 
-// Bytes of a chunk on the GPU: 2 for the height and 2 for the normal of each sample.
-constexpr std::size_t kSlotBytes = std::size_t{4} * kChunkSamples * kChunkSamples;
+// Bytes of a chunk on the GPU.
+constexpr std::size_t kSlotBytes = kSampleBytes;
 
 // Chunk rectangles whose conservative bounds are remembered: some hundred views' worth.
 constexpr std::size_t kRememberedBounds = 1 << 15;

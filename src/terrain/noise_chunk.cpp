@@ -275,7 +275,8 @@ bool fillNoiseChunk(const LandShape<float>& shape, const LandOctaves& octaves, c
                     const ChunkKey& key, const std::stop_token& stop, ChunkData& out) {
   if (stop.stop_requested()) return false;
   const double step = cellMetres(key.level);
-  const SampleGrid samples{chunkOrigin(key), step, kChunkSamples, kChunkSamples, step};
+  const int reach = normalReach(key.level), side = kChunkSamples + 2 * reach;
+  const SampleGrid samples{chunkOrigin(key) - reach * step, step, side, side, step};
   const auto state = std::make_unique<RowState>();
   AllGullyNodes nodes;
   fillGullyNodes(shape, octaves, kernels, samples, *state, nodes);
@@ -283,13 +284,16 @@ bool fillNoiseChunk(const LandShape<float>& shape, const LandOctaves& octaves, c
   GridLand land(shape, octaves, samples, kernels);
   std::vector<GridGully> gullies = gridGullies(octaves, nodes, nodes.size(), samples, kernels);
   GridChain details(octaves.details, samples, kernels);
-  for (int row = 0; row < kChunkSamples; ++row) {
+  std::array<std::uint16_t, kRowSize> heights;
+  for (int row = 0; row < side; ++row) {
     if (stop.stop_requested()) return false;
     land.begin(row, *state);
     for (GridGully& gully : gullies) gully.carve(row, *state);
     details.sum(row, state->land.detail);
-    const auto first = static_cast<std::size_t>(sampleIndex(0, row));
-    kernels.finish(shape, *state, out.heights.data() + first, out.normals.data() + first);
+    const int chunkRow = row - reach;
+    kernels.finish(shape, *state, side, heights.data(), out.normals.data() + normalIndex(-reach, chunkRow));
+    if (chunkRow < 0 || chunkRow >= kChunkSamples) continue;
+    std::copy_n(heights.data() + reach, kChunkSamples, out.heights.data() + sampleIndex(0, chunkRow));
   }
   return true;
 }

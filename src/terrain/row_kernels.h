@@ -18,7 +18,7 @@ namespace skydrop::terrain {
 // Rows are padded: in front and behind by what whole lattice cells of up to 16 samples stick out, and so that
 // their length is a multiple of 8 floats.
 inline constexpr int kRowPad = 16;
-inline constexpr int kRowSize = 248;  // kChunkSamples rounded up
+inline constexpr int kRowSize = 256;  // kChunkSamples and the normals on both sides of them, rounded up
 
 struct alignas(64) PaddedRow {
   float storage[kRowPad + kRowSize + kRowPad + 8] = {};
@@ -81,10 +81,10 @@ struct RowKernels {
   void (*storeNoise)(const OctaveRow& octave, JetRow& out);
   void (*addNoise)(const OctaveRow& octave, JetRow& out);
   // The steps of LandShape: state.fields to state.land; gullies onto state.land.height; state.land to codes
-  // of heights and normals (kChunkSamples each; chunk_data.h).
+  // of the heights and normals of the row's first `count` samples (chunk_data.h).
   void (*begin)(const LandShape<float>& shape, RowState& state);
   void (*gully)(const GullyRow& octave, RowState& state);
-  void (*finish)(const LandShape<float>& shape, const RowState& state, std::uint16_t* heights,
+  void (*finish)(const LandShape<float>& shape, const RowState& state, int count, std::uint16_t* heights,
                  std::uint16_t* normals);
   // The nodes first, first + 1, ... of a row of gullies that stand on the samples of state.land.
   void (*gullyNodes)(std::uint64_t rowSeed, std::int64_t first, int count, const RowState& state,

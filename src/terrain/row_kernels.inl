@@ -284,10 +284,10 @@ void gullyNodes(std::uint64_t rowSeed, std::int64_t first, int count, const RowS
 }
 
 // encodeHeight and encodeNormal of chunk_data.h in float; off by one code at most, on ties.
-void finish(const LandShape<float>& shapeOfCaller, const RowState& state, std::uint16_t* __restrict heights,
-            std::uint16_t* __restrict normals) {
+void finish(const LandShape<float>& shapeOfCaller, const RowState& state, int count,
+            std::uint16_t* __restrict heights, std::uint16_t* __restrict normals) {
   const LandShape<float> shape = shapeOfCaller;
-  for (int s = 0; s < kChunkSamples; ++s) {
+  for (int s = 0; s < count; ++s) {
     LandState<Jet<float>> land;
     land.height = load(state.land.height, s);
     land.strength = load(state.land.strength, s);

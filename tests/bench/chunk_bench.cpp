@@ -28,7 +28,7 @@ ChunkData emptyChunk(const ChunkKey& key) {
   ChunkData chunk;
   chunk.key = key;
   chunk.heights.resize(static_cast<std::size_t>(kChunkSamples) * kChunkSamples);
-  chunk.normals.resize(chunk.heights.size());
+  chunk.normals.resize(static_cast<std::size_t>(kNormalSide) * kNormalSide);
   return chunk;
 }
 
@@ -98,7 +98,7 @@ class EightOctaves {
         const Jet<double> height = at(origin + kCellMetres * glm::dvec2(column, row));
         const auto i = static_cast<std::size_t>(sampleIndex(column, row));
         out.heights[i] = encodeHeight(height.v);
-        out.normals[i] = encodeNormal({height.x, height.z});
+        out.normals[static_cast<std::size_t>(normalIndex(column, row))] = encodeNormal({height.x, height.z});
       }
     }
   }
@@ -132,8 +132,8 @@ class EightOctaves {
             (*octaves)[i].enter(lattices_[i], origin.y + row * kCellMetres, row == 0, kernels);
         (i == 0 ? kernels.storeNoise : kernels.addNoise)(octave, sum);
       }
-      const auto first = static_cast<std::size_t>(sampleIndex(0, row));
-      kernels.finish(shape, *state, out.heights.data() + first, out.normals.data() + first);
+      kernels.finish(shape, *state, kChunkSamples, out.heights.data() + sampleIndex(0, row),
+                     out.normals.data() + normalIndex(0, row));
       if (!checks) continue;
       const Jet<double> exact = at(origin + kCellMetres * glm::dvec2(row, row));
       worst = std::max({worst, std::abs(exact.v - sum.v.samples()[row]),

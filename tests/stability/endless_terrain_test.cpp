@@ -49,7 +49,7 @@ class WatchedSource final : public HeightSource {
         } else {
           out.heights[i] = out.heights[i - kChunkSamples];
         }
-        out.normals[i] = encodeNormal({0.0, 0.0});
+        out.normals[static_cast<std::size_t>(normalIndex(column, row))] = encodeNormal({0.0, 0.0});
       }
     }
     return true;
@@ -88,9 +88,7 @@ ViewVolume lookingAlong(glm::dvec3 eye, double yaw, double pitch, int width = 64
                         width, height);
 }
 
-std::size_t bytesOfUploads(const TerrainFrame& frame) {
-  return frame.uploads.size() * 4 * kChunkSamples * kChunkSamples;
-}
+std::size_t bytesOfUploads(const TerrainFrame& frame) { return frame.uploads.size() * kSampleBytes; }
 
 // What of a frame must not depend on how it came about: all but the slots.
 std::vector<std::tuple<int, int, int, int, int, int, double>> drawsOf(const TerrainFrame& frame) {
@@ -194,7 +192,7 @@ TEST(Stability, T11_standingStillMakesNothingAgainAndABudgetTooSmallFallsToCoars
     needed = terrain.statistics().chunksWanted;
     EXPECT_EQ(terrain.statistics().overBudget, 0u);
   }
-  constexpr double kSlotMiB = 4.0 * kChunkSamples * kChunkSamples / 1048576;
+  constexpr double kSlotMiB = static_cast<double>(kSampleBytes) / 1048576;
   constexpr double kChunkMiB = kSlotMiB + 3000.0 / 1048576;  // with its bookkeeping
   for (const std::size_t room : {needed, needed - 1, needed / 3}) {
     for (const bool onGpu : {false, true}) {
@@ -223,10 +221,9 @@ TEST(Stability, T11_standingStillMakesNothingAgainAndABudgetTooSmallFallsToCoars
 
 TEST(Stability, T11_theDefaultBudgetsHoldTheViewAndAreNeverExceeded) {
   // The shipped settings (10 km) at 1920 x 1080: what a view wants fits into both budgets, of 128 MiB at most
-  // each; and after leaps over more land than either can hold, neither holds more. 4 bytes a sample.
+  // each; and after leaps over more land than either can hold, neither holds more.
   const TerrainStreamingSettings settings;
   constexpr std::size_t kMostBytes = std::size_t{128} << 20;
-  constexpr std::size_t kSamples = kChunkSamples * kChunkSamples;
   core::JobPool pool(2);
   EndlessTerrain terrain(std::make_shared<WatchedSource>(), pool, settings);
   for (int leap = 0; leap < 10; ++leap) {
@@ -234,10 +231,10 @@ TEST(Stability, T11_theDefaultBudgetsHoldTheViewAndAreNeverExceeded) {
     const StreamingStatistics& now = terrain.statistics();
     EXPECT_EQ(now.overBudget, 0u);
     EXPECT_LE(now.bytes, kMostBytes);
-    EXPECT_LE(static_cast<std::size_t>(frame.slotCount) * 4 * kSamples, kMostBytes);
+    EXPECT_LE(static_cast<std::size_t>(frame.slotCount) * kSampleBytes, kMostBytes);
     for (const ResidentChunk& chunk : frame.chunks) EXPECT_LT(chunk.slot, frame.slotCount);
   }
-  EXPECT_GT(terrain.statistics().generated * 4 * kSamples, kMostBytes) << "more than can be held at once";
+  EXPECT_GT(terrain.statistics().generated * kSampleBytes, kMostBytes) << "more than can be held at once";
   EXPECT_GT(terrain.statistics().bytes, kMostBytes / 2);
 }
 

@@ -1,4 +1,4 @@
-// Chunks of land on the GPU: a fixed pool of texture-array layers, one a slot, 4 bytes a sample.
+// Chunks of land on the GPU: a fixed pool of texture-array layers, one a slot, terrain::kSampleBytes each.
 #pragma once
 
 #include "skydrop/render/gl/texture.h"
@@ -24,8 +24,8 @@ class ChunkTextures {
   // Makes these the chunks that shaders find, and no others.
   void setResident(std::span<const terrain::ResidentChunk> chunks);
 
-  // R16UI height codes, RG8 normals (both 241 x 241 a layer), R16UI table (32 x 32 a level, one above the
-  // other).
+  // R16UI height codes (241 x 241 a layer), RG8 normals (256 x 256: chunk_data.h), R16UI table (32 x 32 a
+  // level, one above the other).
   void bind(GLuint heightsUnit, GLuint normalsUnit, GLuint tableUnit) const;
 
  private:

@@ -1,4 +1,5 @@
-// The samples of one chunk as the cache keeps them and the GPU reads them: 4 bytes a sample.
+// The samples of one chunk as the cache keeps them and the GPU reads them: 2 bytes a height, 2 bytes a
+// normal.
 #pragma once
 
 #include <array>
@@ -34,17 +35,43 @@ constexpr double decodeHeight(std::uint16_t code) { return kLowestHeight + code 
 std::uint16_t encodeNormal(glm::dvec2 gradient);
 glm::dvec3 decodeNormal(std::uint16_t code);
 
-// A value that may be handed between threads; about 232 kB.
+// Normals continue beyond the chunk's borders, so that what a pixel derives from normals at a distance comes
+// from one chunk and is the same bits on both sides of a border. They reach kNormalReachM, or one sample
+// where samples are wider.
+inline constexpr double kNormalReachM = 24;      // of the curvature (shaders/terrain/land.glsl)
+constexpr int normalReach(std::int32_t level) {  // samples
+  int samples = 1;
+  while (samples * cellMetres(level) < kNormalReachM) ++samples;
+  return samples;
+}
+
+// Normals are stored in a square with room for that at every level; what lies beyond the reach is 0. Its side
+// is a power of two: texture coordinates of samples are then exact in float, and both sides of a border
+// filter with the same weights.
+inline constexpr int kNormalSide = 256;
+inline constexpr int kNormalMargin = 8;  // columns and rows in front of the chunk's first sample
+static_assert(normalReach(0) < kNormalMargin && kNormalMargin + kChunkSamples + normalReach(0) < kNormalSide);
+
+// A value that may be handed between threads; about 247 kB.
 struct ChunkData {
   ChunkKey key;
   std::vector<std::uint16_t> heights;  // kChunkSamples^2 codes, row-major: row = z (south), column = x (east)
-  std::vector<std::uint16_t> normals;  // the same order
+  std::vector<std::uint16_t> normals;  // kNormalSide^2 codes, row-major (normalIndex)
   HeightBounds bounds;                 // exact for the stored (decoded) heights
 
   bool empty() const { return heights.empty(); }
 };
 
 constexpr int sampleIndex(int column, int row) { return row * kChunkSamples + column; }
+// Of the normal at a sample of the chunk, or beyond its borders: -reach .. kChunkCells + reach.
+constexpr int normalIndex(int column, int row) {
+  return (row + kNormalMargin) * kNormalSide + column + kNormalMargin;
+}
+
+// Bytes of a chunk's samples.
+inline constexpr std::size_t kSampleBytes =
+    sizeof(std::uint16_t) *
+    (std::size_t{kChunkSamples} * kChunkSamples + std::size_t{kNormalSide} * kNormalSide);
 
 // Makes a chunk: the same bits on every machine and from any thread. The stop is honoured between rows; then
 // the chunk comes back empty.

@@ -44,9 +44,10 @@ class HeightSource {
 
   // Fills heights and normals of the chunk (chunk_data.h), which have their full size already. Returns false,
   // with part of the samples undefined, if a stop was requested meanwhile. The default asks sample() for each
-  // of the 58 081 positions; a source that knows better overrides it. A level above 0 may smooth its
-  // normals, as its samples carry less detail, but not its heights: a position that two levels share has the
-  // same code in both, or their meshes would not meet.
+  // of the 58 081 positions and those around them; a source that knows better overrides it. A position has
+  // the same normal in every chunk of a level that holds it, or a border would show. A level above 0 may
+  // smooth its normals, as its samples carry less detail, but not its heights: a position that two levels
+  // share has the same code in both, or their meshes would not meet.
   virtual bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const;
 };
 
