@@ -3,9 +3,11 @@
 #include <sndfile.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
+#include "audio/wav_file.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 
@@ -14,6 +16,10 @@ namespace {
 
 constexpr double kMaxSeconds = 60;
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+
+// Full scale of float samples is 1. A little beyond is a loud recording and is clipped; far beyond, the file
+// counts in other units, and clipping would make noise of it.
+constexpr double kMostOverdrive = 8;
 
 // libsndfile reads from memory, so that opening, size and reading errors are ours (core/file.h).
 struct MemoryFile {
@@ -44,49 +50,59 @@ sf_count_t readBytes(void* target, sf_count_t count, void* user) {
 
 sf_count_t tell(void* user) { return memory(user).position; }
 
-// libsndfile plays a truncated file as a shorter one; a RIFF header tells how long it was meant to be.
-bool isTruncated(const std::vector<std::byte>& bytes) {
-  if (bytes.size() < 8) return true;
-  std::uint32_t size = 0;
-  for (std::size_t i = 0; i < 4; ++i) size |= std::to_integer<std::uint32_t>(bytes[4 + i]) << (8 * i);
-  return size + std::uint64_t{8} > bytes.size();
-}
-
 struct CloseSound {
   void operator()(SNDFILE* sound) const { sf_close(sound); }
 };
 
+// libsndfile would give whole numbers of float samples without scaling them, which is silence.
+std::vector<std::int16_t> toSixteenBits(const std::vector<double>& samples, const std::string& name) {
+  std::vector<std::int16_t> result;
+  result.reserve(samples.size());
+  for (const double sample : samples) {
+    if (!(std::abs(sample) <= kMostOverdrive)) {
+      throw core::DataError(name, "sample " + std::to_string(result.size()),
+                            "is not finite, or far beyond the full scale of 1");
+    }
+    result.push_back(static_cast<std::int16_t>(std::clamp(std::round(sample * 32768), -32768.0, 32767.0)));
+  }
+  return result;
+}
+
 }  // namespace
 
-double Sound::seconds() const {
-  return static_cast<double>(samples.size()) / channels / sampleRate;
-}
+double Sound::seconds() const { return static_cast<double>(samples.size()) / channels / sampleRate; }
 
 Sound readWav(const std::filesystem::path& path) {
   const std::string name = path.string();
-  MemoryFile file{core::readFile(path, kMaxBytes)};
+  const std::vector<std::byte> bytes = core::readFile(path, kMaxBytes);
+  const WavFile wav = parseWav(bytes, name);
+  if (wav.frames < 1) throw core::DataError(name, "data chunk", "has no samples");
+  if (static_cast<double>(wav.frames) > kMaxSeconds * wav.sampleRate) {
+    throw core::DataError(name, "data chunk", "is longer than 60 s");
+  }
+  MemoryFile file{plainWav(wav)};
   SF_VIRTUAL_IO io{lengthOf, seek, readBytes, nullptr, tell};
   SF_INFO info{};
   const std::unique_ptr<SNDFILE, CloseSound> sound(sf_open_virtual(&io, SFM_READ, &info, &file));
-  if (!sound) throw core::DataError(name, "header", sf_strerror(nullptr));
-  if ((info.format & SF_FORMAT_TYPEMASK) != SF_FORMAT_WAV) throw core::DataError(name, "header", "not a WAV file");
-  if (isTruncated(file.bytes)) throw core::DataError(name, "header", "the file is shorter than it says: truncated");
-  if (info.channels < 1 || info.channels > 2) {
-    throw core::DataError(name, "header", std::to_string(info.channels) + " channels; 1 and 2 are understood");
+  if (!sound) throw core::DataError(name, "", sf_strerror(nullptr));
+  const auto frames = static_cast<sf_count_t>(wav.frames);
+  const std::size_t count = static_cast<std::size_t>(wav.frames) * static_cast<std::size_t>(wav.channels);
+  if (info.channels != wav.channels || info.samplerate != wav.sampleRate || info.frames < frames) {
+    throw core::DataError(name, "fmt chunk", "contradicts itself");
   }
-  if (info.samplerate < 8000 || info.samplerate > 192000) {
-    throw core::DataError(name, "header", "sample rate " + std::to_string(info.samplerate) + " Hz is out of range");
+  Sound result{wav.sampleRate, wav.channels, {}};
+  sf_count_t read = 0;
+  if (wav.encoding == WavEncoding::ieeeFloat) {
+    std::vector<double> samples(count);
+    read = sf_readf_double(sound.get(), samples.data(), frames);
+    result.samples = toSixteenBits(samples, name);
+  } else {
+    result.samples.resize(count);
+    read = sf_readf_short(sound.get(), result.samples.data(), frames);
   }
-  if (info.frames < 1) throw core::DataError(name, "data", "has no samples");
-  if (static_cast<double>(info.frames) > kMaxSeconds * info.samplerate) {
-    throw core::DataError(name, "data", "is longer than 60 s");
-  }
-  Sound result{info.samplerate, info.channels, {}};
-  result.samples.resize(static_cast<std::size_t>(info.frames * info.channels));
-  const sf_count_t frames = sf_readf_short(sound.get(), result.samples.data(), info.frames);
-  if (frames != info.frames) {
-    throw core::DataError(name, "data", "ends after " + std::to_string(frames) + " of " +
-                                            std::to_string(info.frames) + " frames");
+  if (read != frames) {
+    throw core::DataError(name, "data chunk",
+                          "ends after " + std::to_string(read) + " of " + std::to_string(frames) + " frames");
   }
   return result;
 }

@@ -33,8 +33,9 @@ struct TriangleGlb {
       "buffers": [{"byteLength": 84}]})");
   }
 
-  std::string bytes() const {
-    std::string text = json.dump();
+  std::string bytes() const { return bytes(json.dump()); }
+  // The same with any text as JSON.
+  std::string bytes(std::string text) const {
     text.append((4 - text.size() % 4) % 4, ' ');
     std::string file = "glTF";
     appendWord(file, 2);
