@@ -7,6 +7,7 @@
 #include "skydrop/core/assets.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/nearest_names.h"
 
 namespace skydrop::scene {
 namespace {
@@ -70,8 +71,10 @@ class SceneReader {
   void readEffects(const json& value, EffectSet& effects) const {
     if (!value.is_array()) fail("effects", "is not a list");
     for (const json& entry : value) {
-      const auto found = std::find(kEffectNames.begin(), kEffectNames.end(), text(entry, "effects"));
-      if (found == kEffectNames.end()) fail("effects", "unknown effect " + entry.dump());
+      const std::string effect = text(entry, "effects");
+      const auto found = std::find(kEffectNames.begin(), kEffectNames.end(), effect);
+      if (found == kEffectNames.end())
+        fail("effects", "unknown effect " + entry.dump() + core::nearestText(effect, kEffectNames));
       effects.insert(static_cast<Effect>(found - kEffectNames.begin()));
     }
   }

@@ -71,7 +71,8 @@ TEST(Scene, badScenesAreRefusedWithFilePlaceAndReason) {
   EXPECT_EQ(refusalOf(R"({"schema": 1, "seed": -1})"),
             "a.json: seed: -1 is out of range 0.0 to 9.007199254740992e+15");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "seed": 1.5})"), "a.json: seed: 1.5 is not a whole number");
-  EXPECT_EQ(refusalOf(R"({"schema": 1, "effects": ["fire"]})"), "a.json: effects: unknown effect \"fire\"");
+  EXPECT_EQ(refusalOf(R"({"schema": 1, "effects": ["fire"]})"),
+            "a.json: effects: unknown effect \"fire\"; the nearest are 'targets', 'haze' and 'aircraft'");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"position": [1, 2]}})"),
             "a.json: start.position: is not a list of three numbers");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"speed": "fast"}})"),
