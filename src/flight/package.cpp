@@ -16,8 +16,10 @@ constexpr double kSwingRadPerS = 3;
 constexpr double kSwingDamping = 0.4;
 // Without it the tumbling dies away slowly, 1/s.
 constexpr double kTumbleDamping = 0.3;
-// It leaves the bay with this spin beside the aircraft's own, nose down, rad/s: it is pushed out at one end.
-constexpr double kReleaseSpin = -1.2;
+// It is pushed out at one end, which gives a package of the default mass (kg) and size (m) this spin beside
+// the aircraft's own, nose down, rad/s. The same push turns others by 1 / (mass * size): the arm is half an
+// edge, the inertia mass * size^2 / 6. Small and light ones are let go before they turn faster than the most.
+constexpr double kReleaseSpin = -1.2, kReleaseMass = 60, kReleaseSize = 0.8, kMostReleaseSpin = -12;
 
 void requireUsable(const PackageSettings& s) {
   for (const double positive : {s.mass, s.size, s.freeFallSpeed, s.parachuteSpeed}) {
@@ -37,7 +39,8 @@ RigidBody makeBody(const PackageSettings& s, const BodyState& release) {
   const double inertia = s.mass * s.size * s.size / 6;  // of a cube
   RigidBody body(s.mass, release.position, release.orientation, glm::dmat3(inertia));
   BodyState state = release;
-  state.angularVelocity.x += kReleaseSpin;
+  state.angularVelocity.x +=
+      std::max(kReleaseSpin * (kReleaseMass * kReleaseSize / (s.mass * s.size)), kMostReleaseSpin);
   body.setState(state);
   return body;
 }

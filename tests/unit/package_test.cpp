@@ -34,6 +34,23 @@ TEST(Package, parachuteOpensAfterASecondAndWithoutJumps) {
   }
 }
 
+TEST(Package, aLargerOrHeavierPackageTumblesSlowerAndFallsAlike) {
+  // The same push at one end: the spin goes with 1 / (mass * size). The way down knows neither.
+  const auto released = [](double mass, double size) {
+    return Package({.mass = mass, .size = size}, releasedAt(500, 70)).state();
+  };
+  EXPECT_EQ(released(60, 0.8).angularVelocity.x, -1.2);
+  EXPECT_DOUBLE_EQ(released(120, 0.8).angularVelocity.x, -0.6);
+  EXPECT_DOUBLE_EQ(released(60, 1.6).angularVelocity.x, -0.6);
+  EXPECT_EQ(released(1, 0.1).angularVelocity.x, -12) << "held to what the steps can follow";
+  Package usual({}, releasedAt(500, 70)), heavy({.mass = 2000, .size = 5}, releasedAt(500, 70));
+  for (int i = 0; i < 1200; ++i) {
+    usual.step(glm::dvec3(3, 0, 0), 1.0 / 120);
+    heavy.step(glm::dvec3(3, 0, 0), 1.0 / 120);
+  }
+  EXPECT_EQ(usual.state().position, heavy.state().position);
+}
+
 TEST(Package, fallsFastThenDriftsAtTheParachutesSpeed) {
   // At 1 s it still flies fast; 10 s later it sinks at 8 m/s and hangs straight under its canopy.
   Package package({}, releasedAt(500, 70));
