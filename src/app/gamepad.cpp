@@ -37,20 +37,32 @@ void readStick(double& x, double& y, const GamepadSettings& settings) {
 }  // namespace
 
 void describe(core::SettingsVisitor& visitor, GamepadSettings& settings) {
-  visitor.flag("enabled", settings.enabled, {"Listens to the gamepad."});
-  visitor.number(
-      "deadZone", settings.deadZone,
-      {"1", 0, 0.9, "How far a stick must be pushed before it does anything; more hides a worn stick."});
-  visitor.choice(
-      "deadZoneShape", settings.deadZoneShape, kShapeNames,
-      {"Axial: each direction of a stick has its own, which keeps roll and pitch apart. Radial: a circle."});
-  visitor.number("curve", settings.curve,
-                 {"1", 0, 1, "How much finer a stick is near its centre; 0 is a straight line."});
-  visitor.number("triggerDeadZone", settings.triggerDeadZone,
-                 {"1", 0, 0.9, "How far a trigger must be pulled before it does anything."});
-  visitor.flag("invertPitch", settings.invertPitch, {"A stick pushed forward lifts the nose."});
-  visitor.flag("invertRoll", settings.invertRoll, {"A stick pushed to the right rolls left."});
-  visitor.flag("invertYaw", settings.invertYaw, {"A stick pushed to the right yaws left."});
+  const core::FieldNote unheard =
+      core::noteWhile([&settings] { return !settings.enabled; }, "Does nothing while the gamepad is off.");
+  const auto share = [&](std::string_view name, double& value, double max, std::string_view help,
+                         std::string_view aliases) {
+    visitor.number(name, value,
+                   {.unit = "1", .min = 0, .max = max, .help = help, .aliases = aliases, .note = unheard});
+  };
+  const auto invert = [&](std::string_view name, bool& value, std::string_view help) {
+    visitor.flag(name, value, {.help = help, .aliases = "inverted, reverse, axis", .note = unheard});
+  };
+  visitor.flag("enabled", settings.enabled, {.help = "Listens to the gamepad.", .aliases = "joystick"});
+  share("deadZone", settings.deadZone, 0.9,
+        "How far a stick must be pushed before it does anything; more hides a worn stick.",
+        "drift, joystick, sensitivity");
+  visitor.choice("deadZoneShape", settings.deadZoneShape, kShapeNames,
+                 {.help = "Axial: each direction of a stick has its own, which keeps roll and pitch apart. "
+                          "Radial: a circle.",
+                  .aliases = "joystick, circular",
+                  .note = unheard});
+  share("curve", settings.curve, 1, "How much finer a stick is near its centre; 0 is a straight line.",
+        "sensitivity, expo, response, joystick");
+  share("triggerDeadZone", settings.triggerDeadZone, 0.9,
+        "How far a trigger must be pulled before it does anything.", "drift, sensitivity");
+  invert("invertPitch", settings.invertPitch, "A stick pushed forward lifts the nose.");
+  invert("invertRoll", settings.invertRoll, "A stick pushed to the right rolls left.");
+  invert("invertYaw", settings.invertYaw, "A stick pushed to the right yaws left.");
 }
 
 void describe(core::SettingsVisitor& visitor, InputSettings& settings) {

@@ -16,17 +16,32 @@ constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "f
 }  // namespace
 
 void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
-  visitor.choice("camera", settings.camera, kCameraNames,
-                 {"From where the game is seen: behind the aircraft, from its seat, or from anywhere."});
-  visitor.flag("hud", settings.hud, {"Shows instruments, navigation bar and messages over the picture."});
+  visitor.choice(
+      "camera", settings.camera, kCameraNames,
+      {.help = "From where the game is seen: behind the aircraft, from its seat, or from anywhere.",
+       .aliases = "third person, first person, follow"});
+  visitor.flag("hud", settings.hud,
+               {.help = "Shows instruments, navigation bar and messages over the picture.",
+                .aliases = "overlay, interface, UI"});
   visitor.flag("freezeTime", settings.freezeTime,
-               {"Holds simulated time; the camera is free to look around. Off at every start."});
+               {.help = "Holds simulated time; the camera is free to look around. Off at every start.",
+                .aliases = "pause, photo mode, stop"});
   visitor.number("frameCapHz", settings.frameCapHz,
-                 {"Hz", 0, 1000, "Most frames a second, evenly spaced; 0 for as many as there can be."});
+                 {.unit = "Hz",
+                  .min = 0,
+                  .max = 1000,
+                  .help = "Most frames a second, evenly spaced; 0 for as many as there can be.",
+                  .aliases = "FPS, frame rate limit"});
   visitor.flag("vsync", settings.vsync,
-               {"Waits for the screen with each frame: no tearing, a little more delay."});
+               {.help = "Waits for the screen with each frame: no tearing, a little more delay.",
+                .aliases = "vertical sync, tearing, FPS"});
   visitor.number("interfaceScale", settings.interfaceScale,
-                 {"1", 0.5, 3, "Size of texts and menus; never so large that they would not fit."});
+                 {.unit = "1",
+                  .min = 0.5,
+                  .max = 3,
+                  .help = "Size of texts and menus; never so large that they would not fit.",
+                  .slider = core::Range{0.5, 2.2},
+                  .aliases = "UI scale, font size, text size"});
 }
 
 void describe(core::SettingsVisitor& visitor, Settings& settings) {
@@ -44,7 +59,9 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("input", settings.input, "How the game is steered.");
   visitor.choice(
       "quality", settings.quality, kQualityNames,
-      {"Sets the rows that cost most. Automatic: low where the processor has to draw, else high."});
+      {.help = "Sets the rows that cost most. Automatic: low where the processor has to draw, else "
+               "high.",
+       .aliases = "graphics preset, performance"});
 }
 
 void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {

@@ -3,9 +3,23 @@
 namespace skydrop::audio {
 
 void describe(core::SettingsVisitor& visitor, AudioSettings& settings) {
-  visitor.number("volume", settings.volume, {"1", 0, 1, "Loudness of everything."});
-  visitor.number("engineVolume", settings.engineVolume, {"1", 0, 1, "Loudness of the engine against the rest."});
-  visitor.flag("mute", settings.mute, {"No sound at all."});
+  const core::FieldNote muted =
+      core::noteWhile([&settings] { return settings.mute; }, "Not heard while the sound is muted.");
+  visitor.number("volume", settings.volume,
+                 {.unit = "1",
+                  .min = 0,
+                  .max = 1,
+                  .help = "Loudness of everything.",
+                  .aliases = "loudness, master volume, gain",
+                  .note = muted});
+  visitor.number("engineVolume", settings.engineVolume,
+                 {.unit = "1",
+                  .min = 0,
+                  .max = 1,
+                  .help = "Loudness of the engine against the rest.",
+                  .aliases = "motor, propeller, gain",
+                  .note = muted});
+  visitor.flag("mute", settings.mute, {.help = "No sound at all.", .aliases = "silence, sound off"});
 }
 
 }  // namespace skydrop::audio

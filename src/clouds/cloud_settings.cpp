@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace skydrop::clouds {
 namespace {
@@ -10,69 +14,165 @@ namespace {
 // size: billows of 250 m to 1 km, detail of 25 to 200 m, weather that changes over kilometres.
 constexpr double kShapePeriodAtOne = 2400, kDetailPeriodAtOne = 8000, kWeatherPeriodAtOne = 1000;
 
+// The period in force, and why it is not the one that the scale asks for.
+std::string weatherNote(const CloudSettings& s) {
+  char text[128];
+  const bool isBound = kWeatherPeriodAtOne / s.weatherScale < 2 * s.fadeDistance;
+  std::snprintf(text, sizeof text, "The map repeats after %.1f km%s.", weatherPeriod(s) / 1000,
+                isBound ? ": twice the fade distance, whatever more is asked for" : "");
+  return text;
+}
+
 }  // namespace
 
 void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
   const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
-                          std::string_view help) {
-    visitor.number(name, value, {unit, min, max, help, core::TakesEffect::live, true});
+                          std::string_view help, std::string_view aliases = {}, core::FieldNote note = {}) {
+    visitor.number(name, value,
+                   {.unit = unit,
+                    .min = min,
+                    .max = max,
+                    .help = help,
+                    .logarithmic = true,
+                    .aliases = aliases,
+                    .note = std::move(note)});
   };
+  const core::FieldNote needsGrid =
+      core::noteWhile([&s] { return !s.lightGrid; }, "Does nothing while the light grid is off.");
   visitor.choice("resolution", s.resolution, kMarchResolutionNames,
-                 {"Rays a pixel: one for each, for each 2 x 2 or for each 4 x 4; edges are always sharp.",
-                  core::TakesEffect::variant});
+                 {.help = "Rays a pixel: one for each, for each 2 x 2 or for each 4 x 4; the tolerance says "
+                          "which pixels get one of their own all the same.",
+                  .takesEffect = core::TakesEffect::variant,
+                  .aliases = "downsampling, upscaling"});
   number("tolerance", s.tolerance, "1", 0.005, 10,
-         "Where neighbouring rays differ by more, every pixel gets its own; more leaves edges softer.");
-  number("seekSteps", s.seekSteps, "1", 1, 16,
-         "Steps at a time through clear air; more may miss thin wisps.");
-  number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.");
-  number("stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
-         "Length of a step far from the eye, as a share of the distance.");
+         "Where the rays around a pixel differ by more, it gets one of its own; more leaves edges softer.",
+         "edge threshold",
+         core::noteWhile([&s] { return s.resolution == MarchResolution::full; },
+                         "Does nothing in full resolution: every pixel has a ray."));
+  number("seekSteps", s.seekSteps, "1", 1, 16, "Steps at a time through clear air; more may miss thin wisps.",
+         "stride");
+  number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.",
+         "step size, LOD");
+  number(
+      "stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
+      "Length of a step far from the eye, about, as a share of the distance; less finds smaller wisps there.",
+      "step size, LOD");
   number("stepDepth", s.stepDepth, "1", 0.02, 5,
-         "Most optical depth of a step; denser places take shorter ones.");
+         "Most optical depth, about, that shares one look at the light, over four steps at most; less "
+         "resolves light and shade in dense cloud.",
+         "light samples");
   number("leastTransmittance", s.leastTransmittance, "1", 1e-5, 0.1,
-         "Where no more than this comes through, a ray ends.");
+         "A ray ends where no more than this comes through; less goes deeper into dense cloud.",
+         "early exit, cutoff");
   visitor.integer("sunSamples", s.sunSamples,
-                  {"1", 1, 128, "Samples of density on the way to the sun; more makes finer shadows.",
-                   core::TakesEffect::variant});
+                  {.unit = "1",
+                   .min = 1,
+                   .max = 128,
+                   .help = "Samples of density on the way to the sun, closer together near the cloud that is "
+                           "lit; more makes shade within clouds more exact.",
+                   .aliases = "light samples, shadow samples"});
   number("sunReachM", s.sunReachM, "m", 10, 2000,
-         "How far those samples reach before the light grid takes over.");
+         "With the light grid: how far those samples reach before the grid takes over.", "light samples",
+         needsGrid);
   visitor.flag("lightGrid", s.lightGrid,
-               {"Looks the way to the sun up in a grid; off, samples go all the way: exact and slow.",
-                core::TakesEffect::variant});
+               {.help = "Looks the far part of the way to the sun up in a grid; off, samples go all the way, "
+                        "which is more exact.",
+                .takesEffect = core::TakesEffect::variant,
+                .aliases = "light volume, shadow volume"});
   number("lightCellM", s.lightCellM, "m", 20, 400,
-         "Cell of the light grid near the eye; five times that far away.");
-  visitor.flag("detail", s.detail, {"Wears the edges with detail; off, evenly.", core::TakesEffect::variant});
+         "Cell of the light grid near the eye, five times as much far away; less is sharper.", "voxel size",
+         needsGrid);
+  visitor.flag("detail", s.detail,
+               {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
+                .takesEffect = core::TakesEffect::variant,
+                .aliases = "erosion"});
 }
 
 void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
+  struct Row {
+    std::string_view help;
+    std::string_view aliases = {};
+    bool logarithmic = false;
+    std::optional<core::Range> slider = std::nullopt;
+    core::FieldNote note = {};
+  };
   const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
-                          std::string_view help, bool logarithmic = false) {
-    visitor.number(name, value, {unit, min, max, help, core::TakesEffect::live, logarithmic});
+                          const Row& row) {
+    visitor.number(name, value,
+                   {.unit = unit,
+                    .min = min,
+                    .max = max,
+                    .help = row.help,
+                    .logarithmic = row.logarithmic,
+                    .slider = row.slider,
+                    .aliases = row.aliases,
+                    .note = row.note});
   };
   number("densityThreshold", s.densityThreshold, "1", 0, 0.95,
-         "Least density of the noise that is drawn; more leaves smaller, sparser clouds.");
-  number("scale", s.scale, "1", 0.1, 4, "Of the billows; less makes bigger, fluffier clouds.", true);
-  number("anisotropy", s.anisotropy, "1", -0.9, 0.95,
-         "Henyey-Greenstein's mean cosine; more sends light onward and lights edges against the sun.");
+         {.help = "Least density of the noise that is drawn; more leaves smaller, sparser clouds.",
+          .aliases = "density, cutoff",
+          .slider = core::Range{0, 0.85}});
+  number("scale", s.scale, "1", 0.1, 4,
+         {.help = "Of the billows; less makes bigger, fluffier clouds, beyond the slider's end they line up "
+                  "in a lattice.",
+          .aliases = "size, frequency, base scale",
+          .logarithmic = true,
+          .slider = core::Range{0.2, 1.5}});
+  number(
+      "anisotropy", s.anisotropy, "1", -0.9, 0.95,
+      {.help = "Henyey-Greenstein's mean cosine; more sends light onward and lights edges against the sun.",
+       .aliases = "HG, g, Henyey-Greenstein, phase function, scattering"});
   number("extinction", s.extinction, "1/m", 0, 1,
-         "Of the densest cloud (the thesis's SIGMA); more makes it opaque.");
-  number("higherScale", s.higherScale, "1", 2, 80, "Of the detail on the edges; more makes it finer.", true);
+         {.help = "Of the densest cloud; more makes it opaque.",
+          .aliases = "SIGMA, absorption, opacity, density, Beer",
+          .slider = core::Range{0, 0.2}});
+  number("higherScale", s.higherScale, "1", 2, 80,
+         {.help = "Of the detail on the edges; more makes it finer, beyond the slider's end it shows as "
+                  "hatching.",
+          .aliases = "detail scale, high frequency",
+          .logarithmic = true,
+          .slider = core::Range{2, 30},
+          .note = core::noteWhile([&s] { return !(s.erosion > 0) || !s.march.detail; },
+                                  "Does nothing without erosion by detail.")});
   number("weatherScale", s.weatherScale, "1/km", 0.005, 0.1,
-         "Of the weather map; more brings different weather nearer together.", true);
-  number("cloudHeight", s.cloudHeight, "m", 100, 8000, "Height of the base above the sea.");
-  number("thickness", s.thickness, "m", 50, 6000, "From base to top.");
+         {.help = "Of the weather map; more brings different weather nearer together. The map is never "
+                  "smaller than twice the fade distance, so that nobody sees it repeat.",
+          .aliases = "weather map, coverage scale",
+          .logarithmic = true,
+          .slider = core::Range{0.005, 0.02},
+          .note = [&s] { return weatherNote(s); }});
+  number("cloudHeight", s.cloudHeight, "m", 100, 8000,
+         {.help = "Height of the base above the sea.", .aliases = "altitude, cloud base, ceiling"});
+  number("thickness", s.thickness, "m", 50, 6000,
+         {.help = "From base to top; more makes clouds taller.",
+          .aliases = "cloud top, depth, tall",
+          .slider = core::Range{200, 4000}});
   number("coverage", s.coverage, "1", 0, 1,
-         "Share of the sky; 0 leaves it clear, more joins clouds to a deck.");
+         {.help = "How much of the sky clouds take; 0 leaves it clear, more joins them to a deck.",
+          .aliases = "cloud cover, amount, overcast"});
   number("typeShift", s.typeShift, "1", -1, 1,
-         "From the weather map's types towards stratus (-1) or cumulus (1).");
-  number("erosion", s.erosion, "1", 0, 0.9, "How much of the edges detail takes away.");
+         {.help = "From the weather map's types towards stratus (-1) or cumulus (1).",
+          .aliases = "cloud type, stratus, cumulus"});
+  number("erosion", s.erosion, "1", 0, 0.9,
+         {.help = "How much of the edges detail takes away; more leaves thinner, more ragged clouds.",
+          .aliases = "detail, wisps",
+          .slider = core::Range{0, 0.7}});
   number("forwardShare", s.forwardShare, "1", 0, 1,
-         "Share of the light that goes nearly straight on; more makes silver edges against the sun.");
-  number("fadeDistance", s.fadeDistance, "m", 1000, 60000, "Where clouds have faded out.");
-  number("windSpeed", s.windSpeed, "m/s", 0, 60, "How fast the clouds drift.");
-  number("windDirection", s.windDirection, "deg", 0, 360, "Compass direction from which the wind blows.");
+         {.help = "Share of the light that goes nearly straight on; more makes silver edges against the sun.",
+          .aliases = "silver lining, phase function, scattering"});
+  number("fadeDistance", s.fadeDistance, "m", 1000, 60000,
+         {.help = "Clouds have faded out at this distance; more costs time.",
+          .aliases = "draw distance, view distance, range"});
+  number("windSpeed", s.windSpeed, "m/s", 0, 60,
+         {.help = "How fast the clouds drift while time goes on.", .aliases = "drift"});
+  number("windDirection", s.windDirection, "deg", 0, 360,
+         {.help = "Compass direction from which the wind that moves the clouds blows.",
+          .aliases = "drift, heading",
+          .note = core::noteWhile([&s] { return !(s.windSpeed > 0); }, "Does nothing without wind.")});
   visitor.choice("tier", s.tier, kCloudTierNames,
-                 {"How exactly clouds are drawn: sets the rows of the march.", core::TakesEffect::variant});
+                 {.help = "How exactly clouds are drawn: sets the rows of the march.",
+                  .takesEffect = core::TakesEffect::variant,
+                  .aliases = "quality, LOD"});
   visitor.group("march", s.march, "How exactly clouds are drawn, row by row.");
 }
 

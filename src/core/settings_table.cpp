@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <utility>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/nearest_names.h"
 
 namespace skydrop::core {
 namespace {
@@ -31,15 +31,14 @@ class TableBuilder final : public SettingsVisitor {
   }
 
   void flag(std::string_view name, bool& value, const ChoiceInfo& info) override {
-    Field& field = add(name, FieldKind::flag, {"", 0, 1, info.help, info.takesEffect});
+    Field& field = add(name, FieldKind::flag, whole(1, info));
     field.get = [&value] { return value ? 1.0 : 0.0; };
     field.set = [&value](double v) { value = v != 0; };
   }
 
   void choiceByIndex(std::string_view name, std::function<int()> get, std::function<void(int)> set,
                      std::span<const std::string_view> names, const ChoiceInfo& info) override {
-    Field& field = add(name, FieldKind::choice,
-                       {"", 0, static_cast<double>(names.size()) - 1, info.help, info.takesEffect});
+    Field& field = add(name, FieldKind::choice, whole(static_cast<double>(names.size()) - 1, info));
     field.names.assign(names.begin(), names.end());
     field.get = [get = std::move(get)] { return static_cast<double>(get()); };
     field.set = [set = std::move(set)](double v) { set(static_cast<int>(v)); };
@@ -58,6 +57,13 @@ class TableBuilder final : public SettingsVisitor {
   }
 
  private:
+  static NumberInfo whole(double max, const ChoiceInfo& info) {
+    NumberInfo number{"", 0, max, info.help, info.takesEffect};
+    number.aliases = info.aliases;
+    number.note = info.note;
+    return number;
+  }
+
   Field& add(std::string_view name, FieldKind kind, const NumberInfo& info) {
     Field field;
     field.name = name;
@@ -68,8 +74,14 @@ class TableBuilder final : public SettingsVisitor {
     field.help = info.help;
     field.min = info.min;
     field.max = info.max;
+    const Range slider = info.slider.value_or(Range{info.min, info.max});
+    field.sliderMin = slider.min;
+    field.sliderMax = slider.max;
     field.takesEffect = info.takesEffect;
     field.logarithmic = info.logarithmic;
+    field.powersOfTwo = info.powersOfTwo;
+    field.aliases = info.aliases;
+    field.note = info.note;
     return fields_.emplace_back(std::move(field));
   }
 
@@ -78,19 +90,6 @@ class TableBuilder final : public SettingsVisitor {
   std::string prefix_;
   std::vector<std::size_t> prefixLengths_;
 };
-
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, substituted}));
-    }
-  }
-  return row.back();
-}
 
 std::string numberText(double value) {
   char text[32];
@@ -134,6 +133,8 @@ std::string parseValue(const Field& field, std::string_view text, double& value)
 
 using Change = std::pair<const Field*, double>;
 
+const std::string kUnknown = "unknown setting";
+
 // What becomes of a value that does not fit: a place and a reason.
 using Complain = std::function<void(const std::string&, const std::string&)>;
 
@@ -147,7 +148,7 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
       const bool isGroup = std::any_of(table.groups().begin(), table.groups().end(),
                                        [&](const GroupInfo& group) { return group.path == path; });
       if (!isGroup) {
-        complain(path, "unknown setting");
+        complain(path, kUnknown);
       } else if (value.is_array()) {
         for (std::size_t i = 0; i < value.size(); ++i) {
           collectChanges(table, nlohmann::json{{std::to_string(i), value[i]}}, path, complain, changes);
@@ -230,11 +231,14 @@ const Field* SettingsTable::find(std::string_view path) const {
 
 const Field& SettingsTable::at(std::string_view path) const {
   if (const Field* field = find(path)) return *field;
-  const auto nearest = std::min_element(fields_.begin(), fields_.end(), [&](const Field& a, const Field& b) {
-    return editDistance(a.path, path) < editDistance(b.path, path);
-  });
-  throw RangeError("unknown setting '" + std::string(path) + "'" +
-                   (nearest == fields_.end() ? "" : "; the nearest is '" + nearest->path + "'"));
+  throw RangeError("unknown setting '" + std::string(path) + "'" + nearestText(path));
+}
+
+std::string SettingsTable::nearestText(std::string_view path) const {
+  std::vector<KnownName> known;
+  known.reserve(fields_.size());
+  for (const Field& field : fields_) known.push_back({field.path, field.aliases});
+  return core::nearestText(path, known);
 }
 
 void setField(const Field& field, double value) {
@@ -289,8 +293,8 @@ nlohmann::json toJson(const SettingsTable& table, bool onlyChanged) {
 
 void applyJson(const SettingsTable& table, const nlohmann::json& json, std::string_view file) {
   std::vector<Change> changes;
-  const auto refuse = [file](const std::string& place, const std::string& reason) {
-    throw DataError(file, place, reason);
+  const auto refuse = [&](const std::string& place, const std::string& reason) {
+    throw DataError(file, place, reason == kUnknown ? reason + table.nearestText(place) : reason);
   };
   collectChanges(table, json, "", refuse, changes);
   for (const auto& [field, value] : changes) field->set(value);

@@ -41,21 +41,31 @@ double wrapped(double angle) {  // to (-pi, pi]
 }  // namespace
 
 void describe(core::SettingsVisitor& v, AutopilotSettings& s) {
-  v.number(
-      "clearance", s.clearance,
-      {.unit = "m", .min = 30, .max = 2000, .help = "Height above the highest ground ahead: more is safer."});
+  v.number("clearance", s.clearance,
+           {.unit = "m",
+            .min = 30,
+            .max = 2000,
+            .help = "Height above the highest ground ahead: more is safer.",
+            .aliases = "altitude, terrain avoidance"});
   v.number("lookAheadSeconds", s.lookAheadSeconds,
            {.unit = "s",
             .min = 5,
             .max = 120,
-            .help = "Time of flight in which the ground counts: more climbs earlier."});
+            .help = "Time of flight in which the ground counts: more climbs earlier.",
+            .aliases = "terrain avoidance"});
   v.number("maxBankDeg", s.maxBankDeg,
-           {.unit = "deg", .min = 10, .max = 70, .help = "Steepest bank in turns: more turns tighter."});
+           {.unit = "deg",
+            .min = 10,
+            .max = 70,
+            .help = "Steepest bank in turns: more turns tighter.",
+            .aliases = "roll angle"});
   v.number("dropMargin", s.dropMargin,
            {.unit = "1",
             .min = 0.05,
             .max = 1,
-            .help = "Drops when the predicted miss is below this share of the radius."});
+            .help = "Drops when the predicted miss is below this share of the radius: less drops nearer to "
+                    "the centre.",
+            .aliases = "aim"});
 }
 
 Autopilot::Autopilot(std::shared_ptr<const terrain::HeightSource> ground, const AutopilotSettings& settings)

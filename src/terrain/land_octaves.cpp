@@ -9,13 +9,6 @@
 namespace skydrop::terrain {
 namespace {
 
-// By the exponent's bits, not by libm: the same on every machine.
-double roundToPowerOfTwo(double metres) {
-  int exponent = 0;
-  const double mantissa = std::frexp(metres, &exponent);  // [1/2, 1)
-  return std::ldexp(mantissa < 0.70710678118654752 ? 0.5 : 1.0, exponent);
-}
-
 LandOctaves makeWorld(const TerrainSettings& s, std::uint64_t seed) {
   std::uint64_t counter = 0;
   const auto chain = [&](double coarsest, double finest) {
@@ -57,6 +50,12 @@ bool flightMayBeginAtOrigin(const TerrainSettings& settings, const LandOctaves& 
 }
 
 }  // namespace
+
+double roundToPowerOfTwo(double metres) {
+  int exponent = 0;
+  const double mantissa = std::frexp(metres, &exponent);  // [1/2, 1)
+  return std::ldexp(mantissa < 0.70710678118654752 ? 0.5 : 1.0, exponent);
+}
 
 LandOctaves makeLandOctaves(const TerrainSettings& settings, std::uint64_t seed) {
   LandOctaves first = makeWorld(settings, core::hashCombine(seed, 0));

@@ -16,6 +16,10 @@ struct LandOctaves {
   std::uint64_t id = 0;  // differs from that of any other octaves made by this process
 };
 
+// The power of two that a wavelength is rounded to, m > 0. By the exponent's bits, not by libm: the same on
+// every machine.
+double roundToPowerOfTwo(double metres);
+
 // Of the worlds that a seed numbers, the first whose origin is a good place to begin a flight: plain land,
 // most of it dry for 6 km around, with mountains in sight. Where settings leave no such place, the first
 // world.

@@ -92,7 +92,7 @@ const MenuSection* sectionOf(std::span<const MenuSection> sections, const Field&
   return deepest;
 }
 
-// Of a widget: clamped to the range.
+// Of a widget: clamped to the range. (A slider keeps to its part of it by itself.)
 void ConfigurationMenu::Parts::set(const Field& field, double value, MenuResult& result) {
   if (field.kind != FieldKind::number) value = std::round(value);
   value = std::clamp(value, field.min, field.max);
@@ -163,7 +163,7 @@ void ConfigurationMenu::Parts::drawRow(const SettingsTable& table, const Field& 
   ImGui::TableNextColumn();
   MenuRowPlace place;
   const RowOutcome outcome = rows.draw(field, place.value);
-  if (!ImGui::IsItemActive()) tooltip(tooltipText(field));
+  tooltip(ImGui::IsItemActive() ? noteText(field) : tooltipText(field));
   held |= outcome.held;
   if (outcome.before && *outcome.before != field.get()) {
     setAll(table, history.dropLastStep(), result.changedPaths);
@@ -263,7 +263,8 @@ void ConfigurationMenu::Parts::drawTop(const MenuContent& content, MenuResult& r
   const bool entered =
       ImGui::IsItemDeactivated() && (isPressed(MenuKey::enter) || isPressed(MenuKey::keypadEnter));
   tooltip(
-      "Shows the rows of all sections in whose name, path or description every word stands. Ctrl+F comes "
+      "Shows the rows of all sections in whose name, path, other names or description every word stands. "
+      "Ctrl+F comes "
       "here. "
       "PATH=VALUE and Enter sets a value.");
   if (const std::string_view text = search; entered && text.find('=') != std::string_view::npos) {

@@ -56,6 +56,26 @@ std::string raisedPowers(std::string unit) {
 
 bool hasUnit(const Field& field) { return !field.unit.empty() && field.unit != "1"; }
 
+std::string describedText(const Field& field, const std::string& note) {
+  std::string text = field.help;
+  if (!text.empty() && text.back() != '.') text += '.';
+  if (!note.empty()) text += "\n" + note;
+  if (!field.aliases.empty()) text += "\nAlso called " + field.aliases + ".";
+  const std::string unit = hasUnit(field) ? " " + raisedPowers(field.unit) : "";
+  if (field.kind == FieldKind::number || field.kind == FieldKind::integer) {
+    const auto range = [&](double low, double high) {
+      return numberText(low) + " to " + numberText(high) + unit;
+    };
+    const bool isPart = field.sliderMin != field.min || field.sliderMax != field.max;
+    if (isPart) text += "\nSlider " + range(field.sliderMin, field.sliderMax) + ".";
+    if (field.max - field.min < kHugeRange)
+      text += std::string(isPart ? "\nTyped " : "\nRange ") + range(field.min, field.max) + ".";
+  }
+  text += "\nDefault " + valueText(field, field.defaultValue) +
+          (field.kind == FieldKind::flag || field.kind == FieldKind::choice ? "" : unit) + ".";
+  return text + "\n" + std::string(effectText(field.takesEffect)) + "\n" + field.path;
+}
+
 }  // namespace
 
 std::string humanName(std::string_view name) {
@@ -97,8 +117,8 @@ std::string sliderFormat(const Field& field) {
   if (field.kind == FieldKind::number) {
     int digits = kDigits;
     // Dear ImGui takes values under 10^-digits for zero on a logarithmic slider.
-    if (field.logarithmic && field.min > 0) {
-      digits = std::clamp(static_cast<int>(std::ceil(-std::log10(field.min))), kDigits, kMostDigits);
+    if (field.logarithmic && field.sliderMin > 0) {
+      digits = std::clamp(static_cast<int>(std::ceil(-std::log10(field.sliderMin))), kDigits, kMostDigits);
     }
     format = "%." + std::to_string(digits) + "g";
   }
@@ -108,18 +128,10 @@ std::string sliderFormat(const Field& field) {
   return format;
 }
 
-std::string tooltipText(const Field& field) {
-  std::string text = field.help;
-  if (!text.empty() && text.back() != '.') text += '.';
-  const std::string unit = hasUnit(field) ? " " + raisedPowers(field.unit) : "";
-  if (field.kind == FieldKind::number || field.kind == FieldKind::integer) {
-    if (field.max - field.min < kHugeRange) {
-      text += "\nRange " + numberText(field.min) + " to " + numberText(field.max) + unit + ".";
-    }
-  }
-  text += "\nDefault " + valueText(field, field.defaultValue) +
-          (field.kind == FieldKind::flag || field.kind == FieldKind::choice ? "" : unit) + ".";
-  return text + "\n" + std::string(effectText(field.takesEffect)) + "\n" + field.path;
-}
+std::string noteText(const Field& field) { return field.note ? field.note() : ""; }
+
+std::string tooltipText(const Field& field) { return describedText(field, noteText(field)); }
+
+std::string searchText(const Field& field) { return describedText(field, ""); }
 
 }  // namespace skydrop::ui

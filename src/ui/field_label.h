@@ -20,7 +20,14 @@ std::string_view withoutUnit(const core::Field& field, std::string_view text);
 // printf format of the field's slider: digits and unit, a per cent sign doubled.
 std::string sliderFormat(const core::Field& field);
 
-// What it does, its range, its default, how a change takes effect, and its path for --set.
+// What its present value comes to, or why it does nothing now; empty where nothing has to be said.
+std::string noteText(const core::Field& field);
+
+// What it does, its note, its other names, the slider's range and that of typing, its default, how a change
+// takes effect, and its path for --set.
 std::string tooltipText(const core::Field& field);
+
+// The same without the note: it does not change while a row is edited, so a search may look into it.
+std::string searchText(const core::Field& field);
 
 }  // namespace skydrop::ui

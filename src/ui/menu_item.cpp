@@ -16,6 +16,7 @@ ScreenRect lastItemRect() {
 }
 
 void tooltip(std::string_view text) {
+  if (text.empty()) return;
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kTooltipWidth * ImGui::GetFontSize());

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 
 #include "ui/field_label.h"
@@ -35,16 +37,31 @@ bool drawChoice(const Field& field, double& value) {
   return edited;
 }
 
+// A slider that stops at powers of two; a typed value between them is shown as it is.
+bool drawPowersOfTwo(const Field& field, double& value) {
+  auto exponent = static_cast<int>(std::lround(std::log2(value)));
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  const bool edited = ImGui::SliderInt(
+      "##value", &exponent, static_cast<int>(std::ceil(std::log2(field.sliderMin))),
+      static_cast<int>(std::floor(std::log2(field.sliderMax))), (text + (" " + unitText(field))).c_str(),
+      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+  if (edited) value = std::exp2(exponent);
+  return edited;
+}
+
 bool drawNumber(const Field& field, double& value) {
+  if (field.powersOfTwo && field.sliderMin > 0) return drawPowersOfTwo(field, value);
   ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
-  if (field.logarithmic && field.min > 0) flags |= ImGuiSliderFlags_Logarithmic;
+  if (field.logarithmic && field.sliderMin > 0) flags |= ImGuiSliderFlags_Logarithmic;
   const std::string format = sliderFormat(field);
   if (field.kind == FieldKind::number) {
-    return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.min, &field.max,
+    return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.sliderMin, &field.sliderMax,
                                format.c_str(), flags);
   }
   auto number = static_cast<std::int64_t>(value);
-  const auto low = static_cast<std::int64_t>(field.min), high = static_cast<std::int64_t>(field.max);
+  const auto low = static_cast<std::int64_t>(field.sliderMin),
+             high = static_cast<std::int64_t>(field.sliderMax);
   const bool edited =
       ImGui::SliderScalar("##value", ImGuiDataType_S64, &number, &low, &high, format.c_str(), flags);
   if (edited) value = static_cast<double>(number);
@@ -121,7 +138,7 @@ RowOutcome RowEditor::drawTyping(const Field& field, ScreenRect& place) {
 
 RowOutcome RowEditor::drawSlider(const Field& field, ScreenRect& place) {
   RowOutcome outcome;
-  if (field.max - field.min > kWidestSlider) {
+  if (field.sliderMax - field.sliderMin > kWidestSlider) {
     const std::string unit = unitText(field);
     if (ImGui::Button((core::fieldText(field) + (unit.empty() ? "" : " " + unit) + "##value").c_str(),
                       {-1, 0})) {

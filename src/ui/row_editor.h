@@ -12,7 +12,7 @@
 namespace skydrop::ui {
 
 struct RowOutcome {
-  std::optional<double> value;       // to be set; of a slider: within its range
+  std::optional<double> value;       // to be set; of a slider: within its part of the range
   std::optional<std::string> typed;  // to be set if it can be
   bool held = false;                 // more of the same change may follow
   // A text field is asked for. The first click of a double click has moved the slider: `before` was there

@@ -32,7 +32,7 @@ bool RowFilter::matches(const core::Field& field, std::string_view sectionTitle)
   if (changedOnly_ && field.isDefault()) return false;
   if (words_.empty()) return true;
   const std::string text = lowered(humanName(field.name) + "\n" + std::string(sectionTitle) + "\n" +
-                                   humanName(field.group) + "\n" + tooltipText(field));
+                                   humanName(field.group) + "\n" + searchText(field));
   return std::ranges::all_of(words_,
                              [&](const std::string& word) { return text.find(word) != std::string::npos; });
 }

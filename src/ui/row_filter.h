@@ -11,8 +11,9 @@ namespace skydrop::ui {
 
 class RowFilter {
  public:
-  // Every word must occur in the row's label, path, section title or tooltip; capitals of A to Z do not
-  // count. No word: all rows. `changedOnly`: of those, the ones that are not at their default.
+  // Every word must occur in the row's label, path, section title or tooltip (other names stand there, its
+  // note does not count); capitals of A to Z do not count. No word: all rows. `changedOnly`: of those, the
+  // ones that are not at their default.
   RowFilter(std::string_view search, bool changedOnly);
 
   bool matches(const core::Field& field, std::string_view sectionTitle) const;

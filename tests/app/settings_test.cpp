@@ -28,7 +28,8 @@ double otherValue(const core::Field& field) {
 }
 
 TEST(Settings, everyFieldIsDescribedWhole) {
-  // Each field has a help sentence, a unit (numbers), a range that holds its default, and a path of its own.
+  // Each field has a help sentence, a unit (numbers), a range that holds its default, a slider within the
+  // range that does too, and a path of its own.
   Settings settings;
   const core::SettingsTable table(settings);
   std::set<std::string> paths;
@@ -42,8 +43,12 @@ TEST(Settings, everyFieldIsDescribedWhole) {
     EXPECT_LT(field.min, field.max) << field.path;
     EXPECT_GE(field.defaultValue, field.min) << field.path;
     EXPECT_LE(field.defaultValue, field.max) << field.path;
-    if (field.logarithmic) {
-      EXPECT_GT(field.min, 0) << field.path;
+    EXPECT_GE(field.sliderMin, field.min) << field.path;
+    EXPECT_LE(field.sliderMax, field.max) << field.path;
+    EXPECT_GE(field.defaultValue, field.sliderMin) << field.path;
+    EXPECT_LE(field.defaultValue, field.sliderMax) << field.path;
+    if (field.logarithmic || field.powersOfTwo) {
+      EXPECT_GT(field.sliderMin, 0) << field.path;
     }
   }
 }

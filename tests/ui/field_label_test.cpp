@@ -17,8 +17,8 @@ TEST(FieldLabel, namesReadAsWords) {
 
 TEST(FieldLabel, theFormatShowsTheThesisDefaultsInFullAndEscapesUnits) {
   core::Field field;
-  field.min = 0;
-  field.max = 100;
+  field.sliderMin = 0;
+  field.sliderMax = 100;
   field.unit = "%";
   EXPECT_EQ(sliderFormat(field), "%.5g %%");
   char text[32];
@@ -26,10 +26,28 @@ TEST(FieldLabel, theFormatShowsTheThesisDefaultsInFullAndEscapesUnits) {
   EXPECT_STREQ(text, "32.175");
   field.unit = "1";
   field.logarithmic = true;
-  field.min = 1e-7;
+  field.sliderMin = 1e-7;
   EXPECT_EQ(sliderFormat(field), "%.7g") << "Dear ImGui would take less than 1e-5 for zero";
   field.kind = core::FieldKind::integer;
   EXPECT_EQ(sliderFormat(field), "%lld");
+}
+
+TEST(FieldLabel, theTooltipHasOtherNamesBothRangesAndTheNote) {
+  core::Field field;
+  field.path = "clouds.scale";
+  field.help = "Of the billows.";
+  field.unit = "m";
+  field.min = field.sliderMin = 1;
+  field.max = field.sliderMax = 4;
+  EXPECT_EQ(tooltipText(field),
+            "Of the billows.\nRange 1 to 4 m.\nDefault 0 m.\nTakes effect at once.\nclouds.scale");
+  field.sliderMax = 2;
+  field.aliases = "size, frequency";
+  field.note = [] { return std::string("Repeats after 3 km."); };
+  EXPECT_EQ(
+      tooltipText(field),
+      "Of the billows.\nRepeats after 3 km.\nAlso called size, frequency.\nSlider 1 to 2 m.\nTyped 1 to 4 m."
+      "\nDefault 0 m.\nTakes effect at once.\nclouds.scale");
 }
 
 }  // namespace

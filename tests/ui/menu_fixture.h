@@ -37,7 +37,9 @@ struct Aircraft {
 
 inline void describe(core::SettingsVisitor& visitor, Aircraft& a) {
   using core::TakesEffect;
-  visitor.number("rollFactor", a.rollFactor, {"1", 0, 2, "How strongly the stick rolls."});
+  visitor.number(
+      "rollFactor", a.rollFactor,
+      {.unit = "1", .min = 0, .max = 2, .help = "How strongly the stick rolls.", .aliases = "AILERON"});
   visitor.number("mass", a.mass, {"kg", 1, 100000, "Of the aircraft.", TakesEffect::rebuild, true});
   visitor.integer("blades", a.blades, {"1", 1, 6, "Of the propeller."});
   visitor.flag("smoke", a.smoke, {"Leaves a trail."});
@@ -46,12 +48,17 @@ inline void describe(core::SettingsVisitor& visitor, Aircraft& a) {
 }
 
 struct Weather {
-  double scale = 0.595;
+  double scale = 0.595, cell = 64;
   std::int64_t seed = 7;
 };
 
 inline void describe(core::SettingsVisitor& visitor, Weather& w) {
-  visitor.number("scale", w.scale, {"%", 0.001, 1, "Low: bigger, fluffier."});
+  visitor.number(
+      "scale", w.scale,
+      {.unit = "%", .min = 0.001, .max = 4, .help = "Low: bigger, fluffier.", .slider = core::Range{0.5, 1}});
+  visitor.number(
+      "cell", w.cell,
+      {.unit = "m", .min = 4, .max = 512, .help = "Of the map.", .logarithmic = true, .powersOfTwo = true});
   visitor.integer("seed", w.seed, {"1", 0, 1e15, "Of the sky."});
 }
 

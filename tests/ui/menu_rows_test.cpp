@@ -61,6 +61,39 @@ TEST_F(MenuRowsTest, aLogarithmicSliderMovesByRatios) {
   EXPECT_NEAR(std::log10(settings.aircraft.mass), 2.5, 0.3);
 }
 
+TEST_F(MenuRowsTest, aSliderCoversItsPartOfTheRangeAndTypingAllOfIt) {
+  sections = {{"weather", "Weather", true}};
+  driver.frames(2);
+  drag("weather.scale", 0.3f, 5.0f);
+  release("weather.scale", 5.0f);
+  EXPECT_EQ(settings.weather.scale, 1) << "the slider's end, not the range's";
+  startTyping("weather.scale");
+  typeAndEnter("3.5");
+  EXPECT_EQ(settings.weather.scale, 3.5);
+  driver.frames(5);
+  EXPECT_EQ(settings.weather.scale, 3.5) << "the slider leaves it as it was typed";
+  startTyping("weather.scale");
+  typeAndEnter("4.5");
+  EXPECT_EQ(settings.weather.scale, 3.5) << "beyond the range it is refused";
+  drag("weather.scale", 0.9f, -1.0f);
+  release("weather.scale", -1.0f);
+  EXPECT_EQ(settings.weather.scale, 0.5);
+}
+
+TEST_F(MenuRowsTest, aSliderOfPowersOfTwoStopsAtThemAlone) {
+  sections = {{"weather", "Weather", true}};
+  driver.frames(2);
+  for (const auto& [at, value] : {std::pair(5.0f, 512.0), std::pair(-1.0f, 4.0), std::pair(0.5f, 64.0)}) {
+    drag("weather.cell", 0.3f, at);
+    release("weather.cell", at);
+    EXPECT_EQ(std::exp2(std::round(std::log2(settings.weather.cell))), settings.weather.cell);
+    EXPECT_TRUE(settings.weather.cell == value || (value == 64 && settings.weather.cell == 32)) << at;
+  }
+  startTyping("weather.cell");
+  typeAndEnter("100");
+  EXPECT_EQ(settings.weather.cell, 100) << "typed, it stays";
+}
+
 TEST_F(MenuRowsTest, integersFlagsAndChoicesAreEdited) {
   drag("aircraft.blades", 0.3f, 1.0f);
   release("aircraft.blades", 1.0f);
@@ -102,7 +135,7 @@ TEST_F(MenuRowsTest, aSectionIsResetByItself) {
 
 TEST_F(MenuRowsTest, resetAllSetsEveryShownSectionAndNoOther) {
   settings.aircraft = {1, 2, 3, true, Quality::high, {4}};
-  settings.weather = {0.1, 8};
+  settings.weather = {0.1, 32, 8};
   driver.frames(1);
   clickOn("reset all");
   for (const core::Field& field : table.fields()) {

@@ -16,6 +16,8 @@ TEST_F(MenuSearchTest, aSearchShowsRowsOfClosedSectionsTooAndNoOthers) {
   EXPECT_THAT(rows(), ::testing::ElementsAre("aircraft.wing.span")) << "every word must stand somewhere";
   search("aircraft.m");
   EXPECT_THAT(rows(), ::testing::ElementsAre("aircraft.mass")) << "a part of the path";
+  search("aileron");
+  EXPECT_THAT(rows(), ::testing::ElementsAre("aircraft.rollFactor")) << "another name";
   search("nothing like it");
   EXPECT_THAT(rows(), ::testing::IsEmpty());
   chord('F');

@@ -15,7 +15,7 @@ TEST_F(MenuTest, whatIsOpenAndWhereTheMenuStandsIsRemembered) {
   driver.frames(2);
   clickOn("section aircraft");
   clickOn("section weather");
-  EXPECT_THAT(rows(), ::testing::ElementsAre("weather.scale", "weather.seed"));
+  EXPECT_THAT(rows(), ::testing::ElementsAre("weather.cell", "weather.scale", "weather.seed"));
   EXPECT_FALSE(menu.state().place) << "nobody has moved it";
   const ScreenRect before = menu.place();
   const float y = before.top + 5;

@@ -69,7 +69,7 @@ TEST(SettingsTable, refusesWhatIsUnknownOrOutOfRangeInOneLineAndChangesNothing) 
   const auto refusal = [&](const char* text) {
     return test::refusalOf<std::exception>([&] { setField(table, text); });
   };
-  EXPECT_EQ(refusal("lenght=1"), "unknown setting 'lenght'; the nearest is 'length'");
+  EXPECT_EQ(refusal("lenght=1"), "unknown setting 'lenght'; the nearest are 'length', 'count' and 'on'");
   EXPECT_EQ(refusal("length=11"), "length: '11' is out of range 0.1 to 10 m");
   EXPECT_EQ(refusal("length=nan"), "length: 'nan' is not a finite number");
   EXPECT_EQ(refusal("length=1m"), "length: '1m' is not a number");
@@ -94,7 +94,8 @@ TEST(SettingsTable, jsonRoundTripKeepsEveryBit) {
 
 TEST(SettingsTable, arraysAreReadByIndexOrAsLists) {
   Sample sample;
-  applyJson(SettingsTable(sample), nlohmann::json::parse(R"({"layers": [{"base": 1}, {"base": 2}]})"), "a.json");
+  applyJson(SettingsTable(sample), nlohmann::json::parse(R"({"layers": [{"base": 1}, {"base": 2}]})"),
+            "a.json");
   EXPECT_EQ(sample.layers[1].base, 2);
 }
 
@@ -106,7 +107,8 @@ TEST(SettingsTable, aBadJsonObjectNamesFileAndPlaceAndChangesNothing) {
   };
   EXPECT_EQ(apply(R"({"length": 3, "layers": {"0": {"base": -5}}})"),
             "a.json: layers.0.base: -5 is out of range 0 to 20000 m");
-  EXPECT_EQ(apply(R"({"length": 3, "nothing": 1})"), "a.json: nothing: unknown setting");
+  EXPECT_EQ(apply(R"({"length": 3, "nothing": 1})"),
+            "a.json: nothing: unknown setting; the nearest are 'count', 'on' and 'length'");
   EXPECT_EQ(apply(R"({"length": "3"})"), "a.json: length: \"3\" is not a number");
   EXPECT_EQ(apply(R"({"mode": 2})"), "a.json: mode: 2 is not a name in quotes");
   EXPECT_EQ(apply(R"([1])"), "a.json: settings: is not an object");

@@ -3,8 +3,8 @@
 //     void describe(core::SettingsVisitor& visitor, AirplaneSettings& settings);
 //
 // that names every field with unit, range and a sentence. From that one description come JSON reading and
-// writing, range checks, --set, menu sliders and the axes of accuracy studies (settings_table.h). The default
-// of a field is its value in a default-constructed struct: it is written nowhere else.
+// writing, range checks, --set, menu sliders, search and the axes of accuracy studies (settings_table.h). The
+// default of a field is its value in a default-constructed struct: it is written nowhere else.
 #pragma once
 
 #include <array>
@@ -12,9 +12,11 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace skydrop::core {
 
@@ -22,18 +24,39 @@ namespace skydrop::core {
 // (applied when a slider is released); or at the next start.
 enum class TakesEffect { live, variant, rebuild, restart };
 
+struct Range {
+  double min, max;
+};
+
+// What the value that a field has now comes to, where that is not plain, or why it does nothing now: a
+// sentence, or nothing. Called whenever it is shown; may refer to the struct that is described.
+using FieldNote = std::function<std::string()>;
+
+inline FieldNote noteWhile(std::function<bool()> holds, std::string sentence) {
+  return [holds = std::move(holds), sentence = std::move(sentence)] { return holds() ? sentence : ""; };
+}
+
 struct NumberInfo {
   std::string_view unit;  // SI, "1" for a pure number
+  // What typing, --set and files may set.
   double min = -std::numeric_limits<double>::max();
   double max = std::numeric_limits<double>::max();
   std::string_view help;  // one sentence: what it does, and what more of it means
   TakesEffect takesEffect = TakesEffect::live;
-  bool logarithmic = false;  // the slider moves by ratios; needs min > 0
+  bool logarithmic = false;  // the slider moves by ratios; needs a slider that begins above 0
+  bool powersOfTwo = false;  // nothing between them makes a difference: the slider stops at them alone
+  // What the slider covers: where the result looks and flies right, and every value makes a difference. All
+  // of min to max where it is not given.
+  std::optional<Range> slider = std::nullopt;
+  std::string_view aliases = {};  // "HG, g": what else people call it; for search and suggestions alone
+  FieldNote note = {};
 };
 
 struct ChoiceInfo {
   std::string_view help;
   TakesEffect takesEffect = TakesEffect::live;
+  std::string_view aliases = {};  // as of numbers
+  FieldNote note = {};
 };
 
 // Walks a settings struct. Names are lowerCamel, unique within their group, without dots.
@@ -51,7 +74,8 @@ class SettingsVisitor {
 
   // An enumeration, written by name: names[i] belongs to static_cast<Enum>(i).
   template <class Enum>
-  void choice(std::string_view name, Enum& value, std::span<const std::string_view> names, const ChoiceInfo& info) {
+  void choice(std::string_view name, Enum& value, std::span<const std::string_view> names,
+              const ChoiceInfo& info) {
     choiceByIndex(
         name, [&value] { return static_cast<int>(value); }, [&value](int i) { value = static_cast<Enum>(i); },
         names, info);

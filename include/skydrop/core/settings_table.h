@@ -23,11 +23,15 @@ struct Field {
   FieldKind kind = FieldKind::number;
   std::string unit;
   std::string help;
-  double min = 0, max = 0;  // of a choice: 0 .. names - 1; of a flag: 0 .. 1
+  double min = 0, max = 0;              // of a choice: 0 .. names - 1; of a flag: 0 .. 1
+  double sliderMin = 0, sliderMax = 0;  // the part of it that a slider covers
   double defaultValue = 0;
   TakesEffect takesEffect = TakesEffect::live;
   bool logarithmic = false;
+  bool powersOfTwo = false;        // what a slider stops at
   std::vector<std::string> names;  // of a choice
+  std::string aliases;             // "HG, g", or empty
+  FieldNote note;                  // may be empty
 
   // Every kind as a double: a flag is 0 or 1, a choice its index. set() does no check: see setField().
   std::function<double()> get;
@@ -58,8 +62,10 @@ class SettingsTable {
   const std::vector<GroupInfo>& groups() const { return groups_; }
   // Null when there is none.
   const Field* find(std::string_view path) const;
-  // find(), or RangeError: "unknown setting 'x'", with the nearest known path as a hint.
+  // find(), or RangeError: "unknown setting 'x'", with the nearest known paths as a hint.
   const Field& at(std::string_view path) const;
+  // Those paths: "; the nearest are 'a', 'b' and 'c'". They are found by aliases too.
+  std::string nearestText(std::string_view path) const;
 
   // From now on the defaults are the values that `base` has, a table of the same description: what a reset
   // goes back to.
