@@ -8,6 +8,7 @@
 #include "app/cloud_noise.h"
 #include "app/frame_times.h"
 #include "app/menu_desk.h"
+#include "app/message.h"
 #include "app/open_context.h"
 #include "app/overlay.h"
 #include "app/prepare.h"
@@ -82,7 +83,7 @@ int render(const CommandLine& line) {
   const std::unique_ptr<Run> run = prepareRun(line);
   FrameFiles files(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
-  if (run->warning) std::fprintf(stderr, "skydrop: %s\n", run->warning->c_str());
+  if (run->warning) warn(*run->warning);
   std::optional<CloudNoise> cloudNoise;  // got ready while the rest is
   if (scene::requiredEffects(run->setup.scene).contains(scene::Effect::clouds))
     cloudNoise.emplace(NoiseStore(cacheFolder()), CloudNoise::Maker::processor);
@@ -96,8 +97,7 @@ int render(const CommandLine& line) {
                cloudNoise ? cloudNoise->wait() : nullptr},
               run->settings);
   if (cloudNoise) {
-    for (const std::string& message : cloudNoise->takeMessages())
-      std::fprintf(stderr, "skydrop: %s\n", message.c_str());
+    for (const std::string& message : cloudNoise->takeMessages()) warn(message);
   }
   if (line.pose) place(stage.camera(), *line.pose);
   std::unique_ptr<Overlay> overlay;
@@ -111,8 +111,7 @@ int render(const CommandLine& line) {
 
   MenuDesk desk(run->userFolder);
   if (overlay) {
-    if (const auto warning = desk.load(overlay->menu()))
-      std::fprintf(stderr, "skydrop: %s\n", warning->c_str());
+    if (const auto warning = desk.load(overlay->menu())) warn(*warning);
   }
 
   FrameTimes times;
@@ -154,8 +153,7 @@ int render(const CommandLine& line) {
     progress.clear();
     if (line.out != "-") print("%s\n", files.path(frame).c_str());
   }
-  for (const std::string& message : stage.takeMessages())
-    std::fprintf(stderr, "skydrop: %s\n", message.c_str());
+  for (const std::string& message : stage.takeMessages()) warn(message);
 
   if (stats) {
     times.writeTo(statistics);
