@@ -1,8 +1,11 @@
 #include "skydrop/core/image.h"
 
 #include <cstring>
+#include <limits>
 #include <memory>
+#include <string>
 
+#include "core/png_check.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 
@@ -30,6 +33,8 @@ namespace skydrop::core {
 namespace {
 
 constexpr int kMaxSide = 16384;
+constexpr std::uint64_t kMostDeflated = 1032;  // bytes that a byte of a deflate stream can stand for
+constexpr const char* kCutOff = "are cut off: there are fewer than the header says";
 
 std::size_t byteCount(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
@@ -39,6 +44,21 @@ void appendBytes(void* context, void* data, int size) {
   auto& bytes = *static_cast<std::vector<std::byte>*>(context);
   const auto* first = static_cast<const std::byte*>(data);
   bytes.insert(bytes.end(), first, first + size);
+}
+
+// Inflates the rows once more: stb_image neither compares their checksum nor minds if some are missing.
+void checkRows(const PngContent& content, std::string_view name) {
+  if (content.rowBytes > static_cast<std::uint64_t>(std::numeric_limits<int>::max()) ||
+      content.compressed.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw DataError(name, "pixels", "too large");
+  if (content.rowBytes / kMostDeflated > content.compressed.size()) throw DataError(name, "pixels", kCutOff);
+  std::vector<std::byte> rows(content.rowBytes);
+  const int inflated = stbi_zlib_decode_buffer(
+      reinterpret_cast<char*>(rows.data()), static_cast<int>(rows.size()),
+      reinterpret_cast<const char*>(content.compressed.data()), static_cast<int>(content.compressed.size()));
+  if (inflated < 0) throw DataError(name, "pixels", stbi_failure_reason());
+  if (static_cast<std::size_t>(inflated) < rows.size()) throw DataError(name, "pixels", kCutOff);
+  if (!matchesChecksum(rows, content.compressed)) throw DataError(name, "pixels", "their checksum is wrong");
 }
 
 }  // namespace
@@ -51,20 +71,18 @@ const std::uint8_t* Image::pixel(int x, int y) const {
 }
 
 Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
-  static constexpr unsigned char kMagic[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  if (bytes.size() < sizeof kMagic || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) {
-    throw DataError(name, "signature", "not a PNG file");
+  const PngContent content = checkPng(bytes, name);
+  if (content.width < 1 || content.height < 1 || content.width > kMaxSide || content.height > kMaxSide) {
+    throw DataError(name, "chunk IHDR",
+                    "size " + std::to_string(content.width) + " x " + std::to_string(content.height) +
+                        " is out of range");
   }
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
-    throw DataError(name, "header", stbi_failure_reason());
-  }
-  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide) {
-    throw DataError(name, "header",
-                    "size " + std::to_string(width) + " x " + std::to_string(height) + " is out of range");
-  }
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels))
+    throw DataError(name, "chunk IHDR", stbi_failure_reason());
+  checkRows(content, name);
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) throw DataError(name, "pixels", stbi_failure_reason());

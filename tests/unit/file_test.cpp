@@ -1,7 +1,17 @@
 #include "skydrop/core/file.h"
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
+
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/image.h"
@@ -52,6 +62,57 @@ TEST_F(FileTest, missingFilesAndFoldersAreNamed) {
   EXPECT_THROW(readFile(folder_), DataError);
 }
 
+TEST_F(FileTest, onlyRegularFilesAreReadAndNothingElseIsWaitedFor) {
+  // Opening a pipe waits for a writer, reading /dev/zero never ends: each kind is refused at once, by name.
+  const auto refusal = [](const fs::path& file) {
+    return test::refusalOf<DataError>([&] { readTextFile(file, 100); });
+  };
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(refusal(pipe), pipe.string() + ": cannot open: is a pipe, not a regular file");
+  EXPECT_EQ(refusal("/dev/zero"), "/dev/zero: cannot open: is a device, not a regular file");
+  EXPECT_EQ(refusal(folder_), folder_.string() + ": cannot open: is a folder");
+
+  const fs::path socket = folder_ / "socket";
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  ASSERT_LT(socket.native().size(), sizeof address.sun_path);
+  std::strcpy(address.sun_path, socket.c_str());
+  const int listener = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_EQ(bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  EXPECT_EQ(refusal(socket), socket.string() + ": cannot open: is a socket, not a regular file");
+  close(listener);
+
+  // A link is what it leads to.
+  fs::create_symlink(pipe, folder_ / "link");
+  EXPECT_EQ(refusal(folder_ / "link"),
+            (folder_ / "link").string() + ": cannot open: is a pipe, not a regular file");
+  writeFileAtomically(folder_ / "a.txt", "text");
+  fs::create_symlink("a.txt", folder_ / "good");
+  EXPECT_EQ(readTextFile(folder_ / "good"), "text");
+}
+
+TEST_F(FileTest, aPathThatNoFileCanHaveIsRefusedInOneLine) {
+  // A zero byte would end the name early, and another file would be read.
+  writeFileAtomically(folder_ / "a.txt", "text");
+  const std::string cut = (folder_ / "a.txt").string() + std::string(1, '\0') + ".json";
+  EXPECT_EQ(test::refusalOf<DataError>([&] { readTextFile(cut); }),
+            (folder_ / "a.txt").string() + "\\x00.json: cannot open: a zero byte cannot be in a path");
+  const std::string line =
+      test::refusalOf<DataError>([&] { readTextFile(folder_ / std::string(5000, 'x')); });
+  EXPECT_LT(line.size(), 1000u);
+  EXPECT_NE(line.find("name too long"), std::string::npos) << line;
+}
+
+TEST_F(FileTest, aHyphenNamesStandardInputWhereTheCommandLineDoes) {
+  EXPECT_TRUE(isStandardInput("-"));
+  EXPECT_FALSE(isStandardInput("./-"));
+  EXPECT_EQ(inputName("-"), "standard input");
+  EXPECT_EQ(inputName("a.json"), "a.json");
+  writeFileAtomically(folder_ / "a.txt", "text");
+  EXPECT_EQ(readTextInput(folder_ / "a.txt"), "text");
+}
+
 TEST_F(FileTest, foldersAreMadeWithThoseTheyLieIn) {
   // All of a path that is missing is made, and making it again is no failure; a file in the way is named.
   makeFolder(folder_ / "outer" / "inner");
@@ -79,13 +140,82 @@ TEST_F(FileTest, pngRoundTripKeepsEveryPixel) {
 }
 
 TEST_F(FileTest, damagedPngsAreRefusedInOneLine) {
-  std::vector<std::byte> bytes = encodePng(Image(16, 16));
-  EXPECT_THROW(decodePng({}, "empty.png"), DataError);
-  for (std::size_t length = 1; length < bytes.size() - 12; ++length) {  // 12 bytes: the end chunk, not needed
-    EXPECT_THROW(decodePng(std::span(bytes).first(length), "cut.png"), DataError) << length;
+  // Cut anywhere, or with any one byte changed: no picture comes of it, and the line names the file.
+  Image image(16, 16);
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = static_cast<std::uint8_t>(i * i);
+  const std::vector<std::byte> good = encodePng(image);
+  const auto refusal = [](std::span<const std::byte> bytes) {
+    return test::refusalOf<DataError>([&] { decodePng(bytes, "a.png"); });
+  };
+  for (std::size_t length = 0; length < good.size(); ++length)
+    EXPECT_TRUE(refusal(std::span(good).first(length)).starts_with("a.png: ")) << length;
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    for (const std::byte change : {std::byte{0x01}, std::byte{0x20}, std::byte{0xff}}) {
+      std::vector<std::byte> bytes = good;
+      bytes[at] ^= change;
+      EXPECT_TRUE(refusal(bytes).starts_with("a.png: ")) << at;
+    }
   }
-  for (std::size_t i = 16; i < 20; ++i) bytes[i] = std::byte{0xff};  // the width
-  EXPECT_THROW(decodePng(bytes, "wide.png"), DataError);
+  const auto end = good.size() - 12;  // the end chunk
+  EXPECT_EQ(refusal(std::span(good).first(end)), "a.png: chunk IEND: is missing: the file is cut off");
+  EXPECT_EQ(refusal(std::span(good).first(end - 1)), "a.png: chunk IDAT: is cut off, as the file is");
+  std::vector<std::byte> bytes = good;
+  bytes[bytes.size() - 20] ^= std::byte{1};
+  EXPECT_EQ(refusal(bytes), "a.png: chunk IDAT: its checksum is wrong");
+  bytes = good;
+  bytes.resize(bytes.size() + 100);
+  EXPECT_EQ(refusal(bytes), "") << "what follows the end chunk is no part of the picture";
+}
+
+// Chunks with checksums that are right, whatever they hold.
+std::vector<std::byte> pngOf(std::initializer_list<std::pair<std::string, std::string>> chunks) {
+  std::string text = "\x89PNG\r\n\x1a\n";
+  const auto word = [](std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+    return bytes;
+  };
+  for (const auto& [type, data] : chunks) {
+    std::uint32_t crc = 0xffffffffu;
+    for (const char c : type + data) {
+      crc ^= static_cast<unsigned char>(c);
+      for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? 0xedb88320u ^ (crc >> 1) : crc >> 1;
+    }
+    text += word(static_cast<std::uint32_t>(data.size())) + type + data + word(~crc);
+  }
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST_F(FileTest, pngsWhosePixelsAreNotWhatTheyShouldBeAreRefused) {
+  // The chunks are sound here: what is inside them is not.
+  using namespace std::string_literals;
+  const auto refusal = [](const std::vector<std::byte>& bytes) {
+    return test::refusalOf<DataError>([&] { decodePng(bytes, "a.png"); });
+  };
+  const std::string header = "\0\0\0\1\0\0\0\1\x08\0\0\0\0"s;      // one grey pixel
+  const std::string stored = "\x78\x01\x01\x02\0\xfd\xff\0\x40"s;  // its row: no filter, 0x40, not compressed
+  const std::string good = stored + "\0\x42\0\x41"s;
+  EXPECT_EQ(refusal(pngOf({{"IHDR", header}, {"IDAT", good}, {"IEND", ""}})), "");
+  EXPECT_EQ(
+      refusal(pngOf({{"IHDR", header}, {"IDAT", good.substr(0, 5)}, {"IDAT", good.substr(5)}, {"IEND", ""}})),
+      "");
+  EXPECT_EQ(refusal(pngOf({{"IHDR", header}, {"IDAT", stored + "\0\x42\0\x42"s}, {"IEND", ""}})),
+            "a.png: pixels: their checksum is wrong");
+  EXPECT_EQ(refusal(pngOf({{"IHDR", "\0\0\0\1\0\0\0\2\x08\0\0\0\0"s}, {"IDAT", good}, {"IEND", ""}})),
+            "a.png: pixels: are cut off: there are fewer than the header says");
+  EXPECT_EQ(refusal(pngOf({{"IHDR", "\0\0\x20\0\0\0\x20\0\x08\6\0\0\0"s}, {"IDAT", good}, {"IEND", ""}})),
+            "a.png: pixels: are cut off: there are fewer than the header says")
+      << "before 256 MiB are allocated";
+  EXPECT_EQ(refusal(pngOf({{"IDAT", good}, {"IHDR", header}, {"IEND", ""}})),
+            "a.png: chunk IHDR: is not the first");
+  EXPECT_EQ(refusal(pngOf({{"IHDR", header}, {"IHDR", header}, {"IDAT", good}, {"IEND", ""}})),
+            "a.png: chunk IHDR: is there twice");
+  EXPECT_EQ(refusal(pngOf({{"IHDR", header}, {"IEND", ""}})), "a.png: chunk IDAT: is missing");
+  EXPECT_EQ(refusal(pngOf({{"IHDR", header.substr(1)}, {"IDAT", good}, {"IEND", ""}})),
+            "a.png: chunk IHDR: is of the wrong length");
+  EXPECT_NE(refusal(pngOf({{"IHDR", "\0\0\0\0\0\0\0\1\x08\0\0\0\0"s}, {"IDAT", good}, {"IEND", ""}})), "");
+  EXPECT_NE(refusal(pngOf({{"IHDR", "\0\0\0\1\0\0\0\1\x07\0\0\0\0"s}, {"IDAT", good}, {"IEND", ""}})), "");
 }
 
 }  // namespace

@@ -11,9 +11,18 @@
 
 namespace skydrop::core {
 
-// Refuses folders, and files beyond `maxBytes` (256 MiB unless told): nothing of ours is larger.
+// Regular files only: a folder, pipe, socket or device is refused at once, and never waited for. Refuses what
+// is larger than `maxBytes` (256 MiB, text 64 MiB, unless told): nothing of ours is larger.
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t{256} << 20);
 std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t{64} << 20);
+
+// For files that the command line names: "-" is standard input, read to its end, anything else as above.
+bool isStandardInput(const std::filesystem::path& path);
+std::vector<std::byte> readInput(const std::filesystem::path& path,
+                                 std::size_t maxBytes = std::size_t{256} << 20);
+std::string readTextInput(const std::filesystem::path& path, std::size_t maxBytes = std::size_t{64} << 20);
+// As messages name it: the path, or "standard input".
+std::string inputName(const std::filesystem::path& path);
 
 // Writes the whole content to what `path` names (output_file.h): after a failure the old file stands as it was
 // and no temporary is left.

@@ -1,0 +1,159 @@
+#include "core/png_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::core {
+namespace {
+
+constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::size_t kHeaderBytes = 13;
+
+// CRC-32 of ISO 3309, as the specification's annex D has it.
+constexpr std::array<std::uint32_t, 256> crcTable() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    std::uint32_t c = i;
+    for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xedb88320u ^ (c >> 1) : c >> 1;
+    table[i] = c;
+  }
+  return table;
+}
+
+std::uint32_t crc32(std::span<const std::byte> bytes) {
+  static constexpr std::array<std::uint32_t, 256> kTable = crcTable();
+  std::uint32_t crc = 0xffffffffu;
+  for (const std::byte b : bytes) crc = kTable[(crc ^ std::to_integer<std::uint32_t>(b)) & 0xff] ^ (crc >> 8);
+  return ~crc;
+}
+
+std::uint32_t bigEndian(std::span<const std::byte> bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<std::uint32_t>(bytes[i]);
+  return value;
+}
+
+int channels(int colourType) {
+  switch (colourType) {
+    case 2:
+      return 3;
+    case 4:
+      return 2;
+    case 6:
+      return 4;
+    default:
+      return 1;
+  }
+}
+
+std::uint64_t bytesOf(std::uint64_t width, std::uint64_t height, std::uint64_t bitsPerPixel) {
+  return width == 0 || height == 0 ? 0 : (1 + (width * bitsPerPixel + 7) / 8) * height;
+}
+
+// Of the picture, or of the seven of an interlaced one.
+std::uint64_t rowBytes(std::uint64_t width, std::uint64_t height, std::uint64_t bitsPerPixel,
+                       bool interlaced) {
+  if (!interlaced) return bytesOf(width, height, bitsPerPixel);
+  struct Pass {
+    std::uint64_t x, y, stepX, stepY;
+  };
+  constexpr std::array<Pass, 7> kAdam7 = {
+      {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}}};
+  std::uint64_t bytes = 0;
+  for (const Pass& pass : kAdam7) {
+    const auto count = [](std::uint64_t size, std::uint64_t first, std::uint64_t step) {
+      return size > first ? (size - first + step - 1) / step : 0;
+    };
+    bytes += bytesOf(count(width, pass.x, pass.stepX), count(height, pass.y, pass.stepY), bitsPerPixel);
+  }
+  return bytes;
+}
+
+class ChunkReader {
+ public:
+  ChunkReader(std::span<const std::byte> bytes, std::string_view name) : rest_(bytes), name_(name) {
+    if (bytes.size() < kSignature.size() ||
+        std::memcmp(bytes.data(), kSignature.data(), kSignature.size()) != 0)
+      fail("signature", "not a PNG file");
+    rest_ = bytes.subspan(kSignature.size());
+  }
+
+  PngContent read() {
+    PngContent content;
+    bool hasHeader = false;
+    while (true) {
+      const Chunk chunk = next();
+      if (!hasHeader && chunk.type != "IHDR") fail("chunk IHDR", "is not the first");
+      if (hasHeader && chunk.type == "IHDR") fail("chunk IHDR", "is there twice");
+      if (!hasHeader) readHeader(chunk.data, content);
+      hasHeader = true;
+      if (chunk.type == "IDAT")
+        content.compressed.insert(content.compressed.end(), chunk.data.begin(), chunk.data.end());
+      if (chunk.type == "IEND") break;
+    }
+    if (content.compressed.empty()) fail("chunk IDAT", "is missing");
+    return content;
+  }
+
+ private:
+  struct Chunk {
+    std::string_view type;
+    std::span<const std::byte> data;
+  };
+
+  [[noreturn]] void fail(std::string_view place, std::string_view reason) const {
+    throw DataError(name_, place, reason);
+  }
+
+  Chunk next() {
+    if (rest_.size() < 8) fail("chunk IEND", "is missing: the file is cut off");
+    const std::size_t length = bigEndian(rest_);
+    const std::string_view type(reinterpret_cast<const char*>(rest_.data()) + 4, 4);
+    const std::string place = "chunk " + std::string(type);
+    if (rest_.size() - 8 < 4 || length > rest_.size() - 12) fail(place, "is cut off, as the file is");
+    const Chunk chunk{type, rest_.subspan(8, length)};
+    if (crc32(rest_.subspan(4, 4 + length)) != bigEndian(rest_.subspan(8 + length)))
+      fail(place, "its checksum is wrong");
+    rest_ = rest_.subspan(12 + length);
+    return chunk;
+  }
+
+  void readHeader(std::span<const std::byte> data, PngContent& content) const {
+    if (data.size() != kHeaderBytes) fail("chunk IHDR", "is of the wrong length");
+    content.width = bigEndian(data);
+    content.height = bigEndian(data.subspan(4));
+    const auto field = [&](std::size_t i) { return std::to_integer<int>(data[i]); };
+    const auto bits = static_cast<std::uint64_t>(field(8) * channels(field(9)));
+    content.rowBytes = rowBytes(content.width, content.height, bits, field(12) != 0);
+  }
+
+  std::span<const std::byte> rest_;
+  std::string_view name_;
+};
+
+}  // namespace
+
+PngContent checkPng(std::span<const std::byte> bytes, std::string_view name) {
+  return ChunkReader(bytes, name).read();
+}
+
+bool matchesChecksum(std::span<const std::byte> rows, std::span<const std::byte> compressed) {
+  constexpr std::uint32_t kBase = 65521;
+  constexpr std::size_t kBlock = 5552;  // the most sums that fit 32 bits
+  std::uint32_t a = 1, b = 0;
+  for (std::size_t at = 0; at < rows.size(); at += kBlock) {
+    for (const std::byte value : rows.subspan(at, std::min(kBlock, rows.size() - at))) {
+      a += std::to_integer<std::uint32_t>(value);
+      b += a;
+    }
+    a %= kBase;
+    b %= kBase;
+  }
+  return compressed.size() >= 4 && bigEndian(compressed.last(4)) == (b << 16 | a);
+}
+
+}  // namespace skydrop::core
