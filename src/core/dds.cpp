@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <cstring>
@@ -55,7 +56,7 @@ constexpr Word fourCc(const char (&letters)[5]) {
 
 constexpr Word kDds = fourCc("DDS "), kDx10 = fourCc("DX10");
 constexpr Word kFlagCaps = 0x1, kFlagHeight = 0x2, kFlagWidth = 0x4, kFlagPitch = 0x8,
-               kFlagPixelFormat = 0x1000, kFlagMipCount = 0x20000, kFlagDepth = 0x800000;
+               kFlagPixelFormat = 0x1000, kFlagDepth = 0x800000;
 constexpr Word kCapsComplex = 0x8, kCapsTexture = 0x1000, kCaps2Cube = 0x200, kCaps2Volume = 0x200000;
 constexpr Word kPixelAlpha = 0x1, kPixelFourCc = 0x4, kPixelRgb = 0x40, kPixelLuminance = 0x20000;
 constexpr Word kDimension2D = 3, kDimension3D = 4, kMiscCube = 0x4;
@@ -127,10 +128,15 @@ class HeaderReader {
   bool opaque() const { return opaque_; }
   std::size_t dataStart() const { return (kLegacyWords + (dx10_ ? kDx10Words : 0)) * 4; }
 
-  // What all mip levels need, in bytes.
+  // What all mip levels need, in bytes. The count holds without its flag too, which some writers leave out
+  // and readers should not rely on (DDS_HEADER, remarks on dwFlags); 0 is one level.
   std::uint64_t dataBytes(const TextureData& shape) const {
-    const Word levels = (word(kFlags) & kFlagMipCount) != 0 && word(kMipCount) > 0 ? word(kMipCount) : 1;
-    if (levels > 15) fail("mip levels", std::to_string(levels) + " is out of range 1 to 15");
+    const Word levels = std::max<Word>(word(kMipCount), 1);
+    const auto longest = static_cast<Word>(std::max({shape.width, shape.height, shape.depth}));
+    const auto most = static_cast<Word>(std::bit_width(longest));  // the last level is one texel
+    if (levels > most) {
+      fail("mip levels", std::to_string(levels) + " is out of range 1 to " + std::to_string(most));
+    }
     std::uint64_t total = 0;
     for (Word level = 0; level < levels; ++level) {
       const auto at = [level](int side) { return static_cast<std::uint64_t>(std::max(side >> level, 1)); };
@@ -157,7 +163,8 @@ class HeaderReader {
   bool isVolume() const {
     if (!dx10_) {
       if ((word(kCaps2) & kCaps2Cube) != 0) fail("caps2", "a cube map");
-      return (word(kCaps2) & kCaps2Volume) != 0;
+      // Either says it: Direct3D's own reader goes by the flag, older writers set the capability alone.
+      return (word(kCaps2) & kCaps2Volume) != 0 || (word(kFlags) & kFlagDepth) != 0;
     }
     if ((word(kMisc) & kMiscCube) != 0) fail("misc flag", "a cube map");
     if (word(kArraySize) != 1) fail("array size", std::to_string(word(kArraySize)) + " instead of 1");

@@ -35,10 +35,12 @@ struct TextureData {
 
 enum class DdsHeader { legacy, dx10 };
 
-// The first mip level of a 2D texture or a volume. Reads both headers, legacy BGRA and BGRX as RGBA. Throws
+// The first mip level of a 2D texture or a volume. Reads both headers, legacy BGRA and BGRX as RGBA. A legacy
+// file is a volume by its depth flag or its capability; the mip count holds with and without its flag. Throws
 // DataError with the field at fault (`name: field: reason`) for another magic number, a size outside 1 to
-// 16384 (volumes 1 to 2048) or beyond 256 MiB, a format other than TexelFormat's, cube maps, arrays, and a
-// file that is shorter or longer than its header says. Never reads or allocates beyond what the file holds.
+// 16384 (volumes 1 to 2048) or beyond 256 MiB, more mip levels than such a size has, a format other than
+// TexelFormat's, cube maps, arrays, and a file that is shorter or longer than its header says. Never reads or
+// allocates beyond what the file holds.
 TextureData decodeDds(std::span<const std::byte> bytes, std::string_view name);
 std::vector<std::byte> encodeDds(const TextureData& texture, DdsHeader header);
 
