@@ -1,9 +1,8 @@
 #include "app/cloud_tier.h"
 
-#include <nlohmann/json.hpp>
-
 #include "skydrop/core/assets.h"
 #include "skydrop/core/error.h"
+#include "skydrop/core/json.h"
 #include "skydrop/core/settings_file.h"
 
 namespace skydrop::app {
@@ -34,21 +33,15 @@ std::filesystem::path cloudTierPath(clouds::CloudTier tier) {
 CloudTierFile readCloudTier(const std::filesystem::path& file) {
   CloudTierFile tier;
   tier.file = file.string();
-  const nlohmann::json json = core::readSettingsFile(file);
-  for (const auto& [name, value] : json.items()) {
-    if (name != "schema" && name != "description" && name != "settings")
-      throw core::DataError(tier.file, name, "unknown member");
-  }
-  const nlohmann::json description = json.value("description", nlohmann::json());
-  if (!description.is_string()) throw core::DataError(tier.file, "description", "is not a text");
-  tier.description = description.get<std::string>();
+  const nlohmann::json json = core::readSettingsFile(file, {"description"});
+  tier.description = core::jsonText(json.value("description", nlohmann::json()), tier.file, "description");
   requireMarchOnly(json["settings"], tier.file);
   tier.settingsJson = json["settings"].dump();
   return tier;
 }
 
 void applyCloudTier(const core::SettingsTable& table, const CloudTierFile& tier) {
-  core::applyJson(table, nlohmann::json::parse(tier.settingsJson), tier.file);
+  core::applyJson(table, core::parseJson(tier.settingsJson, tier.file), tier.file);
 }
 
 bool belongsToCloudTier(std::string_view path) { return path.starts_with("clouds.march."); }

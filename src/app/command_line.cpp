@@ -1,12 +1,15 @@
 #include "app/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
 
 #include "app/version.h"
 #include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
+#include "skydrop/core/message.h"
 #include "skydrop/scene/scene.h"
 
 namespace skydrop::app {
@@ -14,7 +17,6 @@ namespace {
 
 using core::UsageError;
 
-constexpr int kMaxSide = 16384;        // what images (core/image.h) and GL 4.5 targets can hold
 constexpr double kMaxSeconds = 1e6;    // more is a slip of the hand
 constexpr double kFarthestM = 1e12;    // where doubles still resolve a tenth of a millimetre
 
@@ -104,7 +106,8 @@ class Parser {
   Parser() {
     app_.set_help_flag("--help", "print this help");
     app_.add_flag("--version", version_, "print the version");
-    app_.add_flag("--list-scenes", listScenes_, "print the names of the scenes");
+    app_.add_flag("--list-scenes", listScenes_,
+                  "print the names of the scenes; a broken one is an error (1) after the list");
     addCommon(app_);
     addFly(app_);
     CLI::App* render = app_.add_subcommand("render", "frames to PNG files, no window needed");
@@ -139,14 +142,14 @@ class Parser {
       app_.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
       const auto chosen = app_.get_subcommands();
-      return {line_, (chosen.empty() ? app_ : *chosen.front()).help()};
+      return {line_, (chosen.empty() ? app_ : *chosen.front()).help(), {}};
     } catch (const CLI::ParseError& error) {
       throw UsageError(error.what());
     }
-    if (version_) return {line_, std::string("skydrop ") + kVersion + "\n"};
-    if (listScenes_) return {line_, sceneList()};
+    if (version_) return {line_, std::string("skydrop ") + kVersion + "\n", {}};
+    if (listScenes_) return sceneList();
     check();
-    return {line_, std::nullopt};
+    return {line_, std::nullopt, {}};
   }
 
  private:
@@ -164,8 +167,13 @@ class Parser {
   }
 
   void addCommon(CLI::App& verb) {
-    text(verb, "--scene", "NAME|FILE", std::string("the scene (") + kDefaultScene + ")", [this](const std::string& t) { line_.scene = t; });
-    text(verb, "--preset", "NAME|FILE", "a preset that the menu saved, for this run; --set comes after it",
+    text(verb, "--scene", "NAME|FILE|-",
+         std::string("the scene (") + kDefaultScene + "); - is standard input, here and below",
+         [this](const std::string& t) {
+           if (t.empty()) throw UsageError("--scene: the name is empty");
+           line_.scene = t;
+         });
+    text(verb, "--preset", "NAME|FILE|-", "a preset that the menu saved, for this run; --set comes after it",
          [this](const std::string& t) {
            if (t.empty()) throw UsageError("--preset: the name is empty");
            line_.preset = t;
@@ -181,7 +189,7 @@ class Parser {
          [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
     path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
     path(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
-    path(verb, "--replay", "FILE", "fly a recorded input log", line_.replay);
+    path(verb, "--replay", "FILE|-", "fly a recorded input log", line_.replay);
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
   }
 
@@ -199,9 +207,13 @@ class Parser {
     addSeed(verb, "the noise's seed (0); its lower 32 bits");
     verb.add_flag("--check", line_.noise.check, "make all by processor and by shader, compare them, look for seams");
     verb.add_option_function<std::vector<std::string>>(
-            "--noise", [this](const std::vector<std::string>& all) { line_.noise.files.assign(all.begin(), all.end()); },
-            "read these DDS files instead of making; may stand several times")
-        ->type_name("FILE")
+            "--noise",
+            [this](const std::vector<std::string>& all) {
+              if (std::ranges::find(all, "") != all.end()) throw UsageError("--noise: the path is empty");
+              line_.noise.files.assign(all.begin(), all.end());
+            },
+            "read these DDS files (-: standard input) instead of making; may stand several times")
+        ->type_name("FILE|-")
         ->allow_extra_args(false)
         ->expected(1, 1000);
     path(verb, "--out", "DIR", "export to this folder", line_.noise.folder);
@@ -246,7 +258,27 @@ class Parser {
          [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
   }
 
+  // Standard input can be read once, and two exports of one name would be one.
+  void checkFiles() const {
+    std::vector<std::filesystem::path> inputs = line_.noise.files;
+    if (line_.scene) inputs.emplace_back(*line_.scene);
+    if (line_.preset) inputs.emplace_back(*line_.preset);
+    if (line_.replay) inputs.push_back(*line_.replay);
+    if (std::ranges::count_if(inputs, core::isStandardInput) > 1)
+      throw UsageError("- (standard input) can be read only once");
+    if (!line_.noise.folder) return;
+    std::map<std::filesystem::path, std::string> exports;
+    for (const std::filesystem::path& file : line_.noise.files) {
+      const auto [first, isNew] = exports.emplace(noiseExportName(file), file.string());
+      if (!isNew) {
+        throw UsageError("--noise: '" + first->second + "' and '" + file.string() +
+                         "' would both be exported as " + first->first.string());
+      }
+    }
+  }
+
   void check() const {
+    checkFiles();
     if (line_.autopilot && line_.replay) throw UsageError("--autopilot and --replay exclude each other");
     if (line_.replay && (line_.scene || line_.seed)) {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
@@ -262,10 +294,16 @@ class Parser {
     if (line_.out != "-" && !line_.out.ends_with(".png")) throw UsageError("--out: '" + line_.out + "' does not end in .png");
   }
 
-  static std::string sceneList() {
-    std::string list;
+  // A scene that cannot be read is left out and complained of: the others are there all the same.
+  ParsedCommandLine sceneList() const {
+    ParsedCommandLine list{line_, "", {}};
     for (const std::string& name : scene::listScenes()) {
-      list += name + "\t" + scene::loadScene(name).description + "\n";
+      try {
+        const scene::Scene scene = scene::loadScene(scene::sceneFile(name).string());
+        *list.answer += core::printable(name) + "\t" + core::printable(scene.description) + "\n";
+      } catch (const core::DataError& error) {
+        list.complaints.emplace_back(error.what());
+      }
     }
     return list;
   }
@@ -280,6 +318,10 @@ class Parser {
 ParsedCommandLine parseCommandLine(int argc, const char* const* argv) {
   Parser parser;
   return parser.parse(argc, argv);
+}
+
+std::string noiseExportName(const std::filesystem::path& file) {
+  return core::isStandardInput(file) ? "stdin" : file.stem().string();
 }
 
 std::string framePath(const std::string& pattern, int frame) {

@@ -15,8 +15,10 @@ namespace skydrop::app {
 enum class Verb { fly, render, simulate, accuracy, noise, info };
 enum class Backend { egl, osmesa, window };
 
+inline constexpr int kMaxSide = 16384;  // what images (core/image.h) and GL 4.5 targets can hold
+
 struct Size {
-  int width = 0, height = 0;  // pixels, 1 .. 16384
+  int width = 0, height = 0;  // pixels, 1 .. kMaxSide
 };
 
 // A camera in the world: metres; degrees; yaw 0 looks along +x and grows towards +z, pitch up, roll right.
@@ -39,6 +41,7 @@ struct NoiseRequest {
 struct CommandLine {
   Verb verb = Verb::fly;
 
+  // Of scene, preset, replay and noise.files at most one is "-", standard input.
   std::optional<std::string> scene;   // kDefaultScene unless told; a replay brings its own
   std::optional<std::string> preset;  // a name or a file; below `set`
   std::vector<std::string> set;       // PATH=VALUE, in order
@@ -78,10 +81,14 @@ struct CommandLine {
 
 struct ParsedCommandLine {
   CommandLine commandLine;
-  std::optional<std::string> answer;  // --help, --version, --list-scenes: print it and end with 0
+  std::optional<std::string> answer;    // --help, --version, --list-scenes: print it and end with 0,
+  std::vector<std::string> complaints;  // or, after these lines on stderr, with 1
 };
 
 ParsedCommandLine parseCommandLine(int argc, const char* const* argv);
+
+// What the export of a DDS file is called, without its ending.
+std::string noiseExportName(const std::filesystem::path& file);
 
 // In the name of the pattern's file, not of its folders, "%d" becomes the frame's number and "%%" a percent sign;
 // any other use of % was refused by parseCommandLine().

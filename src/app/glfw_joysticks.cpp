@@ -7,10 +7,13 @@
 #include <cctype>
 #include <utility>
 
+#include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 
 namespace skydrop::app {
 namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{4} << 20;  // SDL's own is half a megabyte
 
 bool changed = true;  // GLFW's callback knows no owner
 
@@ -24,8 +27,16 @@ static_assert(key::kRightSuper == GLFW_KEY_RIGHT_SUPER && key::kF25 == GLFW_KEY_
 
 GlfwJoysticks::GlfwJoysticks(const std::filesystem::path& mappings) {
   std::error_code ignored;
-  if (std::filesystem::exists(mappings, ignored))
-    glfwUpdateGamepadMappings(core::readTextFile(mappings).c_str());
+  if (std::filesystem::exists(mappings, ignored)) {
+    try {
+      const std::string text = core::readTextFile(mappings, kMostBytes);
+      if (text.find('\0') != std::string::npos)
+        throw core::DataError(mappings.string(), "mappings", "a zero byte: not a text file");
+      glfwUpdateGamepadMappings(text.c_str());
+    } catch (const core::DataError& error) {
+      warning_ = error.what();
+    }
+  }
   changed = true;
   glfwSetJoystickCallback([](int, int) { changed = true; });
 }

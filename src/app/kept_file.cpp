@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/message.h"
 #include "skydrop/core/output_file.h"
 #include "skydrop/core/settings_file.h"
 
@@ -59,7 +60,7 @@ std::optional<std::string> KeptFile::load() {
 }
 
 void KeptFile::reload() {
-  content_ = std::make_shared<const nlohmann::json>(core::readSettingsFile(file_));
+  content_ = std::make_shared<const nlohmann::json>(core::readSettingsFile(file_, {}, core::UnknownMembers::keep));
 }
 
 std::optional<std::string> KeptFile::save(const Change& change) {
@@ -67,7 +68,7 @@ std::optional<std::string> KeptFile::save(const Change& change) {
   std::optional<std::string> line;
   nlohmann::json before = emptyContent();
   try {
-    if (isThere(file_)) before = core::readSettingsFile(file_);
+    if (isThere(file_)) before = core::readSettingsFile(file_, {}, core::UnknownMembers::keep);
   } catch (const core::DataError& refusal) {
     before = *content_;
     line = refusal.what();
@@ -93,7 +94,7 @@ std::optional<std::string> KeptFile::complaintLine(const std::vector<std::string
   if (complaints.size() > kMostComplaints) {
     line += "and " + std::to_string(complaints.size() - kMostComplaints) + " more; ";
   }
-  return line + "not used, but kept";
+  return core::printable(line + "not used, but kept");
 }
 
 void setAt(nlohmann::json& settings, std::string_view path, const nlohmann::json& value) {

@@ -19,7 +19,11 @@ ui::MenuState readState(const nlohmann::json& content, std::vector<std::string>&
   if (const auto place = content.find("place"); place != content.end()) {
     if (place->is_array() && place->size() == 4 && std::ranges::all_of(*place, isShare)) {
       const auto sides = place->get<std::array<float, 4>>();
-      state.place = ui::ScreenRect{sides[0], sides[1], sides[2], sides[3]};
+      if (sides[0] < sides[2] && sides[1] < sides[3]) {
+        state.place = ui::ScreenRect{sides[0], sides[1], sides[2], sides[3]};
+      } else {
+        complaints.emplace_back("place: has no size");
+      }
     } else {
       complaints.emplace_back("place: is not four shares of the window");
     }

@@ -8,6 +8,7 @@
 #include "app/preset_shelf.h"
 #include "app/quality_preset.h"
 #include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
 
 namespace skydrop::app {
 namespace {
@@ -19,12 +20,22 @@ std::optional<std::filesystem::path> userFolder(const CommandLine& line) {
   return folder.empty() ? std::nullopt : std::optional(folder);
 }
 
+scene::Scene sceneOf(const CommandLine& line) {
+  const std::string name = line.scene.value_or(kDefaultScene);
+  if (!core::isStandardInput(name)) return scene::loadScene(name);
+  return scene::parseScene(core::readTextInput(name, scene::kMostSceneBytes), core::inputName(name));
+}
+
 // A replay brings its scene, seed and settings along.
 void readReplay(const std::filesystem::path& file, SimulationSetup& setup) {
   setup.pilot = Pilot::replay;
-  setup.replayFile = file.string();
+  setup.replayFile = core::inputName(file);
   setup.replay = game::readInputLog(file);
-  setup.scene = scene::loadScene(setup.replay->scene);
+  try {
+    setup.scene = scene::loadScene(setup.replay->scene);
+  } catch (const core::DataError& error) {
+    throw core::DataError(setup.replayFile, "scene", error.what());
+  }
   setup.seed = setup.replay->seed;
 }
 
@@ -129,7 +140,7 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line) {
   if (line.replay) {
     readReplay(*line.replay, setup);
   } else {
-    setup.scene = scene::loadScene(line.scene.value_or(kDefaultScene));
+    setup.scene = sceneOf(line);
     setup.seed = line.seed.value_or(setup.scene.seed);
     setup.pilot = line.autopilot ? Pilot::autopilot : Pilot::player;
   }

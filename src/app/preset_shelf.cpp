@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
 #include "skydrop/core/output_file.h"
 #include "skydrop/core/settings_file.h"
 
@@ -65,19 +66,21 @@ struct Preset {
   std::vector<ui::SettingValue> values;
 };
 
-Preset readWhole(const std::filesystem::path& file) {
-  const nlohmann::json json = core::readSettingsFile(file);
+Preset readWhole(const std::filesystem::path& path) {
+  const std::string file = core::inputName(path);
+  const nlohmann::json json =
+      core::parseSettings(core::readTextInput(path, core::kMostSettingsBytes), file, {"groups"});
   Settings settings;
   const core::SettingsTable table(settings);
-  Preset preset{readGroups(json, file.string(), table), {}};
-  core::applyJson(table, json["settings"], file.string());
+  Preset preset{readGroups(json, file, table), {}};
+  core::applyJson(table, json["settings"], file);
   for (const core::Field& field : table.fields()) {
     const bool held = std::ranges::any_of(
         preset.groups, [&](const std::string& group) { return isWithin(field.path, group); });
     if (held) {
       preset.values.push_back({field.path, field.get()});
     } else if (!field.isDefault()) {
-      throw core::DataError(file.string(), field.path, "belongs to no group of this preset");
+      throw core::DataError(file, field.path, "belongs to no group of this preset");
     }
   }
   return preset;
@@ -171,7 +174,8 @@ void PresetShelf::remove(const std::string& name) const {
 std::filesystem::path presetFolder(const std::filesystem::path& userFolder) { return userFolder / "presets"; }
 
 std::vector<std::string> presetOfCommandLine(const std::string& word, const std::filesystem::path& folder) {
-  const bool isFile = word.find('/') != std::string::npos || word.ends_with(kEnding);
+  const bool isFile =
+      core::isStandardInput(word) || word.find('/') != std::string::npos || word.ends_with(kEnding);
   if (const std::string refusal = presetNameRefusal(word); !isFile && !refusal.empty()) {
     throw core::UsageError("--preset: the name '" + word + "' " + refusal);
   }

@@ -51,8 +51,8 @@ class PresetShelf {
 // Where presets are kept in a player's folder.
 std::filesystem::path presetFolder(const std::filesystem::path& userFolder);
 
-// --preset NAME|FILE, as PATH=VALUE for each value: a word with a slash or that ends in .json is a file, any
-// other a name on the shelf. Throws core::UsageError (name) and core::DataError.
+// --preset NAME|FILE|-, as PATH=VALUE for each value: a word with a slash or that ends in .json is a file,
+// "-" is standard input, any other a name on the shelf. Throws core::UsageError (name) and core::DataError.
 std::vector<std::string> presetOfCommandLine(const std::string& word, const std::filesystem::path& folder);
 
 }  // namespace skydrop::app

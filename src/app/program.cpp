@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "app/message.h"
 #include "app/prepare.h"
 #include "app/standard_output.h"
 #include "app/verbs.h"
@@ -24,7 +25,7 @@ int runVerb(const CommandLine& line) {
 }
 
 int refuse(int exitCode, const char* reason) {
-  std::fprintf(stderr, "skydrop: %s\n", reason);
+  warn(reason);
   return exitCode;
 }
 
@@ -37,7 +38,8 @@ int runProgram(int argc, const char* const* argv) {
     if (parsed.answer) {
       print("%s", parsed.answer->c_str());
       finishStandardOutput();
-      return 0;
+      for (const std::string& complaint : parsed.complaints) warn(complaint);
+      return parsed.complaints.empty() ? 0 : kFailed;
     }
     const int exitCode = runVerb(withPreset(parsed.commandLine));
     finishStandardOutput();

@@ -2,6 +2,7 @@
 // defaults, and the size in which a window opens. Settings that decide the simulation have no place in one.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,10 @@ struct QualityPreset {
 // runs pass false: what they draw must not depend on the machine.
 Quality qualityFor(Quality chosen, bool softwareRenderer);
 
-// Of low .. ultra. Throws core::DataError.
+// Of low .. ultra, or any file of the form. Throws core::DataError; what the settings say is judged by
+// applyPreset().
 QualityPreset readQualityPreset(Quality quality);
+QualityPreset readQualityPreset(const std::filesystem::path& file);
 
 // Throws core::DataError, and then changes nothing.
 void applyPreset(const core::SettingsTable& table, const QualityPreset& preset);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/json.h"
 
 namespace skydrop::app {
 namespace {
@@ -65,7 +65,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
 }
 
 void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {
-  core::applyJson(table, nlohmann::json::parse(scene.settingsJson), scene.file.string());
+  const std::string file = scene.file.string();
+  core::applyJson(table, core::parseJson(scene.settingsJson, file), file);
 }
 
 void applyOverrides(const core::SettingsTable& table, const std::vector<std::string>& assignments) {

@@ -4,6 +4,7 @@
 
 #include "app/flight_trace.h"
 #include "app/frame_times.h"
+#include "app/message.h"
 #include "app/prepare.h"
 #include "app/progress.h"
 #include "app/standard_output.h"
@@ -16,7 +17,7 @@ namespace skydrop::app {
 int simulate(const CommandLine& line) {
   const std::unique_ptr<Run> run = prepareRun(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
-  if (run->warning) std::fprintf(stderr, "skydrop: %s\n", run->warning->c_str());
+  if (run->warning) warn(*run->warning);
   Simulation simulation(run->setup, run->settings, run->table);
 
   std::optional<FlightTrace> trace;

@@ -73,7 +73,8 @@ std::string statisticsJson(const core::FrameStatistics& s) {
   json["other"] = s.other;
   json["steps"] = s.steps;
   json["stateHash"] = hexadecimal(s.stateHash);
-  return json.dump(2) + "\n";
+  // Names of devices and files need not be UTF-8.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 void writeStatistics(core::OutputFile& file, const core::FrameStatistics& statistics) {

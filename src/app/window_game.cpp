@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/machine.h"
+#include "app/message.h"
 #include "app/quality_preset.h"
 #include "app/standard_output.h"
 #include "app/statistics_json.h"
@@ -26,8 +27,6 @@ constexpr std::size_t kShownFrames = 240;                           // in the gr
 volatile std::sig_atomic_t endRequested = 0;
 
 void requestEnd(int) { endRequested = 1; }
-
-void warn(const std::string& line) { std::fprintf(stderr, "skydrop: %s\n", line.c_str()); }
 
 std::filesystem::path screenshotFolder(const Run& run) {
   return run.userFolder ? *run.userFolder / "screenshots" : "screenshots";
@@ -75,6 +74,7 @@ WindowGame::WindowGame(const CommandLine& line)
   std::vector<std::string> warnings;
   if (run_->warning) warnings.push_back(*run_->warning);
   if (auto warning = folderRefusal(*run_)) warnings.push_back(std::move(*warning));
+  if (!joysticks_.warning().empty()) warnings.push_back(joysticks_.warning());
   window_.apply(run_->settings.view);
   if (auto warning = window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
     warnings.push_back(std::move(*warning));
@@ -213,7 +213,7 @@ void WindowGame::handleEvents() {
 // What the player steers with, wherever it is told.
 void WindowGame::showControls() {
   for (const GamepadMessage& message : controls_.takeMessages()) {
-    std::fprintf(stderr, "skydrop: %s\n", message.text.c_str());
+    warn(message.text);
     if (message.isNews) notices_.add(message.text);
   }
   if (!overlay_->menuOpen) controls_.stopWaiting();

@@ -5,12 +5,12 @@
 #include <charconv>
 #include <cstdio>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/json.h"
 
 namespace skydrop::game {
 namespace {
@@ -21,13 +21,13 @@ constexpr std::string_view kKind = "skydrop input log";
 constexpr std::size_t kMostText = 4096;       // characters of a string
 constexpr std::size_t kMostSettings = 10000;  // overrides, and changes
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr core::JsonLimits kLimits = {.bytes = kMostBytes, .values = kMostBytes};
 
 // Reads the file in one pass and keeps nothing but the log itself: a hostile file cannot make it grow beyond
 // its own size. Throws DataError at the first value that does not belong.
 class LogReader final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  LogReader(std::string_view text, std::string_view file, InputLog& log)
-      : text_(text), file_(file), log_(log) {}
+  LogReader(std::string_view file, InputLog& log) : file_(file), log_(log) {}
 
   void finish() {
     for (const char* needed : {"schema", "kind", "seed", "runs"}) {
@@ -91,7 +91,7 @@ class LogReader final : public nlohmann::json_sax<nlohmann::json> {
     if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) {
       fail(key_, "is not a member of an input log");
     }
-    if (!seen_.insert(name).second) fail(key_, "stands twice");
+    seen_.insert(name);
     return true;
   }
 
@@ -129,25 +129,8 @@ class LogReader final : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string&,
-                   const nlohmann::json::exception& error) override {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ..." -> the
-    // reason
-    const std::string what = error.what();
-    const auto colon = what.find(": ");
-    std::size_t line = 1, column = 1;
-    for (const char c : text_.substr(0, std::min(position > 0 ? position - 1 : 0, text_.size()))) {
-      if (c == '\n') {
-        ++line, column = 1;
-      } else {
-        ++column;
-      }
-    }
-    std::string reason = colon == std::string::npos ? what : what.substr(colon + 2);
-    for (char& c : reason) {
-      if (static_cast<unsigned char>(c) < 32) c = ' ';
-    }
-    fail("line " + std::to_string(line) + ", column " + std::to_string(column), reason.substr(0, 200));
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;  // scanJson() says it
   }
 
  private:
@@ -210,7 +193,7 @@ class LogReader final : public nlohmann::json_sax<nlohmann::json> {
     log_.runs.push_back(run);
   }
 
-  std::string_view text_, file_;
+  std::string_view file_;
   InputLog& log_;
   std::set<std::string> seen_;
   std::string key_;
@@ -282,14 +265,14 @@ std::string encodeInputLog(const InputLog& log) {
 
 InputLog decodeInputLog(std::string_view text, std::string_view file) {
   InputLog log;
-  LogReader reader(text, file, log);
-  nlohmann::json::sax_parse(text, &reader);
+  LogReader reader(file, log);
+  core::scanJson(text, file, reader, kLimits);
   reader.finish();
   return log;
 }
 
 InputLog readInputLog(const std::filesystem::path& file) {
-  return decodeInputLog(core::readTextFile(file, kMostBytes), file.string());
+  return decodeInputLog(core::readTextInput(file, kMostBytes), core::inputName(file));
 }
 
 void writeInputLog(const std::filesystem::path& file, const InputLog& log) {

@@ -1,12 +1,12 @@
 #include "skydrop/scene/scene.h"
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "skydrop/core/assets.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/json.h"
 #include "skydrop/core/nearest_names.h"
 
 namespace skydrop::scene {
@@ -16,6 +16,7 @@ using nlohmann::json;
 using core::DataError;
 
 constexpr int kSchema = 1;
+constexpr std::string_view kEnding = ".json";
 constexpr double kFarthestStartM = 1e12;  // where doubles still resolve a tenth of a millimetre
 
 class SceneReader {
@@ -49,23 +50,15 @@ class SceneReader {
   }
 
   std::string text(const json& value, std::string_view place) const {
-    if (!value.is_string()) fail(place, "is not a text");
-    return value.get<std::string>();
+    return core::jsonText(value, file_, place);
   }
 
   double number(const json& value, std::string_view place, double least, double most) const {
-    if (!value.is_number()) fail(place, value.dump() + " is not a number");
-    const double result = value.get<double>();
-    if (!std::isfinite(result) || result < least || result > most) {
-      fail(place, value.dump() + " is out of range " + json(least).dump() + " to " + json(most).dump());
-    }
-    return result;
+    return core::jsonNumber(value, file_, place, least, most);
   }
 
   double whole(const json& value, std::string_view place, double least, double most) const {
-    const double result = number(value, place, least, most);
-    if (result != std::floor(result)) fail(place, value.dump() + " is not a whole number");
-    return result;
+    return core::jsonWhole(value, file_, place, least, most);
   }
 
   void readEffects(const json& value, EffectSet& effects) const {
@@ -115,35 +108,34 @@ std::string knownScenes() {
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& file) {
-  json root;
-  try {
-    root = json::parse(text);
-  } catch (const json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..." without its first word
-    const std::string_view what = error.what();
-    throw DataError(file.string(), "JSON", what.substr(std::min(what.find("] ") + 2, what.size())));
-  }
-  Scene scene = SceneReader(file).read(root);
+  Scene scene = SceneReader(file).read(core::parseJson(text, file.string()));
   scene.file = file;
   scene.name = file.stem().string();
   return scene;
 }
 
 Scene loadScene(std::string_view nameOrFile) {
-  const bool isPath = nameOrFile.find('/') != std::string_view::npos || nameOrFile.ends_with(".json");
-  const std::filesystem::path file =
-      isPath ? std::filesystem::path(nameOrFile) : core::assetPath("scenes") / (std::string(nameOrFile) + ".json");
-  if (!isPath && !std::filesystem::exists(file)) {
+  const bool isPath = nameOrFile.find('/') != std::string_view::npos || nameOrFile.ends_with(kEnding);
+  const std::filesystem::path file = isPath ? std::filesystem::path(nameOrFile) : sceneFile(nameOrFile);
+  std::error_code ignored;
+  if (!isPath && !std::filesystem::exists(file, ignored)) {
     throw DataError(nameOrFile, "scene", "there is none of this name; there are: " + knownScenes());
   }
-  return parseScene(core::readTextFile(file, std::size_t{1} << 20), file);
+  return parseScene(core::readTextFile(file, kMostSceneBytes), file);
+}
+
+std::filesystem::path sceneFile(std::string_view name) {
+  return core::assetPath("scenes") / (std::string(name) + std::string(kEnding));
 }
 
 std::vector<std::string> listScenes() {
+  const std::filesystem::path folder = core::assetPath("scenes");
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(core::assetPath("scenes"))) {
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (at->path().extension() == kEnding) names.push_back(at->path().stem().string());
   }
+  if (error) throw DataError(folder.string(), "scenes", error.message());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/message.h"
 #include "support/refusal.h"
 
 namespace skydrop::app {
@@ -53,6 +54,35 @@ TEST(CommandLine, questionsAreAnsweredInsteadOfRun) {
   EXPECT_NE(parse({"--help"}).answer->find("simulate"), std::string::npos);
   EXPECT_NE(parse({"render", "--help"}).answer->find("--pose"), std::string::npos);
   EXPECT_NE(parse({"--list-scenes"}).answer->find("terrain\t"), std::string::npos);
+}
+
+TEST(CommandLine, aHyphenIsStandardInputOnce) {
+  EXPECT_EQ(parse({"--scene", "-"}).commandLine.scene, "-");
+  EXPECT_EQ(parse({"simulate", "--replay", "-"}).commandLine.replay, "-");
+  EXPECT_EQ(parse({"noise", "--noise", "-"}).commandLine.noise.files.at(0), "-");
+  EXPECT_EQ(refusalOf({"--scene", "-", "--preset", "-"}), "- (standard input) can be read only once");
+  EXPECT_EQ(refusalOf({"noise", "--noise", "-", "--noise", "-"}), "- (standard input) can be read only once");
+}
+
+TEST(CommandLine, twoNoiseFilesOfOneNameAreNotExportedOverEachOther) {
+  const std::string line =
+      refusalOf({"noise", "--noise", "a/shape.dds", "--noise", "b/shape.dds", "--out", "c"});
+  EXPECT_EQ(line, "--noise: 'a/shape.dds' and 'b/shape.dds' would both be exported as shape");
+  EXPECT_EQ(refusalOf({"noise", "--noise", "a/shape.dds", "--noise", "a/detail.dds", "--out", "c"}), "");
+  EXPECT_EQ(refusalOf({"noise", "--noise", "a/shape.dds", "--noise", "b/shape.dds"}), "")
+      << "nothing is written";
+}
+
+TEST(CommandLine, wrongWordsAreEchoedPrintableAndBounded) {
+  // What stands on the command line may come from a script that passes on anything.
+  const std::string bad = "a\x1b[2J\n" + std::string(5000, 'x') + "end";
+  for (const char* flag : {"--size", "--seed", "--workers"}) {
+    const std::string line = refusalOf({flag, bad.c_str()});
+    EXPECT_NE(line.find("a\\x1b[2J\\n"), std::string::npos) << line;
+    EXPECT_LE(line.size(), core::kLongestMessage);
+    EXPECT_EQ(line, core::printable(line));
+  }
+  EXPECT_LE(refusalOf({bad.c_str()}).size(), core::kLongestMessage);
 }
 
 TEST(CommandLine, wrongWordsAreRefusedInOneLineThatNamesThem) {

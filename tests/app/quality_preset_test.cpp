@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/prepare.h"
+#include "skydrop/core/error.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::app {
@@ -40,6 +42,32 @@ TEST(QualityPreset, everyPresetIsAppliedWholeAndLeavesTheSimulationAlone) {
   }
   EXPECT_FALSE(presetPaths().empty());
   for (const std::string& path : presetPaths()) EXPECT_FALSE(decidesSimulation(path)) << path;
+}
+
+TEST(QualityPreset, aBadFileIsRefusedInOneLineThatNamesFileAndMember) {
+  // A window of no size would be asked of the window system, which prints errors of its own.
+  const test::TemporaryFolder folder;
+  const auto refusalOf = [&](const std::string& window, const std::string& more) {
+    const std::string file =
+        folder.write("low.json", R"({"schema": 1, "description": "d", "window": )" + window + more + "}");
+    const std::string line = test::refusalOf<core::DataError>([&] {
+      Settings settings;
+      applyPreset(core::SettingsTable(settings), readQualityPreset(std::filesystem::path(file)));
+    });
+    return line.empty() ? line : line.substr(std::min(line.size(), file.size() + 2));
+  };
+  EXPECT_EQ(refusalOf("[640, 360]", ""), "");
+  EXPECT_EQ(refusalOf("[0, 0]", ""), "window: 0 is out of range 1.0 to 16384.0");
+  EXPECT_EQ(refusalOf("[640, -360]", ""), "window: -360 is out of range 1.0 to 16384.0");
+  EXPECT_EQ(refusalOf("[640, 1e10]", ""), "window: 10000000000.0 is out of range 1.0 to 16384.0");
+  EXPECT_EQ(refusalOf("[640.5, 360]", ""), "window: 640.5 is not a whole number");
+  for (const char* window : {"[640]", "[640, 360, 1]", "640", "{}", "null"})
+    EXPECT_EQ(refusalOf(window, ""), "window: is not a list of width and height") << window;
+  EXPECT_EQ(refusalOf("[640, 360]", R"(, "wings": 2)"), "wings: unknown member");
+  EXPECT_EQ(refusalOf("[640, 360]", R"(, "settings": {"streaming": {"pixelError": -1}})").substr(0, 24),
+            "streaming.pixelError: -1");
+  EXPECT_EQ(refusalOf("[640, 360]", R"(, "settings": {"aircraft": {"mass": 900}})"),
+            "aircraft.mass: a quality leaves the simulation alone");
 }
 
 TEST(QualityPreset, highIsTheDefaults) {

@@ -16,7 +16,7 @@ TEST(SettingsFile, whatWasWrittenIsReadBack) {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "new" / "a.json";
   writeSettingsFile(file, {{"schema", 99}, {"settings", {{"a", 0.1}}}, {"groups", {"a"}}});
-  const nlohmann::json json = readSettingsFile(file);
+  const nlohmann::json json = readSettingsFile(file, {"groups"});
   EXPECT_EQ(json["settings"]["a"], 0.1);
   EXPECT_EQ(json["groups"][0], "a");
   EXPECT_EQ(json["schema"], kSettingsSchema);
@@ -26,16 +26,25 @@ TEST(SettingsFile, whatWasWrittenIsReadBack) {
 
 TEST(SettingsFile, whatIsNoSettingsFileIsRefusedByName) {
   const test::TemporaryFolder folder;
-  for (const char* broken : {"", "{", "[]", "7", R"({"settings": {}})", R"({"schema": 2, "settings": {}})",
-                             R"({"schema": "1"})", R"({"schema": 1, "settings": []})"}) {
+  for (const char* broken :
+       {"", "{", "[]", "7", R"({"settings": {}})", R"({"schema": 2, "settings": {}})", R"({"schema": "1"})",
+        R"({"schema": 1, "settings": []})", R"({"schema": 1, "settings": {}, "settings": {}})"}) {
     const std::filesystem::path file = folder.write("a.json", broken);
-    const std::string line = test::refusalOf<DataError>([&] { readSettingsFile(file); });
+    const std::string line = test::refusalOf<DataError>([&] { readSettingsFile(file, {}); });
     EXPECT_NE(line.find("a.json"), std::string::npos) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos) << line;
   }
-  EXPECT_THROW(readSettingsFile(folder.path() / "none.json"), DataError);
-  EXPECT_EQ(readSettingsFile(folder.write("b.json", R"({"schema": 1})"))["settings"],
+  EXPECT_THROW(readSettingsFile(folder.path() / "none.json", {}), DataError);
+  EXPECT_EQ(readSettingsFile(folder.write("b.json", R"({"schema": 1})"), {})["settings"],
             nlohmann::json::object());
+}
+
+TEST(SettingsFile, membersThatNobodyKnowsAreRefusedUnlessTheyAreToBeKept) {
+  // A shipped or named file says what it means; the player's own may come from a newer version.
+  const std::string text = R"({"schema": 1, "groups": [], "wings": 2})";
+  EXPECT_EQ(test::refusalOf<DataError>([&] { parseSettings(text, "a.json", {"groups"}); }),
+            "a.json: wings: unknown member");
+  EXPECT_EQ(parseSettings(text, "a.json", {"groups"}, UnknownMembers::keep)["wings"], 2);
 }
 
 }  // namespace

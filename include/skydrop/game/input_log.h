@@ -62,8 +62,8 @@ struct InputLog {
 std::string encodeInputLog(const InputLog& log);
 InputLog decodeInputLog(std::string_view text, std::string_view file);
 
-// The same with files; core::DataError also where they cannot be read or written. Writing replaces
-// atomically.
+// The same with files; core::DataError also where they cannot be read or written. "-" is read from standard
+// input. Writing replaces atomically.
 InputLog readInputLog(const std::filesystem::path& file);
 void writeInputLog(const std::filesystem::path& file, const InputLog& log);
 

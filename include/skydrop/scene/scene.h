@@ -14,6 +14,7 @@
 // Only `schema` must be there. Unknown members are refused.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
@@ -41,12 +42,15 @@ struct Scene {
   std::string settingsJson = "{}";  // checked JSON text of an object
 };
 
+inline constexpr std::size_t kMostSceneBytes = std::size_t{1} << 20;
+
 // A name from assets/scenes, or a path (anything with a slash or ending in .json). Throws DataError.
 Scene loadScene(std::string_view nameOrFile);
 Scene parseScene(std::string_view text, const std::filesystem::path& file);
 
-// Names in assets/scenes, sorted.
+// Names in assets/scenes, sorted, whether they can be read or not; and the file of one. Throws DataError.
 std::vector<std::string> listScenes();
+std::filesystem::path sceneFile(std::string_view name);
 
 // The effects that the scene needs, those included that others rest on: targets need an aircraft and a ground
 // to land on, haze needs something to veil. A pure function of the scene.

@@ -11,6 +11,8 @@
 namespace skydrop::render::gl {
 namespace {
 
+constexpr std::size_t kMostBytes = std::size_t{4} << 20;
+
 // Takes an unsigned number from the front of a line.
 std::optional<int> takeNumber(std::string_view& line) {
   int number = 0;
@@ -86,7 +88,7 @@ void ShaderSource::appendLine(std::string_view line, Line origin) {
 void ShaderSource::append(const std::filesystem::path& path, const std::string& name) {
   std::error_code ignored;
   files_.push_back({path, std::filesystem::last_write_time(path, ignored)});
-  const std::string content = core::readTextFile(path);
+  const std::string content = core::readTextFile(path, kMostBytes);
   const int file = static_cast<int>(names_.size());
   names_.push_back(name);
   int number = 0;
@@ -102,8 +104,8 @@ void ShaderSource::append(const std::filesystem::path& path, const std::string& 
       continue;
     }
     std::filesystem::path target = core::shaderPath(included);
-    if (!std::filesystem::exists(target)) target = path.parent_path() / included;
-    if (!std::filesystem::exists(target)) {
+    if (!std::filesystem::exists(target, ignored)) target = path.parent_path() / included;
+    if (!std::filesystem::exists(target, ignored)) {
       throw core::DataError(name, "line " + std::to_string(number), "no file " + std::string(included));
     }
     target = target.lexically_normal();
