@@ -1,6 +1,9 @@
 // skydrop noise: makes, checks, exports and reads the noise textures of the clouds.
 #include <cstdio>
+#include <set>
+#include <system_error>
 
+#include "app/message.h"
 #include "app/noise_store.h"
 #include "app/open_context.h"
 #include "app/progress.h"
@@ -11,6 +14,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/image.h"
+#include "skydrop/core/message.h"
 #include "skydrop/core/output_file.h"
 #include "skydrop/render/noise_maker.h"
 
@@ -43,28 +47,50 @@ core::Image sliceOf(const TextureData& texture, int layer) {
   return image;
 }
 
-void exportPng(const TextureData& texture, const std::filesystem::path& folder, const std::string& name) {
-  if (!texture.isVolume()) return core::writePng(folder / (name + ".png"), sliceOf(texture, 0));
-  for (int layer = 0; layer < texture.depth; ++layer) {
-    char number[24];
-    std::snprintf(number, sizeof number, "-%03d.png", layer);
-    core::writePng(folder / (name + number), sliceOf(texture, layer));
-  }
-}
+// Writes textures to the folder that was asked for, none of them over another one or over a file that is
+// read.
+class Exports {
+ public:
+  explicit Exports(const NoiseRequest& request) : request_(request) {}
 
-void exportTexture(const CommandLine& line, const TextureData& texture, const std::string& name) {
-  if (!line.noise.folder) return;
-  const std::filesystem::path& folder = *line.noise.folder;
-  core::makeFolder(folder);
-  switch (line.noise.format) {
-    case NoiseFormat::dds:
-      return core::writeDds(folder / (name + ".dds"), texture, core::DdsHeader::legacy);
-    case NoiseFormat::dx10:
-      return core::writeDds(folder / (name + ".dds"), texture, core::DdsHeader::dx10);
-    case NoiseFormat::png:
-      return exportPng(texture, folder, name);
+  void add(const TextureData& texture, const std::string& name) {
+    if (!request_.folder) return;
+    core::makeFolder(*request_.folder);
+    switch (request_.format) {
+      case NoiseFormat::dds:
+        return core::writeDds(target(name + ".dds"), texture, core::DdsHeader::legacy);
+      case NoiseFormat::dx10:
+        return core::writeDds(target(name + ".dds"), texture, core::DdsHeader::dx10);
+      case NoiseFormat::png:
+        return addPng(texture, name);
+    }
   }
-}
+
+ private:
+  void addPng(const TextureData& texture, const std::string& name) {
+    if (!texture.isVolume()) return core::writePng(target(name + ".png"), sliceOf(texture, 0));
+    for (int layer = 0; layer < texture.depth; ++layer) {
+      char number[24];
+      std::snprintf(number, sizeof number, "-%03d.png", layer);
+      core::writePng(target(name + number), sliceOf(texture, layer));
+    }
+  }
+
+  std::filesystem::path target(const std::string& name) {
+    const std::filesystem::path file = *request_.folder / name;
+    if (!written_.insert(file).second)
+      throw core::DataError(file.string(), "export", "would replace another one");
+    std::error_code ignored;
+    for (const std::filesystem::path& input : request_.files) {
+      if (std::filesystem::equivalent(input, file, ignored))
+        throw core::DataError(file.string(), "export", "would replace the file that is read");
+    }
+    return file;
+  }
+
+  const NoiseRequest& request_;
+  std::set<std::filesystem::path> written_;
+};
 
 // What is written is opened or refused before anything is made.
 void requireExports(const CommandLine& line) {
@@ -73,7 +99,7 @@ void requireExports(const CommandLine& line) {
   core::requireFolder(folder);
   if (!std::filesystem::exists(folder) || line.noise.format == NoiseFormat::png) return;
   std::vector<std::string> names;
-  for (const std::filesystem::path& file : line.noise.files) names.push_back(file.stem().string());
+  for (const std::filesystem::path& file : line.noise.files) names.push_back(noiseExportName(file));
   if (names.empty()) {
     for (const NoiseTexture texture : clouds::kNoiseTextures) names.push_back(nameOf(texture));
   }
@@ -88,7 +114,7 @@ TextureData madeByGpu(render::gl::Context& context, NoiseTexture texture, std::u
 }
 
 // Both makers, compared; each texture's borders. True when all is well.
-bool check(const CommandLine& line, std::uint32_t seed) {
+bool check(const CommandLine& line, std::uint32_t seed, Exports& exports) {
   // What a seam adds to the step between neighbours; noise of a few cells leaves it within a quarter of 1.
   constexpr double kRoughest = 1.5;
   const auto context = openContext(line.backend, {64, 64});
@@ -111,21 +137,22 @@ bool check(const CommandLine& line, std::uint32_t seed) {
         nameOf(texture).c_str(), sizeOf(cpu).c_str(), cpuSeconds, gpuSeconds, apart.largest, apart.mean, seam,
         agrees ? "ok" : "WRONG");
     good = good && agrees;
-    exportTexture(line, cpu, nameOf(texture));
+    exports.add(cpu, nameOf(texture));
   }
   return good;
 }
 
-void readFiles(const CommandLine& line) {
+void readFiles(const CommandLine& line, Exports& exports) {
   for (const std::filesystem::path& file : line.noise.files) {
-    const TextureData texture = core::readDds(file);
-    print("%s: %s, seam %.2f\n", file.string().c_str(), sizeOf(texture).c_str(),
+    const std::string name = core::inputName(file);
+    const TextureData texture = core::decodeDds(core::readInput(file), name);
+    print("%s: %s, seam %.2f\n", core::printable(name).c_str(), sizeOf(texture).c_str(),
           clouds::seamRoughness(texture));
-    exportTexture(line, texture, file.stem().string());
+    exports.add(texture, noiseExportName(file));
   }
 }
 
-void fromStore(const CommandLine& line, std::uint32_t seed) {
+void fromStore(const CommandLine& line, std::uint32_t seed, Exports& exports) {
   const NoiseStore store(cacheFolder());
   Progress progress("noise", line.progress);
   for (const NoiseTexture texture : clouds::kNoiseTextures) {
@@ -140,8 +167,8 @@ void fromStore(const CommandLine& line, std::uint32_t seed) {
     }
     print("%-8s %-20s %s in %.2f s\n", nameOf(texture).c_str(), sizeOf(stored.texture).c_str(),
           stored.fromCache ? "from the cache" : "made", watch.seconds());
-    if (!stored.message.empty()) std::fprintf(stderr, "skydrop: %s\n", stored.message.c_str());
-    exportTexture(line, stored.texture, nameOf(texture));
+    if (!stored.message.empty()) warn(stored.message);
+    exports.add(stored.texture, nameOf(texture));
   }
 }
 
@@ -150,11 +177,12 @@ void fromStore(const CommandLine& line, std::uint32_t seed) {
 int noise(const CommandLine& line) {
   const auto seed = static_cast<std::uint32_t>(line.seed.value_or(0));
   requireExports(line);
-  if (line.noise.check) return check(line, seed) ? 0 : 1;
+  Exports exports(line.noise);
+  if (line.noise.check) return check(line, seed, exports) ? 0 : 1;
   if (!line.noise.files.empty())
-    readFiles(line);
+    readFiles(line, exports);
   else
-    fromStore(line, seed);
+    fromStore(line, seed, exports);
   return 0;
 }
 

@@ -14,6 +14,8 @@
 namespace skydrop::clouds {
 namespace {
 
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;  // the shape is 8 MiB
+
 // A file is this header, then the texture as DDS.
 struct CacheHeader {
   char magic[8] = {'S', 'K', 'Y', 'N', 'O', 'I', 'S', 'E'};
@@ -63,7 +65,7 @@ CachedNoise loadNoise(const std::filesystem::path& folder, NoiseTexture texture,
   std::error_code unreadable;
   if (!std::filesystem::exists(file, unreadable)) return {};
   try {
-    auto stored = decoded(core::readFile(file), file.string(), texture);
+    auto stored = decoded(core::readFile(file, kMostBytes), file.string(), texture);
     if (stored) return {CacheState::good, std::move(*stored)};
   } catch (const core::DataError&) {
     // Unreadable or not a DDS file: damaged like any other.

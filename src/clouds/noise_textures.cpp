@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <span>
+#include <vector>
 
 #include "skydrop/core/shared.h"
 
@@ -44,23 +48,44 @@ struct Axis {
   std::size_t count, stride;
 };
 
-// Mean step between neighbours inside, and over the border.
-double seamAlong(const core::TextureData& texture, const Axis& axis) {
-  const std::size_t total = texture.texels.size();
-  const auto at = [&](std::size_t i) { return std::to_integer<int>(texture.texels[i]); };
-  double inside = 0, across = 0;
-  std::size_t lines = 0;
-  for (std::size_t block = 0; block < total; block += axis.stride * axis.count) {
-    for (std::size_t start = block; start < block + axis.stride; ++start, ++lines) {
-      for (std::size_t i = 0; i + 1 < axis.count; ++i) {
-        inside += std::abs(at(start + i * axis.stride) - at(start + (i + 1) * axis.stride));
-      }
-      across += std::abs(at(start) - at(start + (axis.count - 1) * axis.stride));
+// Mean step over the border, divided by that between neighbours inside. 0 for an axis of one texel, which has
+// neither. Steps from or to a float that is not finite are not counted.
+template <class Value>
+double seamAlong(std::span<const Value> values, const Axis& axis) {
+  if (axis.count < 2) return 0;
+  struct Mean {
+    double sum = 0;
+    std::size_t count = 0;
+    void add(double a, double b) {
+      if (!std::isfinite(a - b)) return;
+      sum += std::abs(a - b);
+      ++count;
+    }
+    double value() const { return sum / static_cast<double>(std::max<std::size_t>(count, 1)); }
+  } inside, across;
+  const auto at = [&](std::size_t i) { return static_cast<double>(values[i]); };
+  for (std::size_t block = 0; block < values.size(); block += axis.stride * axis.count) {
+    for (std::size_t start = block; start < block + axis.stride; ++start) {
+      for (std::size_t i = 0; i + 1 < axis.count; ++i)
+        inside.add(at(start + i * axis.stride), at(start + (i + 1) * axis.stride));
+      across.add(at(start), at(start + (axis.count - 1) * axis.stride));
     }
   }
-  inside /= static_cast<double>(lines * (axis.count - 1));
-  across /= static_cast<double>(lines);
-  return across / std::max(inside, 1e-9);
+  return across.value() / std::max(inside.value(), 1e-9);
+}
+
+template <class Value>
+double roughestSeam(const core::TextureData& texture) {
+  std::vector<Value> values(texture.texels.size() / sizeof(Value));
+  std::memcpy(values.data(), texture.texels.data(), values.size() * sizeof(Value));
+  double roughest = 0;
+  auto stride = static_cast<std::size_t>(core::channelCount(texture.format));
+  for (const int side : {texture.width, texture.height, std::max(texture.depth, 1)}) {
+    const auto count = static_cast<std::size_t>(side);
+    roughest = std::max(roughest, seamAlong<Value>(values, {count, stride}));
+    stride *= count;
+  }
+  return roughest;
 }
 
 }  // namespace
@@ -117,15 +142,9 @@ NoiseDifference noiseDifference(const core::TextureData& a, const core::TextureD
 }
 
 double seamRoughness(const core::TextureData& texture) {
-  const std::size_t texel = core::texelBytes(texture.format);
-  const auto width = static_cast<std::size_t>(texture.width),
-             height = static_cast<std::size_t>(texture.height);
-  double roughest = std::max(seamAlong(texture, {width, texel}), seamAlong(texture, {height, texel * width}));
-  if (texture.depth > 1) {
-    roughest = std::max(
-        roughest, seamAlong(texture, {static_cast<std::size_t>(texture.depth), texel * width * height}));
-  }
-  return roughest;
+  const bool floats =
+      texture.format == core::TexelFormat::r32f || texture.format == core::TexelFormat::rgba32f;
+  return floats ? roughestSeam<float>(texture) : roughestSeam<std::uint8_t>(texture);
 }
 
 }  // namespace skydrop::clouds

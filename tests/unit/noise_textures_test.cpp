@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "skydrop/clouds/noise_cache.h"
 #include "skydrop/core/error.h"
@@ -55,6 +57,26 @@ TEST(NoiseTextures, everyFaceMeetsTheOppositeOne) {
     if (i / 4 % 512 >= 256) cut.texels[i] = ~cut.texels[i];  // the right half as a negative
   }
   EXPECT_GT(seamRoughness(cut), 5) << "the measure does not see a seam";
+}
+
+TEST(NoiseTextures, theSeamOfAnyTextureIsANumber) {
+  // An axis of one texel has no border to cross; floats are compared as floats, and NaN counts for nothing.
+  using core::TexelFormat;
+  for (const auto& [width, height, depth] :
+       {std::array{1, 1, 0}, {1, 4, 0}, {4, 1, 0}, {1, 1, 1}, {1, 1, 4}, {4, 4, 1}}) {
+    core::TextureData texture(TexelFormat::rg8, width, height, depth);
+    EXPECT_EQ(seamRoughness(texture), 0) << width << "x" << height << "x" << depth;
+  }
+  core::TextureData column(TexelFormat::r8, 1, 4, 0);
+  for (std::size_t y = 0; y < 4; ++y) column.texels[y] = static_cast<std::byte>(y);
+  EXPECT_DOUBLE_EQ(seamRoughness(column), 3)
+      << "a ramp of four texels steps by one inside and by three over the border";
+  core::TextureData ramp(TexelFormat::r32f, 4, 1, 0);
+  const std::array<float, 4> values = {0, 0.5f, 1, 1.5f};
+  std::memcpy(ramp.texels.data(), values.data(), sizeof values);
+  EXPECT_DOUBLE_EQ(seamRoughness(ramp), 3);
+  std::fill(ramp.texels.begin(), ramp.texels.end(), std::byte{0xff});  // NaN
+  EXPECT_EQ(seamRoughness(ramp), 0);
 }
 
 TEST(NoiseTextures, everyChannelFillsItsBytes) {

@@ -1,5 +1,6 @@
 // The program as a process: exit codes, and one clear line for everything that is wrong.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -215,6 +216,108 @@ TEST(Program, everyVerbTellsWhatIsWrongWithThePlayersFile) {
     EXPECT_TRUE(isOneLine(newer));
     EXPECT_NE(newer.err.find("/settings.json: moon: unknown setting"), std::string::npos) << newer.err;
   }
+}
+
+TEST(Program, whatIsNoRegularFileIsRefusedAtOnce) {
+  // A pipe without a writer would be waited for, a device read for ever; the time limit would end either.
+  const TemporaryFolder folder;
+  const std::string pipe = folder.path() / "pipe.json";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", folder.path() / "zero.json");
+  const std::string zero = folder.path() / "zero.json", empty = folder.write("empty.json", "");
+  for (const std::string& file : {pipe, zero, folder.path().string() + "/", empty, std::string("/dev/null"),
+                                  "/" + std::string(5000, 'x'), folder.write("a\n\x1b[2J.json", "{")}) {
+    const std::vector<std::vector<std::string>> readers = {{"simulate", "--scene", file},
+                                                           {"simulate", "--replay", file},
+                                                           {"simulate", "--preset", file},
+                                                           {"noise", "--noise", file}};
+    for (const std::vector<std::string>& words : readers) {
+      const ProcessResult result = runSkydrop(words, 20);
+      EXPECT_EQ(result.exitCode, 1) << words[1] << " " << file;
+      EXPECT_TRUE(isOneLine(result)) << words[1] << " " << file;
+      EXPECT_EQ(result.err.find('\x1b'), std::string::npos) << result.err;
+      EXPECT_LE(result.err.size(), 1024u) << words[1];
+    }
+  }
+}
+
+TEST(Program, aHyphenReadsStandardInput) {
+  // Where the command line names a file to read; a pipe is as good as a file there.
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.json", R"({"schema": 1, "seed": 9, "effects": ["aircraft"]})");
+  const auto fed = [](const std::string& file, const std::string& words) {
+    return runProcess({"/bin/sh", "-c", "cat '" + file + "' | '" + programFile() + "' " + words});
+  };
+  const std::string flight = runSkydrop({"simulate", "--seconds", "1", "--scene", scene}).out;
+  EXPECT_NE(flight.find("state "), std::string::npos) << flight;
+  EXPECT_EQ(fed(scene, "simulate --seconds 1 --scene -").out, flight);
+  const ProcessResult broken = fed(folder.write("b.json", "{\"schema\": 1,\n}"), "simulate --scene -");
+  EXPECT_EQ(broken.exitCode, 1);
+  EXPECT_EQ(broken.err.find("skydrop: standard input: line 2, column 1: "), 0u) << broken.err;
+  const std::string preset = folder.write(
+      "c.json", R"({"schema": 1, "groups": ["aircraft"], "settings": {"aircraft": {"speed": 1}}})");
+  EXPECT_EQ(fed(preset, "simulate --preset -").err,
+            "skydrop: standard input: aircraft.speed: unknown setting\n");
+}
+
+TEST(Program, aBrokenSceneLeavesTheOthersListed) {
+  // The list is whole but for the broken ones, each of which is one line on stderr; the exit code says it.
+  const TemporaryFolder folder;
+  const std::filesystem::path source = sourceDir();
+  std::filesystem::create_symlink(source / "shaders", folder.path() / "shaders");
+  std::filesystem::create_directory(folder.path() / "assets");
+  std::filesystem::copy(source / "assets" / "scenes", folder.path() / "assets" / "scenes");
+  folder.write("assets/scenes/aaa.json", "{");
+  folder.write("assets/scenes/loud.json", "{\"schema\": 1, \"description\": \"\\u001b[2J\\u0007\"}");
+  ASSERT_EQ(mkfifo((folder.path() / "assets/scenes/pipe.json").c_str(), 0600), 0);
+  const ProcessResult result =
+      runProcess({programFile(), "--list-scenes"}, {"SKYDROP_DATA_DIR=" + folder.path().string()}, 20);
+  EXPECT_EQ(result.exitCode, 1);
+  for (const char* line : {"clear\t", "terrain\t", "loud\t\\x1b[2J\\x07\n"})
+    EXPECT_NE(result.out.find(line), std::string::npos) << result.out;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2) << result.err;
+  EXPECT_NE(result.err.find("aaa.json: line 1, column 1: "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("pipe.json: cannot open: is a pipe"), std::string::npos) << result.err;
+}
+
+TEST(Program, aFieldOfPlayersBrokenFilesIsSaidOnceAndTheGameGoesOn) {
+  // Deep, endless, empty, binary: each is one line, and the simulation runs with defaults.
+  const TemporaryFolder folder;
+  for (const std::string& content :
+       {std::string(), std::string(120000, '['), std::string("\0\x1b[2J\xff", 6)}) {
+    folder.write("settings.json", content);
+    const ProcessResult result =
+        runSkydrop({"simulate", "--seconds", "0.1", "--user-dir", folder.path().string()});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_LE(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+  }
+}
+
+TEST(Program, noiseFilesOfAnyShapeAreReadAndExportsReplaceNothing) {
+  const TemporaryFolder folder;
+  const std::string column = folder.path() / "column.dds", out = folder.path() / "out";
+  {
+    // Legacy header: 1 x 4 texels of one byte.
+    std::vector<std::uint32_t> words(32);
+    words[0] = 0x20534444, words[1] = 124, words[2] = 0x1007, words[3] = 4, words[4] = 1, words[19] = 32;
+    words[20] = 0x20000, words[22] = 8, words[23] = 0xff, words[27] = 0x1000;
+    std::ofstream file(column, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(words.data()), 128).write("\0\1\2\3", 4);
+  }
+  const ProcessResult read = runSkydrop({"noise", "--noise", column});
+  EXPECT_EQ(read.out, column + ": 1x4 r8, seam 3.00\n") << read.err;
+  std::filesystem::create_directory(folder.path() / "other");
+  const std::string other = folder.path() / "other" / "column.dds";
+  std::filesystem::copy_file(column, other);
+  const ProcessResult twice = runSkydrop({"noise", "--noise", column, "--noise", other, "--out", out});
+  EXPECT_EQ(twice.exitCode, 2);
+  EXPECT_TRUE(isOneLine(twice));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  const ProcessResult onto = runSkydrop({"noise", "--noise", column, "--out", folder.path().string()});
+  EXPECT_EQ(onto.exitCode, 1);
+  EXPECT_NE(onto.err.find("would replace the file that is read"), std::string::npos) << onto.err;
+  EXPECT_EQ(std::filesystem::file_size(column), 132u);
 }
 
 TEST(Program, noiseIsMadeOnceAndKept) {

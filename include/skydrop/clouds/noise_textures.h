@@ -49,7 +49,8 @@ NoiseDifference noiseDifference(const core::TextureData& a, const core::TextureD
 
 // How much rougher a texture is across its borders than inside: the mean step between neighbouring texels
 // over each pair of opposite faces, divided by the mean step inside along the same axis; the largest of the
-// axes. About 1 for what tiles. Channels that are constant count as smooth.
+// axes. About 1 for what tiles. Channels that are constant count as smooth, and so does an axis of one texel;
+// never NaN, whatever a float texture holds.
 double seamRoughness(const core::TextureData& texture);
 
 }  // namespace skydrop::clouds
