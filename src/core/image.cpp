@@ -1,7 +1,6 @@
 #include "skydrop/core/image.h"
 
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -33,6 +32,7 @@ namespace skydrop::core {
 namespace {
 
 constexpr int kMaxSide = 16384;
+constexpr std::uint64_t kMostRowBytes = std::uint64_t{1} << 29;  // stb_image takes chunks of up to a gigabyte
 constexpr std::uint64_t kMostDeflated = 1032;  // bytes that a byte of a deflate stream can stand for
 constexpr const char* kCutOff = "are cut off: there are fewer than the header says";
 
@@ -46,10 +46,9 @@ void appendBytes(void* context, void* data, int size) {
   bytes.insert(bytes.end(), first, first + size);
 }
 
-// Inflates the rows once more: stb_image neither compares their checksum nor minds if some are missing.
-void checkRows(const PngContent& content, std::string_view name) {
-  if (content.rowBytes > static_cast<std::uint64_t>(std::numeric_limits<int>::max()) ||
-      content.compressed.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+// Inflates the rows: stb_image neither compares their checksum nor minds if some are missing.
+std::vector<std::byte> rowsOf(const PngContent& content, std::string_view name) {
+  if (content.rowBytes > kMostRowBytes || content.compressed.size() > kMostRowBytes)
     throw DataError(name, "pixels", "too large");
   if (content.rowBytes / kMostDeflated > content.compressed.size()) throw DataError(name, "pixels", kCutOff);
   std::vector<std::byte> rows(content.rowBytes);
@@ -59,6 +58,7 @@ void checkRows(const PngContent& content, std::string_view name) {
   if (inflated < 0) throw DataError(name, "pixels", stbi_failure_reason());
   if (static_cast<std::size_t>(inflated) < rows.size()) throw DataError(name, "pixels", kCutOff);
   if (!matchesChecksum(rows, content.compressed)) throw DataError(name, "pixels", "their checksum is wrong");
+  return rows;
 }
 
 }  // namespace
@@ -77,12 +77,15 @@ Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
                     "size " + std::to_string(content.width) + " x " + std::to_string(content.height) +
                         " is out of range");
   }
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels))
+  if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                             &width, &height, &channels)) {
     throw DataError(name, "chunk IHDR", stbi_failure_reason());
-  checkRows(content, name);
+  }
+  // Inflated once, for the check: stb_image gets the rows as they are.
+  const std::vector<std::byte> stored = withStoredRows(content, rowsOf(content, name));
+  const auto* data = reinterpret_cast<const stbi_uc*>(stored.data());
+  const int size = static_cast<int>(stored.size());
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) throw DataError(name, "pixels", stbi_failure_reason());

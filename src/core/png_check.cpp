@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <initializer_list>
 #include <string>
 
 #include "skydrop/core/error.h"
@@ -75,7 +76,8 @@ std::uint64_t rowBytes(std::uint64_t width, std::uint64_t height, std::uint64_t 
 
 class ChunkReader {
  public:
-  ChunkReader(std::span<const std::byte> bytes, std::string_view name) : rest_(bytes), name_(name) {
+  ChunkReader(std::span<const std::byte> bytes, std::string_view name)
+      : file_(bytes), rest_(bytes), name_(name) {
     if (bytes.size() < kSignature.size() ||
         std::memcmp(bytes.data(), kSignature.data(), kSignature.size()) != 0)
       fail("signature", "not a PNG file");
@@ -86,13 +88,16 @@ class ChunkReader {
     PngContent content;
     bool hasHeader = false;
     while (true) {
+      const std::size_t before = file_.size() - rest_.size();
       const Chunk chunk = next();
       if (!hasHeader && chunk.type != "IHDR") fail("chunk IHDR", "is not the first");
       if (hasHeader && chunk.type == "IHDR") fail("chunk IHDR", "is there twice");
       if (!hasHeader) readHeader(chunk.data, content);
       hasHeader = true;
-      if (chunk.type == "IDAT")
+      if (chunk.type == "IDAT") {
+        if (content.compressed.empty()) content.head = file_.first(before);
         content.compressed.insert(content.compressed.end(), chunk.data.begin(), chunk.data.end());
+      }
       if (chunk.type == "IEND") break;
     }
     if (content.compressed.empty()) fail("chunk IDAT", "is missing");
@@ -131,7 +136,7 @@ class ChunkReader {
     content.rowBytes = rowBytes(content.width, content.height, bits, field(12) != 0);
   }
 
-  std::span<const std::byte> rest_;
+  std::span<const std::byte> file_, rest_;
   std::string_view name_;
 };
 
@@ -154,6 +159,34 @@ bool matchesChecksum(std::span<const std::byte> rows, std::span<const std::byte>
     b %= kBase;
   }
   return compressed.size() >= 4 && bigEndian(compressed.last(4)) == (b << 16 | a);
+}
+
+std::vector<std::byte> withStoredRows(const PngContent& content, std::span<const std::byte> rows) {
+  constexpr std::size_t kBlock = 65535;  // of a stored block (RFC 1951, 3.2.4)
+  constexpr std::size_t kNoChecksum = 4;
+  const std::size_t blocks = std::max<std::size_t>((rows.size() + kBlock - 1) / kBlock, 1);
+  const std::size_t length = 2 + 5 * blocks + rows.size() + kNoChecksum;
+  std::vector<std::byte> file(content.head.begin(), content.head.end());
+  file.reserve(file.size() + length + 24);
+  const auto put = [&file](std::initializer_list<std::size_t> values) {
+    for (const std::size_t value : values) file.push_back(static_cast<std::byte>(value & 0xff));
+  };
+  const auto putName = [&](const char* name) {
+    for (int i = 0; i < 4; ++i) put({static_cast<unsigned char>(name[i])});
+  };
+  put({length >> 24, length >> 16, length >> 8, length});
+  putName("IDAT");
+  put({0x78, 0x01});
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const auto part = rows.subspan(block * kBlock, std::min(kBlock, rows.size() - block * kBlock));
+    const std::size_t size = part.size(), other = ~size;
+    put({block + 1 == blocks ? 1u : 0u, size, size >> 8, other, other >> 8});
+    file.insert(file.end(), part.begin(), part.end());
+  }
+  file.resize(file.size() + 2 * kNoChecksum + 4);  // of stream and chunk; then the length of the end chunk
+  putName("IEND");
+  put({0, 0, 0, 0});
+  return file;
 }
 
 }  // namespace skydrop::core

@@ -13,6 +13,7 @@ namespace skydrop::core {
 struct PngContent {
   std::uint32_t width = 0, height = 0;
   std::uint64_t rowBytes = 0;         // of all rows, filter bytes included, once inflated
+  std::span<const std::byte> head;    // of the file: all before its first IDAT chunk
   std::vector<std::byte> compressed;  // the zlib stream of all IDAT chunks
 };
 
@@ -22,5 +23,8 @@ PngContent checkPng(std::span<const std::byte> bytes, std::string_view name);
 
 // Whether the inflated rows are what the zlib stream's checksum says.
 bool matchesChecksum(std::span<const std::byte> rows, std::span<const std::byte> compressed);
+
+// The same picture with its rows stored as they are, for a reader that compares no checksums: there are none.
+std::vector<std::byte> withStoredRows(const PngContent& content, std::span<const std::byte> rows);
 
 }  // namespace skydrop::core

@@ -23,9 +23,9 @@ struct Image {
   const std::uint8_t* pixel(int x, int y) const;
 };
 
-// Throws DataError (naming `name` and the chunk) for what is not a PNG, is larger than 16384 a side, is cut
-// off or damaged: the checksums of the chunks and of the pixels are compared. What follows the end chunk is
-// ignored.
+// Throws DataError (naming `name` and the chunk) for what is not a PNG, is larger than 16384 a side or than
+// 512 MiB of pixels, is cut off or damaged: the checksums of the chunks and of the pixels are compared. What
+// follows the end chunk is ignored.
 Image decodePng(std::span<const std::byte> bytes, std::string_view name);
 std::vector<std::byte> encodePng(const Image& image);
 
