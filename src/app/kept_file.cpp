@@ -1,5 +1,8 @@
 #include "app/kept_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -21,6 +24,10 @@ nlohmann::json emptyContent() { return {{"settings", nlohmann::json::object()}};
 bool isThere(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::exists(file, ignored);
+}
+
+bool mayBeRead(const std::filesystem::path& file) {
+  return ::faccessat(AT_FDCWD, file.c_str(), R_OK, AT_EACCESS) == 0;
 }
 
 std::pair<std::string, std::string_view> firstName(std::string_view path) {
@@ -51,6 +58,7 @@ std::optional<std::string> KeptFile::load() {
     return std::nullopt;
   } catch (const core::DataError& refusal) {
     const std::string line = std::string(refusal.what()) + "; defaults are used";
+    if (!mayBeRead(file_)) return line;
     try {
       return line + ", the file is kept as " + core::setAside(file_).string();
     } catch (const core::DataError&) {
@@ -70,6 +78,7 @@ std::optional<std::string> KeptFile::save(const Change& change) {
   try {
     if (isThere(file_)) before = core::readSettingsFile(file_, {}, core::UnknownMembers::keep);
   } catch (const core::DataError& refusal) {
+    if (!mayBeRead(file_)) throw;
     before = *content_;
     line = refusal.what();
   }

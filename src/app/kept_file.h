@@ -24,13 +24,15 @@ class KeptFile {
   const nlohmann::json& content() const { return *content_; }
 
   // At the start. A file that is broken as a whole (no JSON, another schema) is renamed to the first of NAME.bad,
-  // NAME.bad2, ... that is free, and the line to say so comes back; no file is as good as an empty one.
+  // NAME.bad2, ... that is free, and the line to say so comes back; one that may not be read stays where it is. No
+  // file is as good as an empty one.
   std::optional<std::string> load();
   // After somebody wrote it. Throws core::DataError where it is broken: the content stays, and so does the file.
   void reload();
 
   // Reads the file again, lets `change` say what is new, and writes it if that is anything. A file that was broken
-  // meanwhile is set aside for the last whole content; the line to say so comes back. Throws core::DataError.
+  // meanwhile is set aside for the last whole content; the line to say so comes back. Throws core::DataError, also
+  // where the file may not be read: what it holds is not written over.
   using Change = std::function<void(nlohmann::json& content)>;
   std::optional<std::string> save(const Change& change);
 

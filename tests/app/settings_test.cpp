@@ -14,6 +14,7 @@
 #include "app/user_settings.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "support/as_nobody.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::app {
@@ -328,6 +329,26 @@ TEST_F(UserSettingsTest, evenAFolderInItsPlaceIsKeptAside) {
   ASSERT_TRUE(line);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "settings.json.bad/inner")) << "a folder is kept too";
   EXPECT_EQ(start()->settings.aircraft.pitchSpeed, 22);
+}
+
+TEST_F(UserSettingsTest, aFileThatMayNotBeReadIsLeftAlone) {
+  // It need not be broken.
+  const std::string content = R"({"schema": 1, "settings": {"aircraft": {"mass": 1200}}})";
+  folder.write("settings.json", content);
+  namespace fs = std::filesystem;
+  fs::permissions(folder.path(), fs::perms::all);
+  fs::permissions(file, fs::perms::none);
+  {
+    const test::AsNobody nobody;
+    const auto run = start();
+    ASSERT_TRUE(run->warning);
+    EXPECT_THAT(*run->warning, testing::HasSubstr("Permission denied; defaults are used"));
+    change(*run, "aircraft.pitchSpeed=22");
+    EXPECT_THROW(save(*run), core::DataError);
+  }
+  fs::permissions(file, fs::perms::owner_read);
+  EXPECT_EQ(core::readTextFile(file), content);
+  EXPECT_EQ(names(), std::vector<std::string>{"settings.json"});
 }
 
 TEST_F(UserSettingsTest, boundKeysComeBack) {

@@ -10,6 +10,7 @@
 #include <csignal>
 
 #include "skydrop/core/file.h"
+#include "support/as_nobody.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -37,21 +38,6 @@ class OutputFileTest : public testing::Test {
   }
 
   test::TemporaryFolder folder;
-};
-
-// Permissions do not bind root: as nobody they do.
-class AsNobody {
- public:
-  AsNobody() : id_(::geteuid()) {
-    if (id_ == 0) done_ = ::seteuid(65534) == 0;
-  }
-  ~AsNobody() {
-    if (id_ == 0 && ::seteuid(0) != 0) std::abort();
-  }
-
- private:
-  uid_t id_;
-  bool done_ = true;
 };
 
 // A pipe's end to read from that never waits.
@@ -165,12 +151,12 @@ TEST_F(OutputFileTest, aReadOnlyFileIsRefusedAndAReadOnlyFolderIsWrittenInto) {
   ASSERT_EQ(::chmod(free.c_str(), 0666), 0);
   ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
   {
-    const AsNobody nobody;
+    const test::AsNobody nobody;
     EXPECT_EQ(refusal(locked), cannotWrite(locked, "Permission denied"));
   }
   ASSERT_EQ(::chmod(folder.path().c_str(), 0555), 0);
   {
-    const AsNobody nobody;
+    const test::AsNobody nobody;
     EXPECT_EQ(refusal(folder.path() / "fresh"), cannotWrite(folder.path() / "fresh", "Permission denied"));
     OutputFile out(free);
     EXPECT_EQ(readTextFile(free), "a long old content");
@@ -193,7 +179,7 @@ TEST_F(OutputFileTest, aFileOfAnotherOwnerInASharedFolderIsWrittenInPlace) {
   ASSERT_EQ(::chmod(file.c_str(), 0666), 0);
   ASSERT_EQ(::chmod(folder.path().c_str(), 01777), 0);
   {
-    const AsNobody nobody;
+    const test::AsNobody nobody;
     OutputFile(file).write("new");
   }
   EXPECT_EQ(readTextFile(file), "new");
