@@ -21,7 +21,7 @@ std::string refusalOf(const auto& action) {
 // Whether what was said is one printable line of bounded length that names the file.
 inline bool isOneLineAbout(std::string_view line, std::string_view file) {
   const auto isPrintable = [](unsigned char c) { return c >= 0x20 && c != 0x7f; };
-  return std::all_of(line.begin(), line.end(), isPrintable) && line.size() < 1000 &&
+  return std::all_of(line.begin(), line.end(), isPrintable) && line.size() <= 1000 &&
          line.find(file) != std::string_view::npos;
 }
 

@@ -11,10 +11,13 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
+#include <glm/matrix.hpp>
 #include <map>
 #include <memory>
+#include <span>
 
-#include "render/model/file_check.h"
+#include "render/model/plain_model.h"
+#include "render/model/smooth_normals.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 
@@ -26,7 +29,7 @@ using core::DataError;
 // A file in memory.
 class MemoryStream final : public Assimp::IOStream {
  public:
-  explicit MemoryStream(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
+  explicit MemoryStream(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   size_t Read(void* target, size_t size, size_t count) override {
     if (size == 0) return 0;
@@ -47,39 +50,29 @@ class MemoryStream final : public Assimp::IOStream {
   void Flush() override {}
 
  private:
-  std::vector<std::byte> bytes_;
+  std::span<const std::byte> bytes_;
   size_t at_ = 0;
 };
 
-// Gives assimp the model's own bytes, which were checked, and small files of its folder; nothing else exists.
-class ModelFolder final : public Assimp::IOSystem {
+// Gives assimp what was written for it; nothing else exists.
+class PlainFiles final : public Assimp::IOSystem {
  public:
-  ModelFolder(const std::filesystem::path& model, std::vector<std::byte> bytes)
-      : model_(model), bytes_(std::move(bytes)) {}
+  PlainFiles(const PlainModel& plain, const char* name) : plain_(&plain), name_(name) {}
 
-  bool Exists(const char* file) const override { return isModel(file) || !besideOrEmpty(file).empty(); }
+  bool Exists(const char* file) const override {
+    return file == name_ || file == std::string_view(kPlainMaterials);
+  }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* file, const char*) override {
-    if (isModel(file)) return new MemoryStream(bytes_);
-    const std::filesystem::path path = besideOrEmpty(file);
-    if (path.empty()) return nullptr;
-    return new MemoryStream(core::readFile(path, kMaxModelFileBytes));
+    if (!Exists(file)) return nullptr;
+    if (file == name_) return new MemoryStream(plain_->bytes);
+    return new MemoryStream(std::as_bytes(std::span(plain_->materialFile)));
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
-  bool isModel(const char* file) const { return model_ == std::filesystem::path(file); }
-  // assimp asks for a reference joined to the model's folder.
-  std::filesystem::path besideOrEmpty(const char* file) const {
-    std::error_code error;
-    const std::filesystem::path relative = std::filesystem::path(file).lexically_normal().lexically_relative(
-        model_.parent_path().lexically_normal());
-    const std::filesystem::path path = besideModel(model_, relative.empty() ? file : relative.string());
-    return std::filesystem::is_regular_file(path, error) ? path : std::filesystem::path();
-  }
-
-  std::filesystem::path model_;
-  std::vector<std::byte> bytes_;
+  const PlainModel* plain_;
+  std::string_view name_;
 };
 
 // An importer without the many formats that are not for us: some of them crash on hostile files. By name,
@@ -105,27 +98,27 @@ class ModelReader {
 
   ModelData read() {
     const ModelFormat format = modelFormat(path_);
-    std::vector<std::byte> bytes = core::readFile(path_, kMaxModelFileBytes);
-    if (format == ModelFormat::obj) {
-      checkObj(file_, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-    } else {
-      checkGltf(file_, bytes, format);
-    }
+    isObj_ = format == ModelFormat::obj;
+    plain_ = isObj_ ? readPlainObj(path_) : readPlainGltf(path_, format);
     Assimp::Importer importer;
-    if (!keepOnly(importer, format == ModelFormat::obj ? "Wavefront Object Importer" : "glTF2 Importer")) {
+    if (!keepOnly(importer, isObj_ ? "Wavefront Object Importer" : "glTF2 Importer")) {
       fail("", "this assimp was built without the importer for it");
     }
-    importer.SetIOHandler(new ModelFolder(path_, std::move(bytes)));
+    const char* name = isObj_ ? kPlainObj : kPlainGltf;
+    importer.SetIOHandler(new PlainFiles(plain_, name));
     // First without any change, so that a wrong index is found before a step follows it.
-    const aiScene* scene = importer.ReadFile(file_, 0);
+    const aiScene* scene = importer.ReadFile(name, 0);
     if (!scene || !scene->mRootNode) fail("", importer.GetErrorString());
     checkRaw(*scene);
-    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_GenSmoothNormals |
-                                         aiProcess_SortByPType);
+    // Of assimp's steps only this one, whose faces have at most 64 corners: those that look for vertices near
+    // each other take quadratic time where many lie in a plane.
+    if (isObj_) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
     if (!scene) fail("", importer.GetErrorString());
     readMaterials(*scene);
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) readMesh(*scene->mMeshes[i], scene->mNumMaterials);
     readNode(*scene->mRootNode, -1, 0);
+    if (isObj_) model_.nodes.front().name = path_.filename().string();
+    turnMirroredMeshes();
     return std::move(model_);
   }
 
@@ -168,77 +161,88 @@ class ModelReader {
     for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
       const aiMaterial& from = *scene.mMaterials[i];
       ModelMaterial material;
-      material.name = from.GetName().C_Str();
-      material.diffuse = readTextures(scene, from, aiTextureType_DIFFUSE, material.name);
-      material.specular = readTextures(scene, from, aiTextureType_SPECULAR, material.name);
+      material.name = nameOf(from.GetName().C_Str());
+      material.diffuse = readTextures(from, aiTextureType_DIFFUSE);
+      material.specular = readTextures(from, aiTextureType_SPECULAR);
       model_.materials.push_back(std::move(material));
     }
     if (model_.materials.empty()) model_.materials.emplace_back();
   }
 
-  std::vector<int> readTextures(const aiScene& scene, const aiMaterial& from, aiTextureType type,
-                                const std::string& material) {
+  std::string nameOf(const std::string& material) const {
+    if (!isObj_ || !material.starts_with('m')) return material;
+    return plain_.materialNames.at(std::stoul(material.substr(1)));
+  }
+
+  std::vector<int> readTextures(const aiMaterial& from, aiTextureType type) {
     std::vector<int> images;
     for (unsigned i = 0; i < from.GetTextureCount(type); ++i) {
       aiString reference;
       if (from.GetTexture(type, i, &reference) != aiReturn_SUCCESS) continue;
-      images.push_back(readTexture(scene, reference.C_Str(), "material '" + material + "'"));
+      images.push_back(readTexture(std::stoul(reference.C_Str())));
     }
     return images;
   }
 
-  int readTexture(const aiScene& scene, const std::string& reference, const std::string& place) {
-    if (const auto known = images_.find(reference); known != images_.end()) return known->second;
-    if (model_.images.size() == kMaxModelImages) fail(place, "too many textures");
-    std::vector<std::byte> bytes;
-    std::string name = reference;
-    if (const aiTexture* embedded = scene.GetEmbeddedTexture(reference.c_str())) {
-      if (embedded->mHeight != 0) fail(place, "an embedded texture is not a PNG");
-      const auto* data = reinterpret_cast<const std::byte*>(embedded->pcData);
-      bytes.assign(data, data + embedded->mWidth);
-      name = file_ + " (texture " + reference + ")";
-    } else {
-      const std::filesystem::path path = besideModel(path_, reference);
-      std::error_code error;
-      if (!std::filesystem::exists(path, error)) fail(place, "texture '" + reference + "' is missing");
-      bytes = core::readFile(path, kMaxModelFileBytes);
-      name = path.string();
-    }
-    core::Image image = core::decodePng(bytes, name);
-    if (image.width > kMaxTextureSide || image.height > kMaxTextureSide) {
+  int readTexture(std::size_t index) {
+    if (const auto known = images_.find(index); known != images_.end()) return known->second;
+    const TextureSource& source = plain_.textures.at(index);
+    if (model_.images.size() == kMaxModelImages) fail(source.place, "too many textures");
+    std::vector<std::byte> file;
+    std::span<const std::byte> bytes = source.bytes;
+    if (!source.file.empty()) bytes = file = core::readFile(source.file, kMaxModelFileBytes);
+    const std::string name = source.file.empty() ? file_ + ": " + source.place : source.file.string();
+    checkSize(bytes, name);
+    model_.images.push_back(core::decodePng(bytes, name));
+    return images_[index] = static_cast<int>(model_.images.size()) - 1;
+  }
+
+  // Before a texel is decoded: a PNG of a few bytes can be very large.
+  void checkSize(std::span<const std::byte> png, const std::string& name) {
+    constexpr std::size_t kHeaderBytes = 24;  // signature, length and type of IHDR, width, height
+    if (png.size() < kHeaderBytes) return;    // which decoding refuses
+    const auto side = [&png](std::size_t at) {
+      std::uint64_t value = 0;
+      for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<std::uint64_t>(png[at + i]);
+      return value;
+    };
+    const std::uint64_t width = side(16), height = side(20);
+    if (width > kMaxTextureSide || height > kMaxTextureSide) {
       throw DataError(name, "", "is larger than " + std::to_string(kMaxTextureSide) + " texels a side");
     }
-    model_.images.push_back(std::move(image));
-    return images_[reference] = static_cast<int>(model_.images.size()) - 1;
+    if ((texels_ += width * height) > kMaxModelTexels) fail(name, "the textures are too large together");
   }
 
   void readMesh(const aiMesh& from, unsigned materials) {
     ModelMesh mesh;
     mesh.name = from.mName.C_Str();
-    if (from.mPrimitiveTypes & (aiPrimitiveType_POINT | aiPrimitiveType_LINE | aiPrimitiveType_POLYGON))
-      fail(placeOf(from), "holds points or lines");
-    if (!from.HasNormals()) fail(placeOf(from), "has no normals, and none could be made");
     if (materials > 0 && from.mMaterialIndex >= materials)
       fail(placeOf(from), "its material is out of range");
     mesh.material = materials > 0 ? static_cast<int>(from.mMaterialIndex) : 0;
     for (unsigned v = 0; v < from.mNumVertices; ++v) mesh.data.vertices.push_back(readVertex(from, v));
     for (unsigned f = 0; f < from.mNumFaces; ++f) {
       const aiFace& face = from.mFaces[f];
+      if (face.mNumIndices != 3) fail(placeOf(from), "a face cannot be cut into triangles");
       mesh.data.indices.insert(mesh.data.indices.end(), face.mIndices, face.mIndices + face.mNumIndices);
     }
+    addSmoothNormals(mesh.data);
     model_.meshes.push_back(std::move(mesh));
   }
 
+  // Without a normal in the file: (0, 0, 0). A face of an OBJ may have none where others have.
   MeshVertex readVertex(const aiMesh& from, unsigned v) const {
     checkPosition(from, v);
-    const aiVector3D &p = from.mVertices[v], &n = from.mNormals[v];
-    MeshVertex vertex{{p.x, p.y, p.z}, {n.x, n.y, n.z}, {}};
-    const float length = n.Length();
-    // Files round: up to 5 % off is made right, anything else is not a normal.
-    if (!(length > 0.95f && length < 1.05f)) {
-      fail(placeOf(from) + ", vertex " + std::to_string(v), "a normal is not of length 1");
+    const aiVector3D& p = from.mVertices[v];
+    MeshVertex vertex{{p.x, p.y, p.z}, glm::vec3(0), {}};
+    if (from.HasNormals()) {
+      const aiVector3D& n = from.mNormals[v];
+      const float length = n.Length();
+      const bool isUnit = length > 1 - kNormalTolerance && length < 1 + kNormalTolerance;
+      if (!isUnit && !(isObj_ && length == 0)) {
+        fail(placeOf(from) + ", vertex " + std::to_string(v), "a normal is not of length 1");
+      }
+      if (isUnit) vertex.normal = glm::vec3(n.x, n.y, n.z) / length;
     }
-    vertex.normal /= length;
     if (from.HasTextureCoords(0)) vertex.uv = {from.mTextureCoords[0][v].x, from.mTextureCoords[0][v].y};
     if (!std::isfinite(vertex.uv.x) || !std::isfinite(vertex.uv.y)) {
       fail(placeOf(from) + ", vertex " + std::to_string(v), "a texture coordinate is not finite");
@@ -264,10 +268,36 @@ class ModelReader {
     for (unsigned i = 0; i < from.mNumChildren; ++i) readNode(*from.mChildren[i], index, depth + 1);
   }
 
+  // A node that mirrors turns its triangles inside out, and back faces are not drawn: it gets a copy of its
+  // meshes that winds the other way.
+  void turnMirroredMeshes() {
+    std::vector<glm::mat4> toModel;
+    std::map<int, int> turned;
+    for (ModelNode& node : model_.nodes) {
+      const glm::mat4 parent =
+          node.parent < 0 ? glm::mat4(1) : toModel[static_cast<std::size_t>(node.parent)];
+      toModel.push_back(parent * node.toParent);
+      if (glm::determinant(glm::mat3(toModel.back())) >= 0) continue;
+      for (int& mesh : node.meshes) {
+        const auto [known, isNew] = turned.emplace(mesh, static_cast<int>(model_.meshes.size()));
+        if (isNew) {
+          ModelMesh copy = model_.meshes[static_cast<std::size_t>(mesh)];
+          std::vector<std::uint32_t>& indices = copy.data.indices;
+          for (std::size_t i = 0; i < indices.size(); i += 3) std::swap(indices[i + 1], indices[i + 2]);
+          model_.meshes.push_back(std::move(copy));
+        }
+        mesh = known->second;
+      }
+    }
+  }
+
   std::filesystem::path path_;
   std::string file_;
+  bool isObj_ = false;
+  PlainModel plain_;
   ModelData model_;
-  std::map<std::string, int> images_;
+  std::map<std::size_t, int> images_;  // by index of the texture
+  std::uint64_t texels_ = 0;
 };
 
 }  // namespace
