@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "ui/menu_item.h"
+
 namespace skydrop::ui {
 namespace {
 
@@ -9,40 +11,22 @@ using Kind = BindingWish::Kind;
 
 constexpr const char* kHowTo =
     "Click, then press a key or a button or push a stick. A click with the right button takes it away.";
+constexpr int kNoteLines = 3;  // kept free for what is waited for, or what a change did
 constexpr const char* kWaiting = "Press a key or a button, or push a stick. Esc leaves it as it was.";
-
-ScreenRect itemRect() {
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  return {low.x, low.y, high.x, high.y};
-}
-
-void tooltip(const char* text) {
-  if (!ImGui::IsItemHovered()) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
-  ImGui::TextUnformatted(text);
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-}
-
-void wrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-}
 
 // Buttons side by side, on a new line where the next one has no room.
 class Flow {
  public:
   Flow() : left_(ImGui::GetCursorPosX()), right_(left_ + ImGui::GetContentRegionAvail().x) {}
 
-  bool button(const std::string& label) {
+  // As wide as its label, whatever it shows instead.
+  bool button(const std::string& label, const std::string& shown) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2 * style.FramePadding.x;
     if (next_ > left_ && next_ + width <= right_) ImGui::SameLine(0, style.ItemInnerSpacing.x);
     const float start = next_ > left_ && next_ + width <= right_ ? next_ : left_;
     next_ = start + width + style.ItemInnerSpacing.x;
-    return ImGui::Button(label.c_str());
+    return ImGui::Button(shown.c_str(), {width, 0});
   }
 
  private:
@@ -55,12 +39,12 @@ class Section {
   Section(const BindingsContent& content, BindingsPlaces& places) : content_(content), places_(places) {}
 
   BindingWish draw() {
-    wrapped(content_.gamepad.empty() ? "No gamepad." : "Gamepad: " + content_.gamepad);
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    wrapped(content_.waiting ? kWaiting : content_.note.empty() ? " " : content_.note);
-    ImGui::PopStyleColor();
+    const std::string gamepad = content_.gamepad.empty() ? "No gamepad." : "Gamepad: " + content_.gamepad;
+    ImGui::TextUnformatted(fittingText(gamepad, ImGui::GetContentRegionAvail().x).c_str());
+    tooltip(gamepad);
+    textInPlace(content_.waiting ? kWaiting : content_.note, kNoteLines, TextRole::note);
     if (ImGui::Button("Reset all controls")) wish_.kind = Kind::resetAll;
-    places_.resetAll = itemRect();
+    places_.resetAll = lastItemRect();
     if (ImGui::BeginTable("bindings", 3, ImGuiTableFlags_SizingStretchProp)) {
       ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.36f);
       ImGui::TableSetupColumn("inputs", ImGuiTableColumnFlags_WidthStretch, 0.64f);
@@ -86,16 +70,16 @@ class Section {
     Flow flow;
     for (std::size_t slot = 0; slot < row.inputs.size(); ++slot) {
       drawInput(flow, {index, slot}, row.inputs[slot], kHowTo);
-      place.inputs.push_back(itemRect());
+      place.inputs.push_back(lastItemRect());
     }
     if (row.canAdd) {
       drawInput(flow, {index, row.inputs.size()}, "+", "Adds a key, a button or a stick.");
-      place.add = itemRect();
+      place.add = lastItemRect();
     }
     ImGui::TableNextColumn();
     if (!row.isDefault) {
       if (ImGui::Button("Reset")) wish_ = {Kind::reset, {index, 0}};
-      place.reset = itemRect();
+      place.reset = lastItemRect();
     }
     ImGui::PopID();
   }
@@ -104,7 +88,7 @@ class Section {
     const bool waiting = content_.waiting == at;
     if (waiting) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     const std::string id = "###" + std::to_string(at.slot);
-    if (flow.button((waiting ? "press \u2026" : label) + id))
+    if (flow.button(label + id, (waiting ? "\u2026" : label) + id))
       wish_ = {waiting ? Kind::cancel : Kind::capture, at};
     if (waiting) ImGui::PopStyleColor();
     const bool isThere = at.slot < content_.rows[at.row].inputs.size();

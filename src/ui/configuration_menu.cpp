@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "skydrop/core/error.h"
@@ -29,6 +30,7 @@ using core::SettingsTable;
 constexpr float kTop = 2.8f, kMargin = 0.5f, kBottomOfHeight = 0.2f, kAboveBottom = 1.2f;
 constexpr float kWidthOfWindow = 0.325f, kMinWidth = 18, kMinHeight = 8;
 constexpr float kNameShare = 0.49f;
+constexpr int kRefusalLines = 2;   // kept free for a line that says what went wrong
 constexpr int kFramesToFocus = 3;  // Dear ImGui hands the keyboard over a frame later
 const ImVec4 kChangedColor{0.98f, 0.72f, 0.36f, 1};
 
@@ -45,6 +47,8 @@ struct ConfigurationMenu::Parts {
   MenuState state;
   char search[128] = {};
   bool changedOnly = false;
+  std::set<std::string> kept;  // rows that the filter has shown since it was set
+  std::string keptFor;         // the filter that they were kept for
   std::string refusal;     // of what was typed last
   bool held = false;       // a widget may go on with the step that is open
   int framesToSearch = 0;  // while the search field is to get the keyboard
@@ -197,7 +201,11 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
     if (homes[i] != &section) continue;
     const Field& field = content.table.fields()[i];
     changed += field.isDefault() ? 0 : 1;
-    if (filter.matches(field, section.title)) shown.push_back(&field);
+    // A row that goes back to its default while only changed ones are shown keeps its place until the filter is
+    // set again: the next row must not come under the mouse.
+    const bool matches = filter.matches(field, section.title);
+    if (matches) kept.insert(field.path);
+    if (matches || kept.contains(field.path)) shown.push_back(&field);
   }
   if (filter.isActive()) {
     if (shown.empty()) return;
@@ -231,10 +239,10 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
     drawRow(content.table, *field, result);
   }
   ImGui::EndTable();
-  // At the end: rows must not move under the mouse while a slider leaves its default.
-  if (changed > 0 && !filter.isActive()) {
+  // At the end, and always there: rows must not move under the mouse while a slider leaves its default.
+  if (!filter.isActive()) {
     ImGui::PushID(section.group.c_str());
-    if (placedButton("Reset this section", "reset " + section.group, items)) {
+    if (placedButton("Reset this section", "reset " + section.group, items, changed > 0)) {
       resetSection(content, section, result);
     }
     ImGui::PopID();
@@ -243,8 +251,6 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
 
 // What stays in sight whatever is scrolled: lines, search, undo.
 void ConfigurationMenu::Parts::drawTop(const MenuContent& content, MenuResult& result) {
-  drawRefusal(content.error);
-  drawRefusal(refusal);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float box = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize("changed").x;
   ImGui::SetNextItemWidth(-box - style.ItemSpacing.x);
@@ -301,6 +307,9 @@ void ConfigurationMenu::Parts::drawTop(const MenuContent& content, MenuResult& r
     for (const MenuSection& section : content.sections) resetSection(content, section, result);
   }
   tooltip("Sets every row of this menu to its default. It can be undone.");
+  const std::string_view line = refusal.empty() ? content.error : refusal;
+  textInPlace(line, kRefusalLines, TextRole::refusal);
+  if (!line.empty()) items.insert_or_assign("refusal", lastItemRect());
   if (found) {
     framesToSearch = kFramesToFocus;
     ImGui::SetWindowFocus();
@@ -391,6 +400,8 @@ MenuResult ConfigurationMenu::draw(const Interface& context, const MenuContent& 
     parts.drawTop(content, result);
     if (ImGui::BeginChild("rows")) {
       const RowFilter filter(parts.search, parts.changedOnly);
+      const std::string asked = (parts.changedOnly ? "changed " : "all ") + std::string(parts.search);
+      if (std::exchange(parts.keptFor, asked) != asked) parts.kept.clear();
       if (!filter.isActive()) parts.drawTools(content, result);
       for (const MenuSection& section : content.sections) parts.drawSection(content, section, filter, result);
       if (filter.isActive() && parts.places.empty()) ImGui::TextDisabled("No row is like that.");
@@ -426,6 +437,8 @@ std::vector<std::string> ConfigurationMenu::change(const SettingsTable& table,
   parts_->setAll(table, values, changed);
   return changed;
 }
+
+void ConfigurationMenu::takeBack() { parts_->history.takeBack(); }
 
 const MenuState& ConfigurationMenu::state() const { return parts_->state; }
 

@@ -8,6 +8,28 @@ namespace {
 constexpr float kTooltipWidth = 24;  // lines of text
 const ImVec4 kRefusalColor{1, 0.45f, 0.35f, 1};
 
+// The longest of the text without a part in its middle that fits. UTF-8 letters stay whole.
+template <class Fits>
+std::string withoutMiddle(std::string_view text, Fits fits) {
+  const auto isInsideLetter = [&](std::size_t at) {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+  };
+  const auto keeping = [&](std::size_t kept) {
+    if (kept >= text.size()) return std::string(text);
+    std::size_t head = kept / 2, tail = text.size() - (kept - kept / 2);
+    while (isInsideLetter(head)) --head;
+    while (isInsideLetter(tail)) ++tail;
+    return std::string(text.substr(0, head)) + "\u2026" + std::string(text.substr(tail));
+  };
+  if (fits(keeping(text.size()))) return std::string(text);
+  std::size_t most = 0, tooMany = text.size();
+  while (tooMany - most > 1) {
+    const std::size_t middle = most + (tooMany - most) / 2;
+    (fits(keeping(middle)) ? most : tooMany) = middle;
+  }
+  return keeping(most);
+}
+
 }  // namespace
 
 ScreenRect lastItemRect() {
@@ -39,13 +61,20 @@ std::string fittingText(std::string text, float width) {
   return text + "\u2026";
 }
 
-void drawRefusal(std::string_view text) {
+void textInPlace(std::string_view text, int lines, TextRole role) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight();
+  ImGui::Dummy({width, height});
   if (text.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, kRefusalColor);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  tooltip(text);
+  const std::string shown = withoutMiddle(text, [&](const std::string& candidate) {
+    return ImGui::CalcTextSize(candidate.c_str(), nullptr, false, width).y < height + 1;
+  });
+  const ImVec4 color =
+      role == TextRole::refusal ? kRefusalColor : ImGui::GetStyleColorVec4(ImGuiCol_CheckMark);
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ImGui::GetColorU32(color),
+                                      shown.c_str(), nullptr, width);
 }
 
 }  // namespace skydrop::ui

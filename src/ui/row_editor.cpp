@@ -175,7 +175,7 @@ RowOutcome RowEditor::drawSlider(const Field& field, ScreenRect& place) {
   const float still = kStillClick * ImGui::GetFontSize();
   const bool clicked = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < still * still;
   if (!mine->second.releasedAt) mine->second.releasedAt = ImGui::GetTime();
-  if (!clicked || ImGui::GetTime() - *mine->second.releasedAt > ImGui::GetIO().MouseDoubleClickTime) {
+  if (!clicked || ImGui::GetTime() - *mine->second.releasedAt > kDoubleClickSeconds) {
     outcome.value = mine->second.value;
     pending_.erase(mine);
   }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ui/frame_graph.h"
+#include "ui/menu_item.h"
 
 namespace skydrop::ui {
 namespace {
@@ -45,6 +46,7 @@ void row(const char* name, const std::string& value) {
   rightCell(value);
 }
 
+// The same rows whatever a frame did: what stands below must not move under the mouse.
 void drawPasses(const core::FrameStatistics& statistics) {
   constexpr ImGuiTableFlags kFlags =
       ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
@@ -68,7 +70,9 @@ void drawPasses(const core::FrameStatistics& statistics) {
     ImGui::TableNextColumn();
     if (!pass.skipped.empty()) {
       ImGui::TextDisabled("%s", name.c_str());
+      tooltip("Idle: " + pass.skipped);
       rightCell("idle");
+      tooltip("Idle: " + pass.skipped);
       continue;
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -83,18 +87,11 @@ void drawPasses(const core::FrameStatistics& statistics) {
     rightCell(std::to_string(pass.draws));
     rightCell(std::to_string(pass.dispatches));
   }
-  if (timed) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("together");
-    rightCell(formatted("%.2f", sum));
-  }
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("together");
+  rightCell(timed ? formatted("%.2f", sum) : "–");
   ImGui::EndTable();
-  ImGui::PushTextWrapPos(0);
-  for (const auto& [name, pass] : statistics.passes) {
-    if (!pass.skipped.empty()) ImGui::TextDisabled("%s: %s", name.c_str(), pass.skipped.c_str());
-  }
-  ImGui::PopTextWrapPos();
 }
 
 // "42 of 128 MiB"
@@ -120,7 +117,7 @@ void drawResidency(const core::FrameStatistics& statistics, const core::Settings
     row("chunks waiting", grouped(terrain.queue));
     row("made, found in the cache", grouped(terrain.generated) + ", " + grouped(terrain.cacheHits));
     row("chunks on the CPU", megabytes(terrain.bytes, table.find("streaming.cacheMiB")));
-    if (terrain.coarsened > 0) row("coarser than wanted: budget full", grouped(terrain.coarsened));
+    row("coarser than wanted: budget full", grouped(terrain.coarsened));
   }
   row("GPU: everything", megabytes(statistics.gl.bytes, nullptr));
   row("textures, buffers", grouped(statistics.gl.textures) + ", " + grouped(statistics.gl.buffers));

@@ -7,6 +7,7 @@ namespace skydrop::ui {
 
 void UndoHistory::note(const std::string& path, double before, double after) {
   undone_.clear();
+  last_ = Call::noted;
   if (!open_) {
     done_.emplace_back();
     open_ = true;
@@ -28,9 +29,27 @@ void UndoHistory::closeStep() {
   if (step.empty()) done_.pop_back();
 }
 
+void UndoHistory::takeBack() {
+  switch (last_) {
+    case Call::none:
+      break;
+    case Call::noted:
+      static_cast<void>(dropLastStep());
+      break;
+    case Call::undone:
+      static_cast<void>(redo());
+      break;
+    case Call::redone:
+      static_cast<void>(undo());
+      break;
+  }
+  last_ = Call::none;
+}
+
 std::vector<SettingValue> UndoHistory::dropLastStep() {
   std::vector<SettingValue> values = undo();
   if (!values.empty()) undone_.pop_back();
+  last_ = Call::none;
   return values;
 }
 
@@ -41,6 +60,7 @@ std::vector<SettingValue> UndoHistory::undo() {
   for (const Change& change : done_.back()) values.push_back({change.path, change.before});
   undone_.push_back(std::move(done_.back()));
   done_.pop_back();
+  last_ = Call::undone;
   return values;
 }
 
@@ -51,6 +71,7 @@ std::vector<SettingValue> UndoHistory::redo() {
   for (const Change& change : undone_.back()) values.push_back({change.path, change.after});
   done_.push_back(std::move(undone_.back()));
   undone_.pop_back();
+  last_ = Call::redone;
   return values;
 }
 

@@ -81,6 +81,27 @@ TEST_F(BindingsViewTest, everyActionHasARowWithItsInputs) {
   }
 }
 
+TEST_F(BindingsViewTest, waitingAndItsNotesMoveNoRow) {
+  const auto tops = [this] {
+    driver.frames(2);
+    std::vector<float> all;
+    for (const auto& [name, row] : places.rows) {
+      for (const ui::ScreenRect& rect : row.inputs) all.insert(all.end(), {rect.left, rect.top});
+    }
+    return all;
+  };
+  const std::vector<float> before = tops();
+  click(row(Action::drop).inputs.at(0));
+  EXPECT_TRUE(isWaiting());
+  EXPECT_EQ(tops(), before);
+  press(key::kSpace);
+  joysticks.plugged = false;
+  joysticks.changed = true;
+  controls.pollGamepad(false);
+  EXPECT_NE(note(), "");
+  EXPECT_EQ(tops(), before);
+}
+
 TEST_F(BindingsViewTest, aClickAndAKeyPutItInThePlace) {
   click(row(Action::drop).inputs.at(0));
   EXPECT_TRUE(isWaiting());

@@ -35,6 +35,40 @@ TEST_F(MenuRowsTest, aSubgroupWithASectionOfItsOwnIsShownThereAlone) {
   EXPECT_NE(settings.aircraft.wing.span, 20);
 }
 
+TEST_F(MenuRowsTest, nothingMovesTheRowsButTheUser) {
+  // Refusals, errors, changed values and what the passes of a frame did come and go; every row stays where it
+  // is, those below the costs included.
+  core::FrameStatistics costs;
+  costs.passes = {{"sky", {1.5, 1, 0, ""}}, {"clouds", {2, 0, 3, ""}}};
+  costs.clock = "timer query";
+  costs.terrain.chunksDrawn = 5;
+  statistics = &costs;
+  sections = {{"aircraft", "Aircraft", true}, {"weather", "Weather", true}};
+  driver.frames(2);
+  clickOn("costs");
+  driver.frames(2);
+  const auto tops = [this] {
+    driver.frames(2);
+    std::vector<float> all;
+    for (const auto& [path, where] : menu.places()) all.push_back(where.value.top);
+    return all;
+  };
+  const std::vector<float> before = tops();
+  ASSERT_EQ(before.size(), 8u);
+  error = "assets/presets/low.json: line 3: expected a value";
+  EXPECT_EQ(tops(), before) << "an error";
+  error += std::string(2000, 'x');
+  EXPECT_EQ(tops(), before) << "a long one";
+  error.clear();
+  settings.aircraft.rollFactor = 1;
+  settings.weather.scale = 0.5;
+  EXPECT_EQ(tops(), before) << "changed values";
+  costs.passes[0].second = {0, 0, 0, "the land covers the sky, for a long reason that takes more than a line"};
+  costs.passes[1].second = {0, 0, 0, "no ray meets the layer"};
+  costs.terrain.coarsened = 3;
+  EXPECT_EQ(tops(), before) << "other passes are idle";
+}
+
 TEST_F(MenuRowsTest, aLiveSliderChangesItsValueWhileItMoves) {
   drag("aircraft.rollFactor", 0.4f, 0.75f);
   EXPECT_NEAR(settings.aircraft.rollFactor, 1.5, 0.1);  // a twentieth: the grab's own width

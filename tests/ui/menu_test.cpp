@@ -75,7 +75,10 @@ TEST_F(MenuTest, errorAndStatisticsAreDrawnOnRequest) {
   const int plain = driver.drawData()->TotalVtxCount;
   error = "shaders/sky/sky.frag:12: a long line about what is wrong with the shader that was just saved";
   driver.frames(2);
-  EXPECT_GT(place("aircraft.rollFactor").value.top, firstRow);
+  EXPECT_EQ(place("aircraft.rollFactor").value.top, firstRow) << "its place was kept free";
+  ASSERT_NE(menu.place("refusal"), nullptr);
+  EXPECT_LE(menu.place("refusal")->bottom, firstRow);
+  EXPECT_GT(driver.drawData()->TotalVtxCount, plain);
   error.clear();
   core::FrameStatistics shownStatistics;
   shownStatistics.passes = {{"sky", {1.5, 1, 0, ""}}, {"clouds", {0, 0, 0, "no ray meets the layer"}}};

@@ -65,6 +65,28 @@ TEST(UndoHistory, aDroppedStepCanNeitherBeUndoneNorDoneAgain) {
   EXPECT_TRUE(UndoHistory().dropLastStep().empty());
 }
 
+TEST(UndoHistory, whatCouldNotBeCarriedOutIsTakenBack) {
+  // The last change, undo or redo, and that alone.
+  UndoHistory history;
+  history.takeBack();
+  history.note("a", 1, 2);
+  history.closeStep();
+  history.note("b", 5, 6);
+  history.closeStep();
+  history.takeBack();
+  history.takeBack();
+  EXPECT_EQ(history.undoSteps(), 1u) << "b";
+  history.undo();
+  history.takeBack();
+  EXPECT_EQ(history.undoSteps(), 1u) << "the undoing";
+  EXPECT_EQ(history.redoSteps(), 0u);
+  history.undo();
+  history.redo();
+  history.takeBack();
+  EXPECT_EQ(history.undoSteps(), 0u) << "the redoing";
+  EXPECT_EQ(history.redoSteps(), 1u);
+}
+
 TEST(UndoHistory, theOldestStepsAreForgotten) {
   UndoHistory history(3);
   for (int i = 0; i < 10; ++i) {

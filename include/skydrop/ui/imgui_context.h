@@ -15,6 +15,9 @@ struct ImGuiContext;
 
 namespace skydrop::ui {
 
+// Two presses of a mouse button no further apart are a double click, in seconds.
+inline constexpr double kDoubleClickSeconds = 0.3;
+
 // Pixels from the top left corner of the window.
 struct ScreenRect {
   float left = 0, top = 0, right = 0, bottom = 0;

@@ -29,6 +29,9 @@ class UndoHistory {
   // Ends the open step. One that changed nothing in the end vanishes.
   void closeStep();
 
+  // Takes the last call of note(), undo() or redo() back: what it was for could not be done. Sets nothing.
+  void takeBack();
+
   // Forgets the last step, open or not, as if it had never been; returns the values that were before it.
   std::vector<SettingValue> dropLastStep();
 
@@ -50,6 +53,8 @@ class UndoHistory {
   std::size_t mostSteps_;
   std::deque<Step> done_, undone_;  // the next one to take at the back
   bool open_ = false;               // the last of done_ still grows
+  enum class Call { none, noted, undone, redone };
+  Call last_ = Call::none;  // that takeBack() would take back
 };
 
 }  // namespace skydrop::ui
