@@ -15,8 +15,8 @@ class FrameTimes {
  public:
   // So many frames are kept one by one.
   static constexpr std::size_t kKept = 4096;
-  // Bound of the relative error of a quantile once there are more; up to then quantiles are exact, and extremes
-  // always are. Holds for times from kShortestMs to kLongestMs.
+  // Bound of the relative error of a quantile once there are more; up to then quantiles are exact, and
+  // extremes always are. Holds for times from kShortestMs to kLongestMs.
   static constexpr double kRelativeError = 0.005;
   static constexpr double kShortestMs = 1e-3, kLongestMs = 1e6;
 

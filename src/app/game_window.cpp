@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/machine.h"
+#include "app/screen_fit.h"
 
 namespace skydrop::app {
 namespace {
@@ -19,6 +20,10 @@ bool isAltEnter(const WindowEvent& event) {
          (event.modifiers & kAlt) != 0;
 }
 
+std::string sizeText(const WindowRect& rect) {
+  return std::to_string(rect.width) + "x" + std::to_string(rect.height);
+}
+
 }  // namespace
 
 GameWindow::GameWindow(const CommandLine& line)
@@ -27,41 +32,51 @@ GameWindow::GameWindow(const CommandLine& line)
       sizeWanted_(line.size),
       context_(render::gl::WindowSettings{.visible = false}) {}
 
-std::optional<std::string> GameWindow::show(Size usual, const std::optional<std::filesystem::path>& folder) {
+std::vector<std::string> GameWindow::show(Size usual, const std::optional<std::filesystem::path>& folder) {
   usual_.width = usual.width;
   usual_.height = usual.height;
   remembered_ = usual_;
-  std::optional<std::string> warning;
+  std::vector<std::string> warnings;
   if (folder) {
     memoryFile_ = KeptFile(windowMemoryFile(*folder));
-    warning = loadWindowMemory(remembered_, memoryFile_);
+    if (auto warning = loadWindowMemory(remembered_, memoryFile_)) warnings.push_back(std::move(*warning));
   }
   saved_ = remembered_;
   const WindowMemory& place = remembered_;
-  if (sizeWanted_) {
-    context_.setSize(sizeWanted_->width, sizeWanted_->height);
-  } else {
-    context_.setSize(static_cast<int>(place.width), static_cast<int>(place.height));
+  const bool placed = !placedByHand_ && place.moved;
+  WindowRect wanted = context_.rect();
+  wanted.width = sizeWanted_ ? sizeWanted_->width : static_cast<int>(place.width);
+  wanted.height = sizeWanted_ ? sizeWanted_->height : static_cast<int>(place.height);
+  if (placed) {
+    wanted.left = static_cast<int>(place.left);
+    wanted.top = static_cast<int>(place.top);
   }
-  if (!placedByHand_ && place.moved) {
-    context_.setPosition(static_cast<int>(place.left), static_cast<int>(place.top));
+  const WindowRect held = heldToScreen(wanted, context_.frame(), context_.screens());
+  if (sizeWanted_ && (held.width != wanted.width || held.height != wanted.height)) {
+    warnings.push_back("--size " + sizeText(wanted) + ": the screen has room for " + sizeText(held) +
+                       "; `skydrop render` draws any size");
   }
+  context_.setSize(held.width, held.height);
+  if (placed) context_.setPosition(held.left, held.top);
   context_.show();
   context_.pollEvents();
   opened_ = context_.rect();
   if (fullScreenWanted_ || (!placedByHand_ && place.fullScreen)) context_.setFullScreen(true);
-  return warning;
+  return warnings;
 }
 
 std::optional<std::string> GameWindow::remember() {
   WindowMemory now = remembered_;
   if (!placedByHand_) {
     const WindowRect rect = context_.rect();
-    now.width = rect.width;
-    now.height = rect.height;
+    // What the player did not change may have been held to a smaller screen than it was remembered for.
+    if (rect.width != opened_.width || rect.height != opened_.height) {
+      now.width = rect.width;
+      now.height = rect.height;
+    }
     now.fullScreen = context_.isFullScreen();
-    if (rect.left != opened_.left || rect.top != opened_.top) now.moved = true;
-    if (now.moved) {
+    if (rect.left != opened_.left || rect.top != opened_.top) {
+      now.moved = true;
       now.left = rect.left;
       now.top = rect.top;
     }

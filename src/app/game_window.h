@@ -26,11 +26,11 @@ class GameWindow {
   render::gl::WindowContext& context() { return context_; }
   Size size() const { return {context_.width(), context_.height()}; }
 
-  // Shows it as the command line says, else as remembered in the folder, else in the usual size. What to warn
-  // of comes back.
-  std::optional<std::string> show(Size usual, const std::optional<std::filesystem::path>& folder);
-  // Keeps what the player changed, unless the command line said where it opens. What to warn of comes back. Throws
-  // core::DataError.
+  // Shows it as the command line says, else as remembered in the folder, else in the usual size; never larger
+  // than its screen or beside it. What to warn of comes back.
+  std::vector<std::string> show(Size usual, const std::optional<std::filesystem::path>& folder);
+  // Keeps what the player changed, unless the command line said where it opens. What to warn of comes back.
+  // Throws core::DataError.
   std::optional<std::string> remember();
 
   // True once for each player who draws in software: it is news, and remembered.

@@ -5,6 +5,7 @@
 #include <cfloat>
 
 #include "app/input_code.h"
+#include "skydrop/ui/imgui_context.h"
 
 namespace skydrop::app {
 namespace {
@@ -13,6 +14,7 @@ using render::gl::WindowEvent;
 using Kind = WindowEvent::Kind;
 
 constexpr int kControlModifier = 0x0002;  // GLFW's
+constexpr float kAnyTime = FLT_MAX;       // s
 constexpr int kMouseButtons = 5;          // as many as Dear ImGui knows
 
 #if IMGUI_VERSION_NUM >= 18900
@@ -22,7 +24,7 @@ constexpr ImGuiKey kImGuiKeypadEnter = ImGuiKey_KeyPadEnter;
 #endif
 
 struct KeyPair {
-  int code;
+  int code;  // of a letter: the letter itself, wherever the layout has it
   ImGuiKey imgui;
 };
 
@@ -53,9 +55,13 @@ constexpr KeyPair kKeys[] = {{key::kTab, ImGuiKey_Tab},
                              {'Y', ImGuiKey_Y},
                              {'Z', ImGuiKey_Z}};
 
+bool isModifier(int code) { return code >= key::kLeftShift && code <= key::kRightSuper; }
+
 #if IMGUI_VERSION_NUM >= 18900
 
-void prepare(ImGuiIO&) {}
+void prepare(ImGuiIO& io) {
+  io.ConfigInputTrickleEventQueue = false;  // EventFeed does that
+}
 
 void setKey(ImGuiIO& io, int code, bool pressed) {
   for (const KeyPair& pair : kKeys) {
@@ -105,6 +111,7 @@ void addScroll(ImGuiIO& io, float x, float y) {
 
 ImGuiInput::ImGuiInput(Clipboard* clipboard) {
   prepare(ImGui::GetIO());
+  ImGui::GetIO().KeyRepeatDelay = kAnyTime;              // the window says when a key repeats
   setMousePosition(ImGui::GetIO(), -FLT_MAX, -FLT_MAX);  // nowhere yet
   if (!clipboard) return;
   pasteboard_ = std::make_unique<Pasteboard>(Pasteboard{*clipboard, {}});
@@ -135,86 +142,141 @@ ImGuiInput::ImGuiInput(Clipboard* clipboard) {
 
 ImGuiInput::~ImGuiInput() = default;
 
-void ImGuiInput::handle(const WindowEvent& event, double pixelsPerUnit) {
-  if (event.kind == Kind::resize || event.repeated) return;  // Dear ImGui repeats keys by itself
-  WindowEvent inPixels = event;
-  if (event.kind == Kind::mouseMove || event.kind == Kind::mouseButton) {
-    inPixels.x *= pixelsPerUnit;
-    inPixels.y *= pixelsPerUnit;
-  }
-  // A button event knows where it happened. The move before it also keeps two of them out of one frame.
-  if (event.kind == Kind::mouseButton) {
-    queue_.push_back(inPixels);
-    queue_.back().kind = Kind::mouseMove;
-  }
-  queue_.push_back(inPixels);
-}
-
 void ImGuiInput::releaseEverything() {
   ImGuiIO& io = ImGui::GetIO();
-  for (const int code : heldKeys_) setKey(io, code, false);
+  for (const auto& [code, index] : heldKeys_) setKey(io, index, false);
   heldKeys_.clear();
   for (int button = 0; button < kMouseButtons; ++button) setMouseButton(io, button, false);
   setModifiers(io, false, false, false, false);
 }
 
-// False if the event has to wait for the next frame.
-bool ImGuiInput::apply(const WindowEvent& event) {
-  ImGuiIO& io = ImGui::GetIO();
+bool ImGuiInput::movesMouse(const WindowEvent& event) const {
+  return event.x != mouseX_ || event.y != mouseY_;
+}
+
+bool ImGuiInput::canTake(const WindowEvent& event) const {
   switch (event.kind) {
     case Kind::mouseMove:
-      if (clicked_ || !changedKeys_.empty() || scrolled_) return false;
-      moved_ |= event.x != mouseX_ || event.y != mouseY_;
-      mouseX_ = event.x;
-      mouseY_ = event.y;
-      setMousePosition(io, static_cast<float>(event.x), static_cast<float>(event.y));
-      return true;
-    case Kind::mouseButton:
-      if (event.code < 0 || event.code >= kMouseButtons) return true;
-      if (moved_ && !event.pressed) return false;  // a slider takes up the last move before it is let go
-      setMouseButton(io, event.code, event.pressed);
-      clicked_ = true;
-      return true;
+      return !clicked_ && !scrolled_ && changedKeys_.empty();
+    case Kind::mouseButton:  // knows where it happened, so it is a move as well
+      if (clicked_ || scrolled_ || !changedKeys_.empty()) return false;
+      return event.pressed || (!moved_ && !movesMouse(event));  // a slider takes up the last move first
     case Kind::scroll:
-      if (clicked_) return false;
-      addScroll(io, static_cast<float>(event.x), static_cast<float>(event.y));
-      scrolled_ = true;
-      return true;
+      return !clicked_ && !scrolled_;
     case Kind::key:
-      if (changedKeys_.contains(event.code) || clicked_) return false;
-      if (event.pressed)
-        heldKeys_.insert(event.code);
-      else
-        heldKeys_.erase(event.code);
-      setKey(io, event.code, event.pressed);
-      setModifiers(io, heldKeys_.contains(key::kLeftControl) || heldKeys_.contains(key::kRightControl),
-                   heldKeys_.contains(key::kLeftShift) || heldKeys_.contains(key::kRightShift),
-                   heldKeys_.contains(key::kLeftAlt) || heldKeys_.contains(key::kRightAlt),
-                   heldKeys_.contains(key::kLeftSuper) || heldKeys_.contains(key::kRightSuper));
-      changedKeys_.insert(event.code);
-      return true;
+      if (clicked_ || changedKeys_.contains(event.code)) return false;
+      if (isModifier(event.code)) return !pressedKey_;
+      return !event.pressed || !edited_;
     case Kind::character:
-      io.AddInputCharacter(event.character);
-      return true;
+      return !clicked_ && !edited_;
     case Kind::focus:
-      if (!event.pressed) releaseEverything();
-      return true;
+      return !clicked_ && changedKeys_.empty();
     case Kind::resize:
       return true;
   }
   return true;
 }
 
-void ImGuiInput::beginFrame() {
+void ImGuiInput::take(const WindowEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  switch (event.kind) {
+    case Kind::mouseMove:
+      moved_ |= movesMouse(event);
+      mouseX_ = event.x;
+      mouseY_ = event.y;
+      setMousePosition(io, static_cast<float>(event.x), static_cast<float>(event.y));
+      break;
+    case Kind::mouseButton:
+      takeMouseButton(event);
+      break;
+    case Kind::scroll:
+      addScroll(io, static_cast<float>(event.x), static_cast<float>(event.y));
+      scrolled_ = true;
+      break;
+    case Kind::key:
+      takeKey(event);
+      break;
+    case Kind::character:
+      io.AddInputCharacter(event.character);
+      break;
+    case Kind::focus:
+      if (!event.pressed) releaseEverything();
+      break;
+    case Kind::resize:
+      break;
+  }
+}
+
+void ImGuiInput::takeMouseButton(const WindowEvent& event) {
+  if (event.code < 0 || event.code >= kMouseButtons) return;
+  WindowEvent move = event;
+  move.kind = Kind::mouseMove;
+  take(move);
+  ImGuiIO& io = ImGui::GetIO();
+  if (event.pressed) {
+    // Dear ImGui measures by its frames. What is known of the time decides instead: the shortest that it may
+    // have been.
+    const auto last = lastPressSeconds_.find(event.code);
+    const bool soon =
+        last != lastPressSeconds_.end() && event.earliestSeconds - last->second < ui::kDoubleClickSeconds;
+    io.MouseDoubleClickTime = soon ? kAnyTime : 0;
+    lastPressSeconds_[event.code] = event.latestSeconds;
+  }
+  setMouseButton(io, event.code, event.pressed);
+  clicked_ = true;
+}
+
+void ImGuiInput::takeKey(const WindowEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (event.pressed) {
+    // The letter of a key without one on this layout is nobody's.
+    const bool isLetterPlace = event.code >= 'A' && event.code <= 'Z';
+    heldKeys_[event.code] = event.letter ? event.letter : isLetterPlace ? -1 : event.code;
+  }
+  const auto held = heldKeys_.find(event.code);
+  if (held != heldKeys_.end()) setKey(io, held->second, event.pressed);
+  if (!event.pressed) heldKeys_.erase(event.code);
+  const auto holds = [this](int left, int right) {
+    return heldKeys_.contains(left) || heldKeys_.contains(right);
+  };
+  setModifiers(io, holds(key::kLeftControl, key::kRightControl), holds(key::kLeftShift, key::kRightShift),
+               holds(key::kLeftAlt, key::kRightAlt), holds(key::kLeftSuper, key::kRightSuper));
+  changedKeys_.insert(event.code);
+  if (event.pressed && !isModifier(event.code)) {
+    pressedKey_ = true;
+    edited_ = edited_ || isEditingKey(event) || holds(key::kLeftControl, key::kRightControl);
+  }
+}
+
+void ImGuiInput::frameBegan() {
   changedKeys_.clear();
-  clicked_ = scrolled_ = moved_ = false;
-  while (!queue_.empty() && apply(queue_.front())) queue_.pop_front();
+  clicked_ = scrolled_ = moved_ = pressedKey_ = edited_ = false;
 }
 
 bool ImGuiInput::wantsText() { return ImGui::GetIO().WantTextInput; }
+
+bool ImGuiInput::isEditingKey(const WindowEvent& event) {
+  if (event.kind != Kind::key) return false;
+  if ((event.modifiers & kControlModifier) != 0) return true;
+  for (const KeyPair& pair : kKeys) {
+    if (pair.code == event.code)
+      return event.code != key::kSpace && !(event.code >= 'A' && event.code <= 'Z');
+  }
+  return false;
+}
+
+bool ImGuiInput::movesFocus(const WindowEvent& event) {
+  if (event.kind == Kind::mouseButton) return true;
+  if (event.kind != Kind::key) return false;
+  for (const int code : {key::kTab, key::kEnter, key::kKeypadEnter, key::kEscape}) {
+    if (event.code == code) return true;
+  }
+  return isMenuChord(event);
+}
+
 bool ImGuiInput::isMenuChord(const WindowEvent& event) {
   return event.kind == Kind::key && (event.modifiers & kControlModifier) != 0 &&
-         (event.code == 'F' || event.code == 'Z' || event.code == 'Y');
+         (event.letter == 'F' || event.letter == 'Z' || event.letter == 'Y');
 }
 
 bool ImGuiInput::wantsMouse() { return ImGui::GetIO().WantCaptureMouse; }

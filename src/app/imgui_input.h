@@ -1,9 +1,10 @@
 // Hands the window's events to Dear ImGui, in place of its GLFW back-end: plain data in, so tests drive the
-// menus by the same path. Events that would hide each other within one frame (a press and its release, a
-// click and the move after it) are spread over frames, so nothing is lost at low frame rates. Main thread.
+// menus by the same path. A frame of the interface takes no event that would hide another one (a press and
+// its release, a click and the move after it, two keys that edit a text): EventFeed gives it as many frames
+// as the events need, so nothing is lost at low frame rates. Main thread.
 #pragma once
 
-#include <deque>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -29,22 +30,31 @@ class ImGuiInput {
   ImGuiInput(const ImGuiInput&) = delete;
   ImGuiInput& operator=(const ImGuiInput&) = delete;
 
-  // pixelsPerUnit: pixels of the frame buffer in a window coordinate, 1 except on some high-density screens.
-  void handle(const render::gl::WindowEvent& event, double pixelsPerUnit = 1);
-
-  // Before Interface::beginFrame, once a frame.
-  void beginFrame();
+  // Whether the next frame of the interface can take the event; else it has to wait for the one after it.
+  // Mouse positions are pixels of the frame buffer.
+  bool canTake(const render::gl::WindowEvent& event) const;
+  // Takes it whatever it may hide. Two presses of a mouse button are a double click when, by the times of the
+  // events, they may lie within ui::kDoubleClickSeconds, whatever the frames between them took.
+  void take(const render::gl::WindowEvent& event);
+  // A frame of the interface has begun (Interface::beginFrame) and has seen everything that was taken.
+  void frameBegan();
 
   // A text field takes the keyboard.
   static bool wantsText();
+  // Whether the key edits a text field or leaves it, rather than only type into it.
+  static bool isEditingKey(const render::gl::WindowEvent& event);
+  // Whether it may move the keyboard to or from a text field.
+  static bool movesFocus(const render::gl::WindowEvent& event);
   // Ctrl with F, Z or Y: the open menu's (search, undo, redo), whatever these letters are bound to.
   static bool isMenuChord(const render::gl::WindowEvent& event);
   // The mouse is over the interface, or holds one of its widgets.
   static bool wantsMouse();
 
  private:
-  bool apply(const render::gl::WindowEvent& event);
+  void takeMouseButton(const render::gl::WindowEvent& event);
+  void takeKey(const render::gl::WindowEvent& event);
   void releaseEverything();
+  bool movesMouse(const render::gl::WindowEvent& event) const;
 
   struct Pasteboard {
     Clipboard& clipboard;
@@ -52,11 +62,12 @@ class ImGuiInput {
   };
   std::unique_ptr<Pasteboard> pasteboard_;
 
-  std::deque<render::gl::WindowEvent> queue_;  // mouse positions already in pixels
-  std::set<int> heldKeys_;
-  // What this frame has already seen.
+  std::map<int, int> heldKeys_;  // by place: the index under which Dear ImGui knows it, -1 for none
+  std::map<int, double> lastPressSeconds_;  // of each mouse button
+  // What the next frame will see.
   std::set<int> changedKeys_;
   bool clicked_ = false, scrolled_ = false, moved_ = false;
+  bool pressedKey_ = false, edited_ = false;
   double mouseX_ = 0, mouseY_ = 0;  // pixels
 };
 

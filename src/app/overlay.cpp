@@ -27,6 +27,7 @@ OverlayResult Overlay::build(const OverlayFrame& frame) {
   OverlayResult result;
   result.fontsChanged =
       interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds, frame.scale);
+  if (frame.begun) frame.begun();
   if (menuOpen) {
     ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error, frame.tools};
     content.bindings = frame.bindings;

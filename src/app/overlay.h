@@ -2,6 +2,7 @@
 // what is open; what follows from a change or an action is the caller's business. Main thread.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ struct OverlayFrame {
   ui::MenuTools tools = {};
   const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
   ui::InterfaceScale scale = {};
+  std::function<void()> begun = nullptr;  // called when the frame has taken the input (EventFeed::frameBuilt)
 };
 
 struct OverlayResult {

@@ -39,12 +39,16 @@ PlayerInput::PlayerInput(Bindings bindings) : bindings_(std::move(bindings)) {}
 void PlayerInput::setBindings(const Bindings& bindings) {
   bindings_ = bindings;
   held_.clear();
+  tapped_.clear();
 }
 
 void PlayerInput::handle(const WindowEvent& event, bool typing) {
   if (event.kind == WindowEvent::Kind::focus) {
     focused_ = event.pressed;
-    if (!focused_) held_.clear();
+    if (!focused_) {
+      held_.clear();
+      tapped_.clear();
+    }
   }
   if (event.kind != WindowEvent::Kind::key) return;
   if (!event.pressed) {
@@ -74,12 +78,12 @@ void PlayerInput::press(InputCode input) {
     return;
   }
   held_.insert(input);
-  if (*action == Action::drop) dropTapped_ = true;
-  if (*action == Action::reset) resetTapped_ = true;
+  tapped_.insert(input);
 }
 
 bool PlayerInput::isHeld(Action action) const {
-  return std::ranges::any_of(held_, [&](InputCode input) { return bindings_.actionOf(input) == action; });
+  const auto moves = [&](InputCode input) { return bindings_.actionOf(input) == action; };
+  return std::ranges::any_of(held_, moves) || std::ranges::any_of(tapped_, moves);
 }
 
 // By an axis, 0 .. 1.
@@ -110,12 +114,13 @@ game::Controls PlayerInput::step() {
                            pushed(Action::rollLeft, Action::rollRight, pad.invertRoll));
   controls.yaw = together(yaw_.step(axis(Action::yawLeft, Action::yawRight)),
                           pushed(Action::yawLeft, Action::yawRight, pad.invertYaw));
-  controls.drop = std::exchange(dropTapped_, false) || isHeld(Action::drop);
-  controls.reset = std::exchange(resetTapped_, false) || isHeld(Action::reset);
+  controls.drop = isHeld(Action::drop);
+  controls.reset = isHeld(Action::reset);
+  tapped_.clear();
   return controls;
 }
 
-void PlayerInput::forgetTaps() { dropTapped_ = resetTapped_ = false; }
+void PlayerInput::forgetTaps() { tapped_.clear(); }
 
 std::vector<Action> PlayerInput::takeActions() { return std::exchange(actions_, {}); }
 

@@ -56,11 +56,11 @@ class PlayerInput {
   std::vector<InputCode> handle(const GamepadReading& reading, const GamepadSettings& settings,
                                 bool taken = false);
 
-  // The controls of the next simulation step; once a step. A drop or reset that was pressed and released
-  // between two steps is on for one.
+  // The controls of the next simulation step; once a step. What was pressed and released between two steps is
+  // on for one.
   game::Controls step();
 
-  // Forgets drops and resets that were pressed while no step ran (pause).
+  // Forgets what was pressed and released while no step ran (pause).
   void forgetTaps();
 
   // As if the action's key had been pressed.
@@ -81,7 +81,7 @@ class PlayerInput {
   GamepadSettings gamepadSettings_;
   bool focused_ = true;
   std::vector<Action> actions_;
-  bool dropTapped_ = false, resetTapped_ = false;
+  std::set<InputCode> tapped_;  // pressed since the last step
   KeyStick thrust_{kThrottleKeys}, brake_{kThrottleKeys}, pitch_{kPitchKeys}, roll_{kRollKeys},
       yaw_{kYawKeys};
 };

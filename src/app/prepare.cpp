@@ -125,6 +125,26 @@ void forgetOverrides(Run& run, const std::string& path) {
 
 }  // namespace
 
+Choices choicesOf(const Run& run) {
+  return {run.settings,  run.base,    run.player,      run.bindings,  run.userSettings,
+          run.overrides, run.quality, run.setup.scene, run.setup.seed};
+}
+
+std::vector<std::string> goBackTo(const Choices& choices, Run& run) {
+  const Settings before = run.settings;
+  run.settings = choices.settings;
+  run.base = choices.base;
+  run.player = choices.player;
+  run.bindings = choices.bindings;
+  run.userSettings = choices.userSettings;
+  run.overrides = choices.overrides;
+  run.quality = choices.quality;
+  run.setup.scene = choices.scene;
+  run.setup.seed = choices.seed;
+  run.table.takeDefaults(run.baseTable);
+  return changedPaths(before, run);
+}
+
 CommandLine withPreset(CommandLine line) {
   if (!line.preset) return line;
   const std::filesystem::path folder = presetFolder(line.userDir.value_or(defaultUserFolder()));

@@ -36,6 +36,20 @@ struct Run {
   std::optional<std::string> warning;               // what is wrong with it, to be said once
 };
 
+// What a run goes by, as values: kept while they are known to work, to go back to when a change does not.
+struct Choices {
+  Settings settings, base, player;
+  Bindings bindings;
+  UserSettings userSettings;
+  std::vector<std::string> overrides;
+  Quality quality = Quality::high;
+  scene::Scene scene;
+  std::uint64_t seed = 1;
+};
+Choices choicesOf(const Run& run);
+// Returns the paths of the settings that changed by it.
+std::vector<std::string> goBackTo(const Choices& choices, Run& run);
+
 // The line with --preset spelled out as values of --set that come before the others. Names are looked up in
 // the player's folder, whatever the verb: who names a preset means it. Throws core::UsageError,
 // core::DataError.

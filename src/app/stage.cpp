@@ -1,6 +1,7 @@
 #include "app/stage.h"
 
 #include <chrono>
+#include <glm/gtc/constants.hpp>
 
 #include "app/parts.h"
 #include "skydrop/render/tone_map_pass.h"
@@ -107,9 +108,21 @@ void Stage::warmUp(const game::Snapshot& snapshot, Size size) {
   package.parachuteOpen = 1;
   everything.packages = {package};
   everything.target = {.present = true, .position = eye + glm::dvec3(300, -60, 0), .radius = 50};
-  const render::View view = camera.view(everything, settings_.render.camera, size.width, size.height);
-  if (land_) landPass_->take(land_->update(render::viewVolume(view)));
-  renderer_.draw({everything, view, frameFeatures(setup_.effects)});
+  const auto drawFrom = [&] {
+    const render::View view = camera.view(everything, settings_.render.camera, size.width, size.height);
+    if (land_) landPass_->take(land_->update(render::viewVolume(view)));
+    renderer_.draw({everything, view, frameFeatures(setup_.effects)});
+  };
+  drawFrom();
+  // Straight down: clouds above are out of view, and what they would veil is drawn by other programs.
+  camera.setPose(eye, 0, -glm::half_pi<double>(), 0);
+  everything.target.position = eye - glm::dvec3(0, 100, 0);
+  everything.packages[0].position = eye - glm::dvec3(0, 30, 5);
+  everything.aircraft.position = eye - glm::dvec3(0, 15, 0);
+  drawFrom();
+  // From the cockpit, which fills more of the frame than the layer of the models takes.
+  camera.setMode(render::CameraMode::cockpit);
+  drawFrom();
   renderer_.clearTimes();
 }
 

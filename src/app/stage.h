@@ -68,8 +68,9 @@ class Stage {
   // One frame of the size into the renderer's output.
   void draw(const game::Snapshot& snapshot, Size size, Streaming streaming);
 
-  // Draws a frame around this place into the output with an aircraft, a package and a target in it, so that
-  // no later frame has to wait until a shader is compiled for something that it shows for the first time.
+  // Draws frames around this place into the output with an aircraft, a package and a target in them, with and
+  // without clouds in view, from outside and from the cockpit: so that no later frame has to wait until a
+  // shader is compiled for something that it shows for the first time.
   void warmUp(const game::Snapshot& snapshot, Size size);
 
   // One round of making the land that this frame will show, without drawing.
@@ -85,6 +86,9 @@ class Stage {
   // Compiles changed shaders anew and gives up nothing: one line for each that is broken, and for each part
   // of the land that could not be made.
   std::vector<std::string> takeMessages();
+
+  // A line about a shader whose file does not compile as it is now; empty: there is none.
+  std::string_view standingError() { return renderer_.shaders().standingError(); }
 
   // The passes' times are medians over the newest `frames`.
   void writeTo(core::FrameStatistics& statistics, std::size_t frames = render::Renderer::kKeptTimes);

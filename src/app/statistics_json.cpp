@@ -61,12 +61,14 @@ std::string statisticsJson(const core::FrameStatistics& s) {
         {"screenshots", s.window.screenshots},
         {"hidden", s.window.hidden},
         {"quality", s.window.quality},
+        {"fault", s.window.fault},
         {"costs",
          {{"passes", s.window.costs.passes},
           {"frames", s.window.costs.frames},
           {"bytes", s.window.costs.bytes}}},
         {"firstPictureMs", s.window.firstPictureMs},
         {"loadedMs", s.window.loadedMs},
+        {"programsLoaded", s.window.programsLoaded},
         {"intervalMs", {{"median", s.window.medianIntervalMs}, {"p99", s.window.p99IntervalMs}}}};
   }
   json["guards"] = s.guards;

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <utility>
 
 #include "app/machine.h"
@@ -27,6 +28,24 @@ constexpr std::size_t kShownFrames = 240;                           // in the gr
 volatile std::sig_atomic_t endRequested = 0;
 
 void requestEnd(int) { endRequested = 1; }
+
+std::string reasonOf(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "unknown error";
+  }
+}
+
+// Parts of the program whose faults stand until they are repaired.
+namespace part {
+constexpr std::string_view kStart = "start", kShaders = "shaders", kScene = "scene",
+                           kPlayersFile = "player's file", kPlayersValues = "player's values",
+                           kChange = "change", kPreset = "preset", kFrame = "frame",
+                           kStatistics = "statistics", kScreenshot = "screenshot", kChoices = "choices";
+}  // namespace part
 
 std::filesystem::path screenshotFolder(const Run& run) {
   return run.userFolder ? *run.userFolder / "screenshots" : "screenshots";
@@ -72,21 +91,22 @@ WindowGame::WindowGame(const CommandLine& line)
   if (window_.context().isSoftware()) useSoftwareRenderer(*run_);
   beginClouds();
   std::vector<std::string> warnings;
-  if (run_->warning) warnings.push_back(*run_->warning);
-  if (auto warning = folderRefusal(*run_)) warnings.push_back(std::move(*warning));
+  if (run_->warning) tell(part::kPlayersValues, *run_->warning);
+  if (const auto warning = folderRefusal(*run_)) tell(part::kChoices, *warning);
   if (!joysticks_.warning().empty()) warnings.push_back(joysticks_.warning());
   window_.apply(run_->settings.view);
-  if (auto warning = window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
-    warnings.push_back(std::move(*warning));
+  for (std::string& warning : window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
+    warnings.push_back(std::move(warning));
   }
   overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene), window_.size(),
                                        controls_.help(), window_.interfaceScale());
   imguiInput_.emplace(clipboard_.get());
+  feed_.emplace(*imguiInput_);
   controls_.setKeyLabels(keyboardLabels());
   if (auto warning = desk_.load(overlay_->menu())) warnings.push_back(std::move(*warning));
   std::signal(SIGINT, requestEnd);
   std::signal(SIGTERM, requestEnd);
-  for (const std::string& warning : warnings) warn(error_ = warning);
+  for (const std::string& warning : warnings) tell(part::kStart, warning);
   tellOfSoftware();
   buildScene();
   loadedMs_ = 1000 * secondsSinceStart();
@@ -109,50 +129,73 @@ void WindowGame::tellOfSoftware() {
 
 // The noise of the clouds, beside everything else; it stays for as long as scenes call for it.
 void WindowGame::beginClouds() {
-  if (!scene::requiredEffects(run_->setup.scene).contains(Effect::clouds)) return cloudNoise_.reset();
-  if (cloudNoise_) return;
+  if (cloudNoise_ || !scene::requiredEffects(run_->setup.scene).contains(Effect::clouds)) return;
   using Maker = CloudNoise::Maker;
   cloudNoise_.emplace(NoiseStore(cacheFolder()),
                       window_.context().isSoftware() ? Maker::processor : Maker::graphics);
 }
 
-// Everything that a scene's effects call for, anew. Time does not begin before the land in view is there.
-// Without a stage when the player quit before there could be one.
-void WindowGame::buildScene() {
-  sound_.reset();
-  stage_.reset();
+void WindowGame::dropUnusedClouds() {
+  if (!simulation_ || !simulation_->effects().contains(Effect::clouds)) cloudNoise_.reset();
+}
+
+// Everything that the scene's effects call for, beside what there is. Without a stage when the player quit.
+WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
   beginClouds();
-  bool lostFocus = false;
-  {
-    Loading loading(window_, *overlay_, [&] {
-      handleEventsWhileLoading(lostFocus);
-      return !ends();
-    });
-    if (cloudNoise_) {
-      if (!loading.makeClouds(*cloudNoise_)) return;
-      for (const std::string& message : cloudNoise_->takeMessages()) warn(message);
-    }
-    simulation_.emplace(run_->setup, run_->settings, run_->table);
-    const scene::EffectSet& effects = simulation_->effects();
-    overlay_->showEffects(effects);
-    const Stage::Setup setup{effects, simulation_->ground(), line_.workers, stats_.has_value(),
-                             cloudNoise_ ? cloudNoise_->get() : nullptr};
-    stage_ = std::make_unique<Stage>(window_.context(), setup, run_->settings);
-    stage_->addOverlay();
-    if (effects.contains(Effect::sound)) {
-      if (!audio_) {
-        audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
-        if (audio_->isSilent()) warn(audio_->status());
-      }
-      sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
-    }
-    loading.makeLand(*stage_, simulation_->world().now());
+  Flight next;
+  Loading loading(window_, *overlay_, [&] {
+    handleEventsWhileLoading(lostFocus);
+    return !ends();
+  });
+  if (cloudNoise_) {
+    if (!loading.makeClouds(*cloudNoise_)) return next;
+    for (const std::string& message : cloudNoise_->takeMessages()) warn(message);
   }
+  next.simulation = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
+  const scene::EffectSet& effects = next.simulation->effects();
+  const bool hasClouds = effects.contains(Effect::clouds);
+  const Stage::Setup setup{effects, next.simulation->ground(), line_.workers, stats_.has_value(),
+                           hasClouds ? cloudNoise_->get() : nullptr};
+  next.stage = std::make_unique<Stage>(window_.context(), setup, run_->settings);
+  next.stage->addOverlay();
+  if (effects.contains(Effect::sound)) {
+    if (!audio_) {
+      audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
+      if (audio_->isSilent()) warn(audio_->status());
+    }
+    next.sound = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
+  }
+  loading.makeLand(*next.stage, next.simulation->world().now());
+  return next;
+}
+
+// The flight of the present scene in place of the one before it, which goes on where the new one cannot be
+// made: then this throws. Time does not begin before the land in view is there. Changes nothing when the
+// player quits.
+void WindowGame::buildScene() {
+  if (audio_) audio_->setPaused(true);
+  bool lostFocus = false;
+  std::exception_ptr failure;
+  try {
+    if (Flight next = loadFlight(lostFocus); next.stage) {
+      overlay_->showEffects(next.simulation->effects());
+      sound_ = std::move(next.sound);
+      stage_ = std::move(next.stage);
+      simulation_ = std::move(next.simulation);
+      good_ = choicesOf(*run_);
+      unproven_ = menuChangedIt_ = false;
+      clock_ = {};
+      events_.clear();
+    }
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  dropUnusedClouds();
   if (lostFocus) paused_ = true;
-  stage_->uploadFonts();
-  clock_ = {};
-  events_.clear();
+  if (stage_) stage_->uploadFonts();  // the loading picture had its own
+  programsLoaded_ = window_.context().ledger().live(render::gl::ObjectKind::program);
   lastFrame_ = Clock::now();
+  if (failure) std::rethrow_exception(failure);
 }
 
 void WindowGame::handleEventsWhileLoading(bool& lostFocus) {
@@ -161,21 +204,34 @@ void WindowGame::handleEventsWhileLoading(bool& lostFocus) {
     if (event.kind == Kind::key && event.code == key::kEscape && event.pressed)
       window_.context().setShouldClose(true);
     if (event.kind == Kind::focus) lostFocus = !event.pressed;
-    if (event.pressed) continue;
-    imguiInput_->handle(event, window_.context().pixelsPerUnit());  // what was held is let go
-    controls_.handle(event, false);
+    // What is pressed now is meant for nobody; what was held may be let go.
+    const bool presses = (event.kind == Kind::key || event.kind == Kind::mouseButton) && event.pressed;
+    if (!presses && event.kind != Kind::character) feed_->add(event, window_.context().pixelsPerUnit());
   }
 }
 
 void WindowGame::run() {
+  std::exception_ptr failure;
+  try {
+    fly();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  finish(failure);
+}
+
+void WindowGame::fly() {
   lastFrame_ = Clock::now();
   while (!ends()) {
+    if (!stage_) break;
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count();
     handleEvents();
     watchFiles();
-    if (!stage_) break;
-    if (std::exchange(choicesWait_, false)) keepChoices();
+    if (choicesWait_ && !unproven_) {
+      choicesWait_ = false;
+      keepChoices();
+    }
     if (window_.isHidden()) paused_ = true;
     advance(seconds);
     if (!window_.isHidden()) {
@@ -186,7 +242,6 @@ void WindowGame::run() {
     }
     report();
   }
-  finish();
 }
 
 bool WindowGame::ends() { return window_.context().shouldClose() || endRequested; }
@@ -197,17 +252,27 @@ void WindowGame::handleEvents() {
   for (const render::gl::WindowEvent& event : window_.pollEvents()) {
     if (event.kind == Kind::focus) lostFocus = !event.pressed;
     if (event.kind == Kind::mouseMove) pointerMoved_ = true;
-    const bool ofMenu = overlay_->menuOpen && ImGuiInput::isMenuChord(event);
-    if (controls_.handle(event, ImGuiInput::wantsText() || ofMenu)) continue;
-    imguiInput_->handle(event, window_.context().pixelsPerUnit());
+    feed_->add(event, window_.context().pixelsPerUnit());
   }
   for (const render::gl::WindowEvent& event : controls_.pollGamepad(overlay_->escapeOpen))
-    imguiInput_->handle(event);
+    feed_->addForInterface(event);
+  feed_->deliver({[this](const render::gl::WindowEvent& event) { return takeEvent(event); },
+                  [this] { return overlay_->menuOpen || overlay_->escapeOpen; },
+                  [this] { serve(buildInterface(snapshotToDraw(), 0)); }});
   // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and
   // come.
   if (lostFocus) paused_ = true;
-  for (const Action action : controls_.input().takeActions()) handleAction(action);
+  for (const Action action : controls_.input().takeActions()) handleAction(action);  // of a gamepad
   showControls();
+}
+
+// True if the event was for the editor of the bindings. What it does to the program takes effect before the
+// next.
+bool WindowGame::takeEvent(const render::gl::WindowEvent& event) {
+  const bool ofMenu = overlay_->menuOpen && ImGuiInput::isMenuChord(event);
+  const bool taken = controls_.handle(event, ImGuiInput::wantsText() || ofMenu);
+  for (const Action action : controls_.input().takeActions()) handleAction(action);
+  return taken;
 }
 
 // What the player steers with, wherever it is told.
@@ -261,7 +326,7 @@ void WindowGame::handleAction(Action action) {
 void WindowGame::toggle(const std::string& path) {
   const core::Field& flag = run_->table.at(path);
   core::setField(flag, flag.get() != 0 ? 0.0 : 1.0);
-  applyMenuChanges({path});
+  attempt(part::kChange, [&] { applyMenuChanges({path}); });
 }
 
 void WindowGame::advance(double seconds) {
@@ -282,6 +347,8 @@ void WindowGame::advance(double seconds) {
     const std::vector<game::GameEvent> events = simulation_->world().takeEvents();
     events_.insert(events_.end(), events.begin(), events.end());
   }
+  // A replay changes settings as its log says.
+  if (simulation_->pilot() == Pilot::replay && !unproven_) good_ = choicesOf(*run_);
   if (simulation_->finished() && !replayEnded_) {
     replayEnded_ = true;
     paused_ = true;
@@ -309,28 +376,66 @@ void WindowGame::drawFrame(double seconds) {
   stage_->setMeasuring(stats_.has_value() || overlay_->showsCosts());
   renewCosts();
 
-  imguiInput_->beginFrame();
-  overlay_->hudShown = run_->settings.view.hud;
   const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen;
   window_.context().setPointerVisible(
       pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
-  const ui::BindingsContent bindings = controls_.menuContent();
-  const OverlayResult result =
-      overlay_->build({snapshot, size, seconds, run_->table, &shownStatistics_, error_,
-                       menuTools(snapshot, size), &bindings, window_.interfaceScale()});
-  if (result.fontsChanged) stage_->uploadFonts();
-  stage_->draw(snapshot, size, Streaming::asItComes);
+  const OverlayResult result = buildInterface(snapshot, seconds);
+  drawStage(snapshot, size);
   if (screenshotWanted_) saveScreenshot();
   stage_->renderer().present(size.width, size.height);
+  serve(result);  // what the player did in this frame takes effect after it was drawn
+}
 
-  // What the player did in this frame takes effect after it was drawn.
+// A frame that cannot be drawn with what was chosen last is drawn with what was chosen before. What is broken
+// else is left out of it, for as long as it is.
+void WindowGame::drawStage(const game::Snapshot& snapshot, Size size) {
+  if (unproven_) {
+    const bool drawn = attempt(part::kChange, [&] { stage_->draw(snapshot, size, Streaming::asItComes); });
+    if (drawn) {
+      good_ = choicesOf(*run_);
+      unproven_ = menuChangedIt_ = false;
+      return;
+    }
+  }
+  try {
+    stage_->draw(snapshot, size, Streaming::asItComes);
+    faults_.clear(part::kFrame);
+  } catch (const core::DataError& broken) {
+    tell(part::kFrame, broken.what());
+  }
+}
+
+// One frame of the interface, with what the menus want to show.
+OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double seconds) {
+  const Size size = window_.size();
+  overlay_->hudShown = run_->settings.view.hud;
+  const ui::BindingsContent bindings = controls_.menuContent();
+  OverlayFrame frame{snapshot,
+                     size,
+                     seconds,
+                     run_->table,
+                     &shownStatistics_,
+                     faults_.shown(),
+                     menuTools(snapshot, size),
+                     &bindings,
+                     window_.interfaceScale()};
+  frame.begun = [this] { feed_->frameBuilt(); };
+  const OverlayResult result = overlay_->build(frame);
+  if (result.fontsChanged) stage_->uploadFonts();
+  return result;
+}
+
+void WindowGame::serve(const OverlayResult& result) {
   controls_.apply(result.menu.binding);
+  if (!result.menu.changedPaths.empty()) {
+    menuChangedIt_ = true;
+    attempt(part::kChange, [&] { applyMenuChanges(result.menu.changedPaths); });
+  }
+  if (result.menu.preset) servePreset(*result.menu.preset);
   if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
     nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it
     choicesWait_ = true;
   }
-  if (!result.menu.changedPaths.empty()) applyMenuChanges(result.menu.changedPaths);
-  if (result.menu.preset) servePreset(*result.menu.preset);
   switch (result.escape) {
     case ui::EscapeAction::none:
       break;
@@ -344,6 +449,34 @@ void WindowGame::drawFrame(double seconds) {
       window_.context().setShouldClose(true);
       break;
   }
+}
+
+bool WindowGame::attempt(std::string_view part, const std::function<void()>& change) {
+  good_.bindings = run_->bindings;  // what the player binds is in force at once
+  try {
+    change();
+    faults_.clear(part);
+    faults_.clear(part::kStart);  // has been read by now
+    return true;
+  } catch (const std::exception& refusal) {
+    tell(part, refusal.what());
+    goBack();
+    return false;
+  }
+}
+
+// Settings, bindings, scene and the menu's steps as they were in the last frame that could be drawn.
+void WindowGame::goBack() {
+  const std::vector<std::string> changed = goBackTo(good_, *run_);
+  if (std::exchange(menuChangedIt_, false)) overlay_->menu().takeBack();
+  unproven_ = false;
+  if (!(controls_.input().bindings() == run_->bindings)) controls_.bindingsWereReplaced();
+  applyLive(changed);
+}
+
+// On stderr once, and in the menu until it is repaired.
+void WindowGame::tell(std::string_view part, const std::string& line) {
+  if (faults_.set(part, line)) warn(line);
 }
 
 // The table is renewed by a clock of its own, at once when it is opened.
@@ -364,14 +497,18 @@ ui::MenuTools WindowGame::menuTools(const game::Snapshot& snapshot, Size size) {
 }
 
 void WindowGame::servePreset(const ui::PresetRequest& request) {
+  MenuDesk::Served served;
   try {
-    const MenuDesk::Served served = desk_.serve(request, run_->table, overlay_->menu());
-    error_.clear();
-    notices_.add(served.notice);
-    if (!served.changedPaths.empty()) applyMenuChanges(served.changedPaths);
+    served = desk_.serve(request, run_->table, overlay_->menu());
   } catch (const std::exception& refusal) {
-    error_ = refusal.what();
+    return tell(part::kPreset, refusal.what());
   }
+  faults_.clear(part::kPreset);
+  if (!served.changedPaths.empty()) {
+    menuChangedIt_ = true;
+    if (!attempt(part::kChange, [&] { applyMenuChanges(served.changedPaths); })) return;
+  }
+  notices_.add(served.notice);
 }
 
 void WindowGame::report() {
@@ -380,11 +517,11 @@ void WindowGame::report() {
   if (!stats_) return;
   try {
     writeStatistics(*stats_, statistics());
+    faults_.clear(part::kStatistics);
   } catch (const core::ClosedPipe&) {
     stats_.reset();  // nobody reads them any more
-  } catch (const core::DataError& refusal) {
-    if (error_ != refusal.what()) warn(refusal.what());
-    error_ = refusal.what();
+  } catch (const std::exception& refusal) {
+    tell(part::kStatistics, refusal.what());
   }
 }
 
@@ -399,8 +536,14 @@ void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
     notices_.add("The land keeps its shape while a flight is recorded");
   } else if (needsNewLand) {
     buildScene();
+    window_.apply(run_->settings.view);
     return;
   }
+  unproven_ = true;
+  applyLive(changedPaths);
+}
+
+void WindowGame::applyLive(const std::vector<std::string>& changedPaths) {
   simulation_->applySettings(changedPaths);
   stage_->apply(run_->settings);
   window_.apply(run_->settings.view);
@@ -414,29 +557,31 @@ void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
 void WindowGame::watchFiles() {
   if (Clock::now() < nextWatch_) return;
   nextWatch_ = Clock::now() + kWatchPeriod;
-  for (const std::string& message : stage_->takeMessages()) error_ = message;
-  try {
-    if (sceneFile_.wasWritten()) reloadSceneFile();
-    if (playerFile_.wasWritten()) reloadPlayerFile();
-  } catch (const std::exception& refusal) {
-    if (!stage_) throw;  // refused when the old scene was gone: nothing is left to fly in
-    warn(error_ = refusal.what());
+  for (const std::string& message : stage_->takeMessages()) tell(part::kShaders, message);
+  if (const std::string_view standing = stage_->standingError(); standing.empty()) {
+    faults_.clear(part::kShaders);
+  } else {
+    faults_.set(part::kShaders, std::string(standing));  // another one may have been repaired
   }
+  if (sceneFile_.wasWritten()) attempt(part::kScene, [this] { reloadSceneFile(); });
+  if (playerFile_.wasWritten()) attempt(part::kPlayersFile, [this] { reloadPlayerFile(); });
 }
 
 void WindowGame::reloadSceneFile() {
   reloadScene(*run_, line_);
-  error_.clear();
   buildScene();
   notices_.add("The scene was loaded anew");
 }
 
 void WindowGame::reloadPlayerFile() {
   const std::vector<std::string> changed = reloadPlayer(*run_);
-  error_.clear();
   controls_.bindingsWereReplaced();
   applyAll(changed);
-  if (run_->warning) warn(error_ = *run_->warning);
+  if (run_->warning) {
+    tell(part::kPlayersValues, *run_->warning);
+  } else {
+    faults_.clear(part::kPlayersValues);
+  }
   notices_.add("The settings were loaded anew");
 }
 
@@ -444,9 +589,10 @@ void WindowGame::saveScreenshot() {
   screenshotWanted_ = false;
   try {
     notices_.add("Saved " + screenshots_.save(stage_->renderer().readBack()).string());
+    faults_.clear(part::kScreenshot);
   } catch (const std::exception& refusal) {
-    error_ = refusal.what();
-    notices_.add(error_);
+    tell(part::kScreenshot, refusal.what());
+    notices_.add(refusal.what());
   }
 }
 
@@ -464,24 +610,45 @@ core::FrameStatistics WindowGame::statistics(std::size_t frames) {
   window.paused = isPaused();
   window.frozen = isFrozen();
   window.quality = kQualityNames[static_cast<std::size_t>(run_->quality)];
+  window.fault = faults_.shown();
   window.loadedMs = loadedMs_;
+  window.programsLoaded = programsLoaded_;
   window.screenshots = screenshots_.count();
   window.costs = {static_cast<std::int64_t>(shownStatistics_.passes.size()), shownStatistics_.frames,
                   shownStatistics_.gl.bytes};
   return statistics;
 }
 
-void WindowGame::finish() {
-  if (stage_) stage_->renderer().finish();
-  if (line_.record && simulation_) game::writeInputLog(*line_.record, simulation_->recording());
-  keepChoices();
-  if (stage_ && stats_) writeStatistics(*stats_, statistics());
+// Every step is tried, whatever became of the flight and of the steps before it.
+void WindowGame::finish(std::exception_ptr failure) {
+  const auto step = [&](const std::function<void()>& keep) {
+    try {
+      keep();
+    } catch (...) {
+      if (failure) {
+        warn(reasonOf(std::current_exception()));
+      } else {
+        failure = std::current_exception();
+      }
+    }
+  };
+  step([&] {
+    if (line_.record && simulation_) game::writeInputLog(*line_.record, simulation_->recording());
+  });
+  step([&] { keepChoices(); });
+  step([&] {
+    if (!stage_) return;
+    stage_->renderer().finish();
+    if (stats_) writeStatistics(*stats_, statistics());
+  });
+  if (failure) std::rethrow_exception(failure);
 }
 
 // What cannot be written is said once and waits for the next time; the game goes on.
 void WindowGame::keepChoices() {
   if (!run_->userFolder) return;
-  const auto keep = [this](const auto& save) {
+  bool kept = true;
+  const auto keep = [&](const auto& save) {
     std::optional<std::string> line;
     try {
       line = save();
@@ -489,13 +656,15 @@ void WindowGame::keepChoices() {
       line = refusal.what();
     }
     if (!line) return;
-    if (error_ != *line) warn(*line);
-    error_ = *line;
+    kept = false;
+    tell(part::kChoices, *line);
   };
   keep([this] { return run_->userSettings.save(run_->playerTable, run_->bindings); });
   playerFile_.forget();
   keep([this] { return desk_.save(overlay_->menu()); });
   keep([this] { return window_.remember(); });
+  if (kept) faults_.clear(part::kChoices);
+  good_.userSettings = run_->userSettings;
 }
 
 }  // namespace skydrop::app

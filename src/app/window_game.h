@@ -3,7 +3,9 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +13,8 @@
 
 #include "app/cloud_noise.h"
 #include "app/command_line.h"
+#include "app/event_feed.h"
+#include "app/faults.h"
 #include "app/file_watch.h"
 #include "app/frame_times.h"
 #include "app/game_window.h"
@@ -40,23 +44,42 @@ class WindowGame {
   ~WindowGame();
 
   // Returns when the window was closed, the player quit or a signal asked to end; then the statistics, the
-  // recording and the player's settings are written.
+  // recording and the player's settings are written. So they are before it throws what ended the flight
+  // early.
   void run();
 
  private:
   void tellOfSoftware();
+  // What is made anew for another scene or another land.
+  struct Flight {
+    std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<Stage> stage;
+    std::unique_ptr<audio::SoundScene> sound;
+  };
+  Flight loadFlight(bool& lostFocus);
   void buildScene();
   void beginClouds();
+  void dropUnusedClouds();
   void handleEventsWhileLoading(bool& lostFocus);
   bool ends();
+  void fly();
   void handleEvents();
+  bool takeEvent(const render::gl::WindowEvent& event);
   void handleAction(Action action);
   void toggle(const std::string& path);
   void showControls();
   void advance(double seconds);
   void drawFrame(double seconds);
+  void drawStage(const game::Snapshot& snapshot, Size size);
+  OverlayResult buildInterface(const game::Snapshot& snapshot, double seconds);
+  void serve(const OverlayResult& result);
+  // Carries a change out. What fails leaves the last good state and a line about this part of the program.
+  bool attempt(std::string_view part, const std::function<void()>& change);
+  void goBack();
+  void tell(std::string_view part, const std::string& line);
   void applyMenuChanges(const std::vector<std::string>& paths);
   void applyAll(const std::vector<std::string>& changedPaths);
+  void applyLive(const std::vector<std::string>& changedPaths);
   void watchFiles();
   void reloadSceneFile();
   void reloadPlayerFile();
@@ -68,7 +91,8 @@ class WindowGame {
   void keepChoices();
   game::Snapshot snapshotToDraw();
   core::FrameStatistics statistics(std::size_t frames = render::Renderer::kKeptTimes);
-  void finish();
+  // Everything that has to be kept; throws `failure`, or else the first that its steps met.
+  void finish(std::exception_ptr failure);
 
   // A pause holds everything; a freeze holds simulated time, and the keys move the free camera.
   bool isPaused() const { return paused_ || overlay_->escapeOpen; }
@@ -79,13 +103,14 @@ class WindowGame {
   std::optional<core::OutputFile> stats_;  // --stats; opened before the window
   GameWindow window_;
   std::optional<CloudNoise> cloudNoise_;  // with clouds only
-  std::optional<Simulation> simulation_;
+  std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Overlay> overlay_;  // before the stage, whose pass draws its fonts
   std::unique_ptr<Stage> stage_;
   std::unique_ptr<audio::AudioManager> audio_;  // with sound only
   std::unique_ptr<audio::SoundScene> sound_;
   std::unique_ptr<Clipboard> clipboard_;
   std::optional<ImGuiInput> imguiInput_;  // for the overlay's context
+  std::optional<EventFeed> feed_;         // for imguiInput_
   GlfwJoysticks joysticks_;
   PlayerControls controls_;
   PlayerCamera camera_;
@@ -100,7 +125,10 @@ class WindowGame {
   bool menuWasOpen_ = false;
   bool choicesWait_ = false;  // to be kept, once the files were looked at
   Screenshots screenshots_;
-  std::string error_;  // of the last reload, shown in the menu
+  Faults faults_;               // the latest is shown in the menu
+  Choices good_;                // that a frame was drawn with
+  bool unproven_ = false;       // what is in force since no frame has been drawn with yet
+  bool menuChangedIt_ = false;  // and the menu remembers a step of it
   Notices notices_;
   std::vector<game::GameEvent> events_;  // of the steps since the last frame
   FrameTimes times_;
@@ -108,6 +136,7 @@ class WindowGame {
   std::chrono::steady_clock::time_point nextWatch_, nextStatistics_, nextCosts_;
   std::chrono::steady_clock::time_point lastFrame_;
   double loadedMs_ = 0;
+  std::int64_t programsLoaded_ = 0;
   FileWatch sceneFile_, playerFile_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "skydrop/core/error.h"
+
 namespace skydrop::render {
 namespace {
 
@@ -70,11 +72,11 @@ bool Renderer::beginModels(const FrameInput& input) {
   return false;
 }
 
-void Renderer::composeModels() {
+void Renderer::composeModels(std::exception_ptr& failure) {
   skipped_.erase(kModelLayer);
   bindTarget(Slot::models);
   context_.setDefaultState();
-  measured(kModelLayer, [&] { modelLayer_.compose(context_, shaders_); });
+  tried(kModelLayer, failure, [&] { modelLayer_.compose(context_, shaders_); });
 }
 
 void Renderer::draw(const FrameInput& asked) {
@@ -113,21 +115,32 @@ void Renderer::draw(const FrameInput& asked) {
   skipped_.clear();
   skipped_.emplace(kModelLayer, settings_.smoothModels ? "no model in view" : "switched off");
   bool layered = false;  // the layer is the target
+  std::exception_ptr failure;
   for (const std::unique_ptr<Pass>& pass : passes_) {
     if (const std::optional<std::string> reason = pass->idleReason(input)) {
       skipped_.emplace(pass->name(), *reason);
       continue;
     }
     if (layered && pass->slot() > Slot::models) {
-      composeModels();
+      composeModels(failure);
       layered = false;
     }
     if (!layered && pass->slot() == Slot::models) layered = beginModels(input);
     if (!layered) bindTarget(pass->slot());
     context_.setDefaultState();
-    measured(pass->name(), [&] { pass->draw(frame); });
+    tried(pass->name(), failure, [&] { pass->draw(frame); });
   }
-  if (layered) composeModels();
+  if (layered) composeModels(failure);
+  if (failure) std::rethrow_exception(failure);
+}
+
+void Renderer::tried(std::string_view name, std::exception_ptr& failure, const std::function<void()>& draw) {
+  try {
+    measured(name, draw);
+  } catch (const core::DataError& error) {
+    skipped_.insert_or_assign(std::string(name), error.what());
+    if (!failure) failure = std::current_exception();
+  }
 }
 
 void Renderer::measured(std::string_view name, const std::function<void()>& draw) {

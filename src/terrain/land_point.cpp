@@ -42,9 +42,9 @@ Jet<double> gullyAt(const LandShape<double>& shape, const LandOctaves& octaves, 
   return {cells.v * metres, cells.x * perMetre, cells.z * perMetre};
 }
 
-// A thread's memory of nodes: the last one met of each slot. It belongs to the thread and not to a land, because it
-// is used from const functions that any thread may call; what it holds is named by its land and is what would be
-// made again, so that no result depends on it. 512 nodes take 60 KiB a thread.
+// A thread's memory of nodes: the last one met of each slot. It belongs to the thread and not to a land,
+// because it is used from const functions that any thread may call; what it holds is named by its land and is
+// what would be made again, so that no result depends on it. 512 nodes take 60 KiB a thread.
 struct KnownNode {
   std::uint64_t land = 0;  // LandOctaves::id; 0 is none
   std::size_t octave = 0;

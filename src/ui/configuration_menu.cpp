@@ -201,8 +201,8 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
     if (homes[i] != &section) continue;
     const Field& field = content.table.fields()[i];
     changed += field.isDefault() ? 0 : 1;
-    // A row that goes back to its default while only changed ones are shown keeps its place until the filter is
-    // set again: the next row must not come under the mouse.
+    // A row that goes back to its default while only changed ones are shown keeps its place until the filter
+    // is set again: the next row must not come under the mouse.
     const bool matches = filter.matches(field, section.title);
     if (matches) kept.insert(field.path);
     if (matches || kept.contains(field.path)) shown.push_back(&field);

@@ -24,8 +24,9 @@ bool placedButton(const char* label, const std::string& name, ItemPlaces& places
 // `text`, or its beginning and an ellipsis where it is wider than that many pixels.
 std::string fittingText(std::string text, float width);
 
-// `text` in a place of so many lines, which is taken whether or not there is a text: what stands below does not
-// move when it comes and goes. One that needs more lines loses its middle; pointing at it shows all of it.
+// `text` in a place of so many lines, which is taken whether or not there is a text: what stands below does
+// not move when it comes and goes. One that needs more lines loses its middle; pointing at it shows all of
+// it.
 enum class TextRole { refusal, note };  // what went wrong, what is going on
 void textInPlace(std::string_view text, int lines, TextRole role);
 

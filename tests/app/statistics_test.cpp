@@ -44,8 +44,8 @@ TEST(Statistics, quantilesAreNearestRanks) {
 }
 
 TEST(Statistics, quantilesOfALongRunKeepTheirStatedError) {
-  // A week of frames at 60 Hz would be 36 million: memory must not grow with them. Against all values sorted, the
-  // quantiles of 200 000 frames from 0.3 to 3000 ms lie within the bound; count and extremes are exact.
+  // A week of frames at 60 Hz would be 36 million: memory must not grow with them. Against all values sorted,
+  // the quantiles of 200 000 frames from 0.3 to 3000 ms lie within the bound; count and extremes are exact.
   FrameTimes times;
   std::vector<double> all;
   std::uint32_t state = 1;

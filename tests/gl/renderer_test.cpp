@@ -98,15 +98,21 @@ class BrokenPass final : public Pass {
 };
 
 TEST_F(FrameTest, brokenShaderIsThrownAndTheNextFrameIsWhole) {
-  // The error names the file; mended, the same renderer draws on, and its times and counts are not out of
-  // step.
+  // The error names the file and comes when all other passes have drawn; mended, the same renderer draws on,
+  // and its times and counts are not out of step.
   const test::TemporaryFolder folder;
   const std::string file = folder.write("broken.frag", "void main() { nonsense; }\n");
   renderer().add(std::make_unique<SkyPass>(context()));
   renderer().add(std::make_unique<BrokenPass>(file));
   renderer().add(std::make_unique<ToneMapPass>(context()));
-  EXPECT_THROW(draw(pose({0, 100, 0}, 0, 0, 0)), core::DataError);
+  EXPECT_THROW(draw(pose({0, 100, 0}, 0, 30, 0)), core::DataError);
+  EXPECT_GT(renderer().readBack().pixel(160, 90)[2], 50) << "the sky is there";
+  EXPECT_EQ(context().ledger().passes().at("toneMap").draws, 1u);
+  core::FrameStatistics statistics;
+  renderer().fillStatistics(statistics);
+  EXPECT_THAT(statistics.passes[1].second.skipped, ::testing::HasSubstr("broken.frag"));
   folder.write("broken.frag", "void main() {}\n");
+  renderer().reloadShaders();
   const core::Image image = draw(pose({0, 100, 0}, 0, 30, 0));
   EXPECT_GT(image.pixel(160, 90)[2], 50);
   EXPECT_EQ(context().ledger().passes().at("toneMap").draws, 1u);

@@ -179,6 +179,19 @@ void main() {
   EXPECT_EQ(run<1>(fog)[0], 64.0f);
 }
 
+TEST_F(ShaderGLTest, whatFailedOnceIsNotCompiledInEachFrame) {
+  // The same line again without looking at the file, until the cache is asked to look.
+  ShaderCache cache(context());
+  const std::string file = folder_.write("main.comp", std::string(kOut) + "void main() { o[0] = }\n");
+  const auto ask = [&] { static_cast<void>(cache.computeShader(file)); };
+  const std::string refusal = test::refusalOf<core::DataError>(ask);
+  EXPECT_THAT(refusal, HasSubstr("main.comp: line"));
+  folder_.write("main.comp", std::string(kOut) + "void main() { o[0] = 1.0; }\n");
+  EXPECT_EQ(test::refusalOf<core::DataError>(ask), refusal);
+  cache.reloadChanged();
+  EXPECT_NO_THROW(ask());
+}
+
 TEST_F(ShaderGLTest, changedFilesAreReloadedAndBrokenOnesKeepTheLastProgram) {
   // The life of a shader while flying: good, broken (reported once, the old one runs on), mended.
   ShaderCache cache(context());
@@ -195,9 +208,11 @@ TEST_F(ShaderGLTest, changedFilesAreReloadedAndBrokenOnesKeepTheLastProgram) {
   EXPECT_THAT(broken.errors[0], HasSubstr("value.glsl: line 1:"));
   EXPECT_EQ(run<1>(shader)[0], 1.0f);
   EXPECT_TRUE(cache.reloadChanged().errors.empty());
+  EXPECT_EQ(cache.standingError(), broken.errors[0]) << "it stands, though it is said once";
 
   folder_.write("value.glsl", "float value() { return 3.0; }\n");
   EXPECT_EQ(cache.reloadChanged().programs, 1);
+  EXPECT_EQ(cache.standingError(), "");
   EXPECT_EQ(run<1>(shader)[0], 3.0f);
   EXPECT_EQ(context().ledger().live(ObjectKind::program), 1);
 }

@@ -55,6 +55,13 @@ VirtualDisplay::VirtualDisplay(int width, int height, const std::string& logFile
   name_ = ":" + number;
 }
 
+void VirtualDisplay::setKeyboard(const std::string& layout) const {
+  const auto program = findProgram("setxkbmap");  // comes with what the server itself needs for keyboards
+  if (!program) throw std::runtime_error("setxkbmap is not installed");
+  const ProcessResult result = runProcess({*program, layout}, {"DISPLAY=" + name_}, 20);
+  if (result.exitCode != 0) throw std::runtime_error("setxkbmap " + layout + ": " + result.err);
+}
+
 // An XWD file (X11/XWDFile.h): a header of 32-bit numbers, most significant byte first, a colour map of
 // 12-byte entries, then rows of pixels, here of 32 bits as 0x00RRGGBB.
 core::Image VirtualDisplay::picture() const {

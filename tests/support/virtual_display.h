@@ -21,6 +21,9 @@ class VirtualDisplay {
 
   const std::string& name() const { return name_; }  // ":99"
 
+  // The layout of its keyboard, as setxkbmap names it: "de". Throws std::runtime_error.
+  void setKeyboard(const std::string& layout) const;
+
   // What its screen shows now, as somebody before it would see it; the mouse pointer is not in it.
   core::Image picture() const;
   // The part of it where a window is, as far as it lies on the screen. `window`: xdotool's number.

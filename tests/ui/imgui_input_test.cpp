@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "app/event_feed.h"
 #include "app/input_code.h"
 #include "app/pointer_rest.h"
 #include "skydrop/ui/imgui_context.h"
@@ -25,8 +26,12 @@ class FakeClipboard : public Clipboard {
 class ImGuiInputTest : public ::testing::Test {
  protected:
   void frame(bool focusField = false) {
-    input.beginFrame();
+    feed.deliver({nullptr, [] { return true; }, [this] { build(false); }});
+    build(focusField);
+  }
+  void build(bool focusField) {
     static_cast<void>(interface.beginFrame(640, 360, 1.0 / 60));
+    feed.frameBuilt();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::Begin("Window");
     if (focusField) ImGui::SetKeyboardFocusHere();
@@ -39,8 +44,9 @@ class ImGuiInputTest : public ::testing::Test {
                                        std::pair(code, false), std::pair(int{key::kLeftControl}, false)}) {
       WindowEvent event{WindowEvent::Kind::key};
       event.code = key;
+      event.letter = render::gl::letterOfKey(key, nullptr);
       event.pressed = pressed;
-      input.handle(event);
+      feed.add(event);
       frame();
       frame();
     }
@@ -49,6 +55,7 @@ class ImGuiInputTest : public ::testing::Test {
   FakeClipboard clipboard;
   ui::Interface interface { 640, 360 };
   ImGuiInput input{&clipboard};
+  EventFeed feed{input};
   char field[64] = "aircraft";
 };
 
@@ -75,15 +82,15 @@ TEST_F(ImGuiInputTest, positionsArriveInPixelsOfTheFrame) {
   WindowEvent event{WindowEvent::Kind::mouseMove};
   event.x = 100;
   event.y = 50.5;
-  input.handle(event, 2);
+  feed.add(event, 2);
   frame();
   EXPECT_EQ(ImGui::GetIO().MousePos.x, 200);
   EXPECT_EQ(ImGui::GetIO().MousePos.y, 101);
   event.kind = WindowEvent::Kind::scroll;
   event.x = 0;
   event.y = 1;
-  input.handle(event, 2);
-  input.beginFrame();
+  feed.add(event, 2);
+  frame();
   EXPECT_EQ(ImGui::GetIO().MousePos.x, 200) << "a turn of the wheel is no position";
 }
 
@@ -92,7 +99,7 @@ TEST(MenuChord, controlWithALetterOfTheMenuIsNoKeyOfTheFlight) {
   WindowEvent event{WindowEvent::Kind::key};
   event.pressed = true;
   for (const char letter : {'F', 'Z', 'Y', 'A'}) {
-    event.code = letter;
+    event.code = event.letter = letter;
     event.modifiers = 0;
     EXPECT_FALSE(ImGuiInput::isMenuChord(event)) << letter;
     event.modifiers = 2 | 1;  // GLFW_MOD_CONTROL, GLFW_MOD_SHIFT
@@ -100,6 +107,52 @@ TEST(MenuChord, controlWithALetterOfTheMenuIsNoKeyOfTheFlight) {
   }
   event.kind = WindowEvent::Kind::character;
   EXPECT_FALSE(ImGuiInput::isMenuChord(event));
+}
+
+TEST(KeyboardLayout, shortcutsGoByTheLetterThatTheLayoutHas) {
+  // GLFW's codes are places on an American keyboard; its names are what the layout has there.
+  using render::gl::letterOfKey;
+  EXPECT_EQ(letterOfKey('Y', "z"), 'Z') << "German";
+  EXPECT_EQ(letterOfKey('Z', "y"), 'Y');
+  EXPECT_EQ(letterOfKey('W', "z"), 'Z') << "French";
+  EXPECT_EQ(letterOfKey('Z', "w"), 'W');
+  EXPECT_EQ(letterOfKey('Q', "a"), 'A');
+  EXPECT_EQ(letterOfKey(59, "m"), 'M') << "beside L";
+  EXPECT_EQ(letterOfKey('M', ","), '\0') << "no letter is there";
+  EXPECT_EQ(letterOfKey('Z', "z"), 'Z') << "American";
+  EXPECT_EQ(letterOfKey('Z', "\xd1\x8f"), 'Z') << "Russian: no Latin letters, so the place counts";
+  EXPECT_EQ(letterOfKey('Z', nullptr), 'Z');
+  EXPECT_EQ(letterOfKey(key::kEnter, nullptr), '\0');
+  EXPECT_EQ(letterOfKey('1', "1"), '\0');
+}
+
+TEST_F(ImGuiInputTest, aTextFieldsShortcutsGoByTheLetterOfAFrenchLayout) {
+  // A stands on the place of the American Q, and its own place has Q: Ctrl with that is nothing.
+  const auto chord = [this](int place, char letter) {
+    for (const auto& [code, pressed] : {std::pair(int{key::kLeftControl}, true), std::pair(place, true),
+                                        std::pair(place, false), std::pair(int{key::kLeftControl}, false)}) {
+      WindowEvent event{WindowEvent::Kind::key};
+      event.code = code;
+      event.letter = code == place ? letter : '\0';
+      event.pressed = pressed;
+      feed.add(event);
+    }
+    frame();
+  };
+  frame(true);
+  frame();
+  chord('Q', 'A');
+  chord('X', 'X');
+  EXPECT_STREQ(field, "");
+  EXPECT_EQ(clipboard.kept, "aircraft");
+  chord('V', 'V');
+  EXPECT_STREQ(field, "aircraft");
+  chord('A', 'Q');
+  WindowEvent letter{WindowEvent::Kind::character};
+  letter.character = 's';
+  feed.add(letter);
+  frame();
+  EXPECT_STREQ(field, "aircrafts") << "nothing was selected";
 }
 
 TEST(PointerRest, aPointerAtRestHidesUnlessAMenuNeedsIt) {

@@ -1,10 +1,12 @@
-// Runs the interface without a window: mouse and keys as the window's events, one call a frame.
+// Runs the interface without a window: mouse and keys as the window's events, at any frame rate.
 #pragma once
 
 #include <functional>
 #include <utility>
 
+#include "app/event_feed.h"
 #include "app/imgui_input.h"
+#include "app/input_code.h"
 #include "skydrop/ui/imgui_context.h"
 
 namespace skydrop::test {
@@ -27,16 +29,24 @@ class InterfaceDriver {
     height_ = height;
   }
 
+  // Frames that are shown; events that were sent come before the first.
   void frames(int count) {
     for (int i = 0; i < count; ++i) {
-      input_.beginFrame();
-      fontsChanged_ = interface_.beginFrame(width_, height_, 1.0 / 60);
-      draw_(interface_);
-      data_ = interface_.endFrame();
+      feed_.deliver({first_, [] { return true; }, [this] { build(0); }});
+      build(secondsAFrame_);
+      now_ += secondsAFrame_;
     }
   }
+  void setFrameRate(double framesASecond) { secondsAFrame_ = 1 / framesASecond; }
+  // Who gets events before the interface does: the flight, in the game.
+  void setFirstReader(std::function<bool(const Event&)> first) { first_ = std::move(first); }
 
-  void send(const Event& event) { input_.handle(event); }
+  // It happens at some time during the next frame.
+  void send(Event event) {
+    event.earliestSeconds = now_;
+    event.latestSeconds = now_ + secondsAFrame_;
+    feed_.add(event);
+  }
 
   void move(float x, float y) {
     Event event{Event::Kind::mouseMove};
@@ -70,7 +80,10 @@ class InterfaceDriver {
   void key(int code, bool pressed) {
     Event event{Event::Kind::key};
     event.code = code;
+    event.letter = render::gl::letterOfKey(code, nullptr);
     event.pressed = pressed;
+    if (code == app::key::kLeftControl) control_ = pressed;
+    event.modifiers = control_ ? 2 : 0;  // GLFW_MOD_CONTROL
     send(event);
   }
 
@@ -90,8 +103,19 @@ class InterfaceDriver {
   }
 
  private:
+  void build(double seconds) {
+    fontsChanged_ = interface_.beginFrame(width_, height_, seconds);
+    feed_.frameBuilt();
+    draw_(interface_);
+    data_ = interface_.endFrame();
+  }
+
   ui::Interface interface_;
   app::ImGuiInput input_;
+  app::EventFeed feed_{input_};
+  std::function<bool(const Event&)> first_;
+  double secondsAFrame_ = 1.0 / 60, now_ = 0;
+  bool control_ = false;
   std::function<void(const ui::Interface&)> draw_;
   int width_, height_;
   ImDrawData* data_ = nullptr;

@@ -63,7 +63,8 @@ TEST_F(MenuRowsTest, nothingMovesTheRowsButTheUser) {
   settings.aircraft.rollFactor = 1;
   settings.weather.scale = 0.5;
   EXPECT_EQ(tops(), before) << "changed values";
-  costs.passes[0].second = {0, 0, 0, "the land covers the sky, for a long reason that takes more than a line"};
+  costs.passes[0].second = {0, 0, 0,
+                            "the land covers the sky, for a long reason that takes more than a line"};
   costs.passes[1].second = {0, 0, 0, "no ray meets the layer"};
   costs.terrain.coarsened = 3;
   EXPECT_EQ(tops(), before) << "other passes are idle";

@@ -70,6 +70,31 @@ TEST(WindowMemory, theWindowComesBackAsItWasLeft) {
   }
 }
 
+TEST(WindowMemory, aWindowIsHeldToItsScreen) {
+  // What another screen remembered: larger than this one, or beside it. It opens within this one, and what is
+  // remembered stays for the other.
+  SKIP_WITHOUT_DISPLAY();
+  const TemporaryFolder user;
+  const json remembered = {
+      {"width", 3840}, {"height", 2160}, {"moved", true}, {"left", 5000}, {"top", -3000}};
+  user.write("window.json", json({{"schema", 1}, {"settings", remembered}}).dump());
+  {
+    FlownGame flown(
+        FlownGame::Launch{.words = {"--scene", "empty"}, .sized = false, .userFolder = user.path()});
+    EXPECT_TRUE(flown.waitFor(hasSize(FlownGame::kDisplayWidth, FlownGame::kDisplayHeight)))
+        << flown.window();
+    const core::Image shown = flown.shown();
+    EXPECT_EQ(shown.width, FlownGame::kDisplayWidth) << "none of it lies beside the screen";
+    EXPECT_EQ(shown.height, FlownGame::kDisplayHeight);
+    end(flown);
+  }
+  const json kept = readJson(user.path() / "window.json").at("settings");
+  for (const auto& [name, value] : remembered.items()) EXPECT_EQ(kept.at(name), value) << name;
+  FlownGame flown(FlownGame::Launch{.words = {"--scene", "empty", "--size", "3000x500"}, .sized = false});
+  EXPECT_TRUE(flown.waitFor(hasSize(FlownGame::kDisplayWidth, 500))) << flown.window();
+  EXPECT_EQ(timesIn(flown.log(), "--size 3000x500: the screen has room for 800x500"), 1) << flown.log();
+}
+
 TEST(WindowMemory, aFolderThatCannotBeWrittenIsSaidInOneLineAndTheFlightEndsWell) {
   SKIP_WITHOUT_DISPLAY();
   const TemporaryFolder folder;
@@ -115,6 +140,24 @@ TEST(Loading, aPictureComesBeforeTheLandAndTimeAfterIt) {
   EXPECT_LT(window.at("firstPictureMs").get<double>(), 3000);
   EXPECT_LT(window.at("firstPictureMs").get<double>(), window.at("loadedMs").get<double>());
   EXPECT_GT(flown.statistics().at("terrain").at("generated").get<int>(), 0);
+}
+
+TEST(Loading, noShaderIsCompiledOnceTheFlightHasBegun) {
+  // In the default scene, ten seconds with a package in the air and on the ground, from all cameras, with
+  // every menu open, at noon: each program was there when the first frame was drawn.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown({"--scene", "fair"});
+  const auto steps = [](const json& s) { return s.at("steps").get<int>(); };
+  flown.press("space");
+  for (const char* key : {"c", "c", "c", "h", "h", "F1", "F1", "Escape", "Escape"}) {
+    const int before = steps(flown.statistics());
+    flown.press(key);
+    ASSERT_TRUE(flown.waitFor([&](const json& s) { return steps(s) > before + 30 || key[0] == 'E'; })) << key;
+  }
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return !s.at("window").at("paused").get<bool>(); }));
+  ASSERT_TRUE(flown.waitFor([&](const json& s) { return steps(s) > 1200 && s.at("game").at("drops") == 1; }))
+      << flown.statistics().dump();
+  EXPECT_EQ(flown.statistics().at("gl").at("programs"), flown.window().at("programsLoaded"));
 }
 
 TEST(Loading, aSceneWithCloudsWaitsForTheirNoise) {

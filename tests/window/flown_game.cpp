@@ -45,6 +45,7 @@ FlownGame::FlownGame(Launch launch)
   }
   const std::string log = (folder_.path() / "log").string();
   display_ = std::make_unique<VirtualDisplay>(kDisplayWidth, kDisplayHeight, log);
+  if (!launch.keyboard.empty()) display_->setKeyboard(launch.keyboard);
   std::vector<std::string> words = {test::programFile(), "--stats", (folder_.path() / "stats.json").string(),
                                     "--user-dir", userFolder().string()};
   if (launch.sized)
@@ -52,11 +53,11 @@ FlownGame::FlownGame(Launch launch)
   if (std::ranges::find(launch.words, "--scene") == launch.words.end())
     words.insert(words.end(), {"--scene", "terrain"});
   words.insert(words.end(), launch.words.begin(), launch.words.end());
-  process_ = std::make_unique<BackgroundProcess>(
-      words,
-      std::vector<std::string>{"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
-                               "XDG_CACHE_HOME=" + sharedCacheHome().string()},
-      log);
+  std::vector<std::string> environment = {"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY",
+                                          "LIBGL_ALWAYS_SOFTWARE=1",
+                                          "XDG_CACHE_HOME=" + sharedCacheHome().string()};
+  environment.insert(environment.end(), launch.environment.begin(), launch.environment.end());
+  process_ = std::make_unique<BackgroundProcess>(words, environment, log);
   if (!waitFor([](const nlohmann::json&) { return true; }))
     throw std::runtime_error("it does not draw: " + this->log());
   window_ = display_->xdotool({"search", "--name", "^Skydrop$"});
@@ -78,6 +79,7 @@ bool FlownGame::waitFor(const Condition& condition) {
 
 void FlownGame::focus() const { display_->xdotool({"windowfocus", "--sync", window_}); }
 void FlownGame::press(const std::string& key) const { display_->xdotool({"key", "--delay", "0", key}); }
+void FlownGame::type(const std::string& text) const { display_->xdotool({"type", "--delay", "0", text}); }
 void FlownGame::hold(const std::string& key) const { display_->xdotool({"keydown", key}); }
 void FlownGame::release(const std::string& key) const { display_->xdotool({"keyup", key}); }
 

@@ -31,6 +31,8 @@ class FlownGame {
     std::string userSettings = {};          // the player's file, none if empty
     bool sized = true;                      // kWidth x kHeight by the command line
     std::filesystem::path userFolder = {};  // empty: one of its own
+    std::string keyboard = {};  // layout as setxkbmap names it: "de"; empty: the server's, American
+    std::vector<std::string> environment = {};  // besides the tests' own: "NAME=value"
   };
 
   // Starts it and waits until it has drawn and has the keyboard. Throws std::runtime_error.
@@ -46,6 +48,7 @@ class FlownGame {
   nlohmann::json window() const { return statistics().at("window"); }
 
   void press(const std::string& key) const;  // down and up at once; names as xdotool's: "w", "F1", "space"
+  void type(const std::string& text) const;  // letter by letter
   void hold(const std::string& key) const;
   void release(const std::string& key) const;
   // In window coordinates.
@@ -64,6 +67,7 @@ class FlownGame {
 
   BackgroundProcess& process() { return *process_; }
   std::filesystem::path userFolder() const { return userFolder_; }
+  std::filesystem::path statisticsFile() const { return folder_.path() / "stats.json"; }
   // Takes the window off the screen, as if minimised, and back.
   void hide() const { display_->xdotool({"windowunmap", window_}); }
   void unhide() const { display_->xdotool({"windowmap", window_}); }

@@ -429,6 +429,34 @@ TEST(Window, aKeyBoundInTheMenuFliesAndIsKept) {
   EXPECT_EQ(kept.at("bindings"), json({{"thrust", {"X", "GAMEPAD_AXIS_RIGHT_TRIGGER+"}}})) << kept.dump();
 }
 
+TEST(Window, shortcutsGoByTheLetterAndFlyingKeysByThePlace) {
+  // Xdotool presses the key that has the letter. On a German keyboard Z has the place of the American Y, on a
+  // French one of W: Ctrl with it undoes on both, alone it is no thrust on the one and thrust on the other.
+  SKIP_WITHOUT_DISPLAY();
+  for (const char* layout : {"de", "fr"}) {
+    FlownGame flown(FlownGame::Launch{.keyboard = layout});
+    const bool french = std::string(layout) == "fr";
+    EXPECT_EQ(static_cast<bool>(whileHeld(flown, french ? "z" : "w",
+                                          [](const json& s) { return game(s, "throttle") > 0.9; })),
+              true)
+        << layout;
+    flown.press("F1");
+    ASSERT_TRUE(flown.waitFor([](const json& s) { return isOn(s, "menuOpen"); }));
+    for (const char* assignment : {"aircraft.rollFactor=0.5", "aircraft.rollSpeed=40"}) {
+      flown.press("ctrl+f");
+      flown.type(assignment);
+      flown.press("Return");
+    }
+    flown.press("ctrl+z");
+    flown.press("F1");
+    ASSERT_TRUE(flown.waitFor([](const json& s) { return !isOn(s, "menuOpen"); }));
+    flown.process().askToEnd();
+    ASSERT_EQ(flown.process().wait(20), 0) << flown.log();
+    const json kept = readJson(flown.userFolder() / "settings.json");
+    EXPECT_EQ(kept.at("settings"), json({{"aircraft", {{"rollFactor", 0.5}}}})) << layout;
+  }
+}
+
 TEST(Window, theEscapeMenuResumesAndQuits) {
   // Enter on the first entry flies on; two further down it ends with exit code 0 and the last statistics.
   SKIP_WITHOUT_DISPLAY();

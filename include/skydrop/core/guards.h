@@ -1,8 +1,8 @@
 // Named guards against numerical degeneracy. What may happen now and then (no airspeed, a sine rounded past
 // 1, a stick that sends NaN) is handled where it happens and counted here, so that "rare" can be checked:
-// the counts are shown in the statistics. Thread-safe; counting is one relaxed atomic increment. There is one set of
-// counters for the whole process, since it started: two worlds in one program count together, and whoever wants the
-// counts of one run takes differences or resets them before it.
+// the counts are shown in the statistics. Thread-safe; counting is one relaxed atomic increment. There is one
+// set of counters for the whole process, since it started: two worlds in one program count together, and
+// whoever wants the counts of one run takes differences or resets them before it.
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 // thread.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
@@ -34,8 +35,8 @@ class Renderer {
   const RenderSettings& settings() const { return settings_; }
 
   // Draws one frame of the view's size into the output target. Throws core::RangeError for a view that is not
-  // valid (requireValid; nothing is drawn then) and core::DataError for a shader that does not compile (the
-  // frame is then incomplete, the renderer as usable as before).
+  // valid (requireValid; nothing is drawn then) and core::DataError for a shader that does not compile:
+  // thrown when the rest of the frame has been drawn without that pass, which the statistics give as skipped.
   void draw(const FrameInput& input);
 
   // Linear light of the last frame.
@@ -65,8 +66,10 @@ class Renderer {
   void bindTarget(Slot slot);
   // Whether the models of this frame go into the layer, which is then the target.
   bool beginModels(const FrameInput& input);
-  void composeModels();
+  void composeModels(std::exception_ptr& failure);
   void measured(std::string_view name, const std::function<void()>& draw);
+  // measured(), but what the pass throws of core::DataError is kept in `failure`, unless there is one.
+  void tried(std::string_view name, std::exception_ptr& failure, const std::function<void()>& draw);
   void noteTimes();
 
   gl::Context& context_;

@@ -101,7 +101,8 @@ class ConfigurationMenu {
   // Unknown paths and values out of range throw core::RangeError; then nothing has changed.
   std::vector<std::string> change(const core::SettingsTable& table, std::span<const SettingValue> values);
 
-  // What was changed last, here or by change(), could not be carried out: it leaves no step to undo. Sets nothing.
+  // What was changed last, here or by change(), could not be carried out: it leaves no step to undo. Sets
+  // nothing.
   void takeBack();
 
   const MenuState& state() const;
@@ -113,9 +114,9 @@ class ConfigurationMenu {
   // Rows drawn in the last frame, by path; rows scrolled out of sight included.
   const std::map<std::string, MenuRowPlace>& places() const;
   const BindingsPlaces& bindingPlaces() const;
-  // Where the last frame drew what is no row: "refusal" (while there is a line), "search", "changed only", "undo", "redo", "reset all", "section
-  // GROUP", "reset GROUP", "controls", "costs", "presets", "preset name", "save preset", "load NAME", "delete
-  // NAME", "copy", "copy flags", "copy pose". Null: not drawn.
+  // Where the last frame drew what is no row: "refusal" (while there is a line), "search", "changed only",
+  // "undo", "redo", "reset all", "section GROUP", "reset GROUP", "controls", "costs", "presets", "preset
+  // name", "save preset", "load NAME", "delete NAME", "copy", "copy flags", "copy pose". Null: not drawn.
   const ScreenRect* place(std::string_view what) const;
   // The whole window in the last frame that drew it, and the cross in its title bar.
   const ScreenRect& place() const;

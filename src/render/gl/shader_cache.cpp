@@ -12,38 +12,56 @@ std::string keyOf(std::initializer_list<std::string_view> files, std::span<const
   return key;
 }
 
-void reloadIfStale(ShaderProgram& program, ShaderCache::Reloaded& result) {
-  if (!program.isStale()) return;
+// The program in the slot, made there by `make` the first time.
+template <class Slot, class Make>
+auto& madeOnce(Slot& slot, const std::string& key, std::map<std::string, core::DataError>& failed,
+               Make make) {
+  if (slot) return *slot;
+  if (const auto known = failed.find(key); known != failed.end()) throw known->second;
   try {
-    program.reload();
-    ++result.programs;
+    slot = make();
   } catch (const core::DataError& error) {
-    result.errors.emplace_back(error.what());
+    failed.insert_or_assign(key, error);
+    throw;
   }
+  return *slot;
 }
 
 }  // namespace
 
 Shader& ShaderCache::shader(const std::string& vertex, const std::string& fragment,
                             std::span<const std::string> defines, const std::string& geometry) {
-  std::unique_ptr<Shader>& slot = shaders_[keyOf({vertex, fragment, geometry}, defines)];
-  if (!slot) slot = std::make_unique<Shader>(*context_, vertex, fragment, geometry, defines);
-  return *slot;
+  const std::string key = keyOf({vertex, fragment, geometry}, defines);
+  return madeOnce(shaders_[key], key, failed_,
+                  [&] { return std::make_unique<Shader>(*context_, vertex, fragment, geometry, defines); });
 }
 
 ComputeShader& ShaderCache::computeShader(const std::string& file, std::span<const std::string> defines) {
-  std::unique_ptr<ComputeShader>& slot = computeShaders_[keyOf({file}, defines)];
-  if (!slot) slot = std::make_unique<ComputeShader>(*context_, file, defines);
-  return *slot;
+  const std::string key = keyOf({file}, defines);
+  return madeOnce(computeShaders_[key], key, failed_,
+                  [&] { return std::make_unique<ComputeShader>(*context_, file, defines); });
+}
+
+void ShaderCache::reloadIfChanged(const std::string& key, ShaderProgram& program, Reloaded& result) {
+  if (!program.isStale()) return;
+  try {
+    program.reload();
+    ++result.programs;
+    stale_.erase(key);
+  } catch (const core::DataError& error) {
+    result.errors.emplace_back(error.what());
+    stale_.insert_or_assign(key, error.what());
+  }
 }
 
 ShaderCache::Reloaded ShaderCache::reloadChanged() {
   Reloaded result;
+  failed_.clear();
   for (auto& [key, shader] : shaders_) {
-    if (shader) reloadIfStale(*shader, result);
+    if (shader) reloadIfChanged(key, *shader, result);
   }
   for (auto& [key, shader] : computeShaders_) {
-    if (shader) reloadIfStale(*shader, result);
+    if (shader) reloadIfChanged(key, *shader, result);
   }
   return result;
 }

@@ -25,6 +25,7 @@ int windowCount = 0;
 struct WindowContext::Impl {
   GLFWwindow* window = nullptr;
   std::vector<WindowEvent> events;
+  double polled = 0;                  // seconds, when events were last asked for
   double pointerX = 0, pointerY = 0;  // window coordinates, of the last move
   int restoreX = 0, restoreY = 0, restoreWidth = 0, restoreHeight = 0;
 
@@ -77,6 +78,7 @@ struct WindowContext::Impl {
       WindowEvent event{Kind::key};
       event.code = key;
       event.scanCode = scanCode;
+      event.letter = letterOfKey(key, glfwGetKeyName(key, scanCode));
       event.pressed = action != GLFW_RELEASE;
       event.repeated = action == GLFW_REPEAT;
       event.modifiers = modifiers;
@@ -131,6 +133,15 @@ struct WindowContext::Impl {
     return glfwGetPrimaryMonitor();
   }
 };
+
+char letterOfKey(int code, const char* name) {
+  const auto isLetter = [](int c) { return c >= 'A' && c <= 'Z'; };
+  if (name && name[0] > 0 && name[1] == '\0') {  // ASCII
+    const int capital = name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0];
+    return isLetter(capital) ? static_cast<char>(capital) : '\0';
+  }
+  return isLetter(code) ? static_cast<char>(code) : '\0';
+}
 
 WindowContext::WindowContext(const WindowSettings& settings)
     : Context(Backend::window), impl_(std::make_unique<Impl>(settings)) {
@@ -227,20 +238,24 @@ WindowRect WindowContext::rect() const {
 
 void WindowContext::setSize(int width, int height) { glfwSetWindowSize(impl_->window, width, height); }
 
-void WindowContext::setPosition(int left, int top) {
-  constexpr int kReach = 40;  // window coordinates of it that must lie on a screen to get hold of
+void WindowContext::setPosition(int left, int top) { glfwSetWindowPos(impl_->window, left, top); }
+
+WindowFrame WindowContext::frame() const {
+  WindowFrame frame;
+  glfwGetWindowFrameSize(impl_->window, &frame.left, &frame.top, &frame.right, &frame.bottom);
+  return frame;
+}
+
+std::vector<WindowRect> WindowContext::screens() const {
   int count = 0;
   GLFWmonitor** monitors = glfwGetMonitors(&count);
-  const WindowRect now = rect();
-  for (int i = 0; i < count; ++i) {
-    int x = 0, y = 0, width = 0, height = 0;
-    glfwGetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
-    if (left + now.width >= x + kReach && left <= x + width - kReach && top >= y &&
-        top <= y + height - kReach) {
-      glfwSetWindowPos(impl_->window, left, top);
-      return;
-    }
+  std::vector<WindowRect> screens(static_cast<std::size_t>(std::max(count, 0)));
+  for (std::size_t i = 0; i < screens.size(); ++i) {
+    WindowRect& screen = screens[i];
+    glfwGetMonitorWorkarea(monitors[i], &screen.left, &screen.top, &screen.width, &screen.height);
   }
+  std::erase_if(screens, [](const WindowRect& screen) { return screen.width <= 0 || screen.height <= 0; });
+  return screens;
 }
 
 double WindowContext::contentScale() const {
@@ -253,6 +268,12 @@ void WindowContext::waitEvents(double seconds) { glfwWaitEventsTimeout(seconds);
 
 std::vector<WindowEvent> WindowContext::pollEvents() {
   glfwPollEvents();
+  const double now = glfwGetTime();
+  for (WindowEvent& event : impl_->events) {
+    event.earliestSeconds = impl_->polled;
+    event.latestSeconds = now;
+  }
+  impl_->polled = now;
   return std::exchange(impl_->events, {});
 }
 

@@ -6,8 +6,10 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "skydrop/core/error.h"
 #include "skydrop/render/gl/shader.h"
 
 namespace skydrop::render::gl {
@@ -17,7 +19,7 @@ class ShaderCache {
   explicit ShaderCache(Context& context) : context_(&context) {}
 
   // The program of these files and defines; compiled at the first call. The reference stays valid as long as
-  // the cache. Throws core::DataError as Shader does.
+  // the cache. Throws core::DataError as Shader does: what failed is not tried again before reloadChanged().
   Shader& shader(const std::string& vertex, const std::string& fragment,
                  std::span<const std::string> defines = {}, const std::string& geometry = {});
   ComputeShader& computeShader(const std::string& file, std::span<const std::string> defines = {});
@@ -29,12 +31,22 @@ class ShaderCache {
   // Looks at the files' times. A file that fails is not tried again until it is written again.
   Reloaded reloadChanged();
 
+  // One of the lines about programs that run as they were, because their files do not compile since; empty:
+  // none.
+  std::string_view standingError() const {
+    return stale_.empty() ? std::string_view() : std::string_view(stale_.begin()->second);
+  }
+
   std::size_t size() const { return shaders_.size() + computeShaders_.size(); }
 
  private:
+  void reloadIfChanged(const std::string& key, ShaderProgram& program, Reloaded& result);
+
   Context* context_;
   std::map<std::string, std::unique_ptr<Shader>> shaders_;
   std::map<std::string, std::unique_ptr<ComputeShader>> computeShaders_;
+  std::map<std::string, core::DataError> failed_;  // never compiled
+  std::map<std::string, std::string> stale_;       // compiled once, not since: the line that says why
 };
 
 }  // namespace skydrop::render::gl

@@ -24,18 +24,31 @@ struct WindowRect {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
+// What the desktop adds around the content: title and borders.
+struct WindowFrame {
+  int left = 0, top = 0, right = 0, bottom = 0;
+};
+
 // One thing that the user did. Codes of keys, buttons and modifiers are GLFW's (GLFW/glfw3.h).
 struct WindowEvent {
   enum class Kind { key, mouseButton, mouseMove, scroll, character, focus, resize };
   Kind kind = Kind::key;
-  int code = 0;          // key or button
+  int code = 0;          // key or button; a key's is its place, named by what an American keyboard has there
   int scanCode = 0;      // key
+  char letter = '\0';    // key: the capital letter, A to Z, that the player's keyboard has there, or none
   bool pressed = false;  // key, button; focus: gained
   bool repeated = false;
   int modifiers = 0;
   unsigned character = 0;  // Unicode
   double x = 0, y = 0;     // mouse position in window coordinates, scroll offset, or new size in pixels
+  // It happened between these, in seconds of one clock: since the events were last asked for. A slow frame
+  // makes them lie far apart.
+  double earliestSeconds = 0, latestSeconds = 0;
 };
+
+// The letter of a key whose layout names it `name` (null: nothing printable). Shortcuts go by it. A layout
+// without Latin letters, and a key without a name, have the letter of the key's place.
+char letterOfKey(int code, const char* name);
 
 class WindowContext final : public Context {
  public:
@@ -69,8 +82,10 @@ class WindowContext final : public Context {
   bool isHidden() const;
   // Where it stands, or would stand without full screen.
   WindowRect rect() const;
+  WindowFrame frame() const;
+  // What the desktop leaves free on each screen, the primary one first.
+  std::vector<WindowRect> screens() const;
   void setSize(int width, int height);
-  // Ignored where the window's title would lie outside of all screens.
   void setPosition(int left, int top);
   // How much larger text is wanted on the window's monitor than on a usual one: 1, 2 on many dense screens.
   double contentScale() const;
