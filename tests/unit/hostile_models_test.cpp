@@ -262,7 +262,7 @@ std::string planeGlb(const glm::dvec3& normal) {
 }
 
 // Normals are made in bounded work whatever plane the vertices lie in. The first plane is the one across the
-// axis along which assimp 5.2.5 sorts: its smoothing of this file takes 80 s.
+// axis along which assimp 5.2.5 sorts: its smoothing takes 1.3 s of 22 700 corners there and 18 s of 89 800.
 TEST_F(HostileModels, normalsOfAPlaneTakeNoLongerThanOthers) {
   for (const glm::dvec3 normal : {glm::dvec3(0.8523, 0.34321, 0.5736), glm::dvec3(1, 0, 0),
                                   glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1), glm::dvec3(1, 1, 1)}) {
