@@ -13,6 +13,7 @@
 #include "skydrop/render/model_import.h"
 #include "support/cost.h"
 #include "support/mutants.h"
+#include "support/paths.h"
 #include "support/process.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
@@ -21,7 +22,7 @@
 namespace skydrop::render {
 namespace {
 
-const std::filesystem::path kCorpus = SKYDROP_SOURCE_DIR "/tests/corpus/models";
+const std::filesystem::path kCorpus = test::sourceDir() + "/tests/corpus/models";
 
 // Seconds of processor time within which the largest files are read, with the sanitizers: a hundred times
 // what they take without (a quadratic algorithm takes a thousand times that).

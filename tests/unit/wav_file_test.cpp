@@ -11,6 +11,7 @@
 #include "skydrop/core/file.h"
 #include "support/cost.h"
 #include "support/mutants.h"
+#include "support/paths.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -18,7 +19,7 @@ namespace skydrop::audio {
 namespace {
 
 constexpr int kRate = 22050, kFrames = 4000;
-const std::filesystem::path kCorpus = SKYDROP_SOURCE_DIR "/tests/corpus/sounds";
+const std::filesystem::path kCorpus = test::sourceDir() + "/tests/corpus/sounds";
 
 // Two sines, the second of half the frequency for a second channel.
 std::vector<double> sines(int channels) {
