@@ -189,7 +189,8 @@ class Parser {
          [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
     path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
     path(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
-    path(verb, "--replay", "FILE|-", "fly a recorded input log", line_.replay);
+    path(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
+    path(verb, "--record", "FILE", "record the flight as an input log; FILE must be new or empty", line_.record);
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
   }
 
@@ -228,7 +229,6 @@ class Parser {
   }
 
   void addFly(CLI::App& verb) {
-    path(verb, "--record", "FILE", "record the input log", line_.record);
     addSize(verb);
     verb.add_flag("--fullscreen", line_.fullscreen, "fill the screen");
   }
@@ -252,7 +252,7 @@ class Parser {
 
   void addSimulate(CLI::App& verb) {
     path(verb, "--trace", "FILE.csv", "write every step of the flight as a row of numbers", line_.trace);
-    text(verb, "--seconds", "S", "how long (60)",
+    text(verb, "--seconds", "S", "how long (60; a replay to its end)",
          [this](const std::string& t) { line_.seconds = number("--seconds", t, 0, kMaxSeconds); });
     text(verb, "--fps", "N", "the drawing rate that is imitated (60)",
          [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });

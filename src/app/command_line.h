@@ -47,11 +47,10 @@ struct CommandLine {
   std::vector<std::string> set;       // PATH=VALUE, in order
   std::optional<std::uint64_t> seed;
   std::optional<int> workers;  // 1 .. 64; unless told cores - 1, and all of them to render
-  std::optional<std::filesystem::path> userDir, stats, replay;
+  std::optional<std::filesystem::path> userDir, stats, replay, record;
   bool autopilot = false;
 
   // fly
-  std::optional<std::filesystem::path> record;
   bool fullscreen = false;
 
   // fly and render
@@ -70,7 +69,8 @@ struct CommandLine {
   bool menu = false;
 
   // simulate
-  double seconds = 60;
+  static constexpr double kDefaultSeconds = 60;
+  std::optional<double> seconds;  // unless told kDefaultSeconds, and the whole of a replay
   std::optional<std::filesystem::path> trace;
 
   NoiseRequest noise;

@@ -5,7 +5,7 @@
 #include <glm/trigonometric.hpp>
 #include <string_view>
 
-#include "skydrop/core/file.h"
+#include "skydrop/core/fixed_step.h"
 
 namespace skydrop::app {
 namespace {
@@ -52,23 +52,29 @@ constexpr std::array<Column, 30> kColumns = {{
 
 }  // namespace
 
-FlightTrace::FlightTrace() {
-  for (const Column& column : kColumns) text_.append(text_.empty() ? "" : ",").append(column.name);
-  text_ += '\n';
+FlightTrace::FlightTrace(const std::filesystem::path& file) : file_(file, RecordFile::Existing::replaced) {
+  for (const Column& column : kColumns) rows_.append(rows_.empty() ? "" : ",").append(column.name);
+  rows_ += '\n';
+  flush();
 }
 
 void FlightTrace::append(const game::Snapshot& snapshot) {
   char separator = 0;
   for (const Column& column : kColumns) {
-    if (separator) text_ += separator;
+    if (separator) rows_ += separator;
     separator = ',';
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), column.value(snapshot));
-    text_.append(digits.data(), end.ptr);
+    rows_.append(digits.data(), end.ptr);
   }
-  text_ += '\n';
+  rows_ += '\n';
+  if (++rowCount_ == core::FixedStep::kStepsPerSecond) flush();
 }
 
-void FlightTrace::write(const std::filesystem::path& file) const { core::writeFileAtomically(file, text_); }
+void FlightTrace::flush() {
+  file_.append(rows_);
+  rows_.clear();
+  rowCount_ = 0;
+}
 
 }  // namespace skydrop::app

@@ -4,8 +4,7 @@
 namespace skydrop::app {
 
 int fly(const CommandLine& line) {
-  WindowGame(line).run();
-  return 0;
+  return WindowGame(line).run();
 }
 
 }  // namespace skydrop::app

@@ -1,14 +1,18 @@
 #include "app/prepare.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <functional>
 #include <utility>
 
 #include "app/cloud_tier.h"
 #include "app/preset_shelf.h"
 #include "app/quality_preset.h"
+#include "app/version.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/fixed_step.h"
 
 namespace skydrop::app {
 namespace {
@@ -26,23 +30,68 @@ scene::Scene sceneOf(const CommandLine& line) {
   return scene::parseScene(core::readTextInput(name, scene::kMostSceneBytes), core::inputName(name));
 }
 
-// A replay brings its scene, seed and settings along.
-void readReplay(const std::filesystem::path& file, SimulationSetup& setup) {
-  setup.pilot = Pilot::replay;
-  setup.replayFile = core::inputName(file);
-  setup.replay = game::readInputLog(file);
+std::optional<std::string> sceneTextNow(const std::string& source) {
   try {
-    setup.scene = scene::loadScene(setup.replay->scene);
-  } catch (const core::DataError& error) {
-    throw core::DataError(setup.replayFile, "scene", error.what());
+    return scene::loadScene(source).text;
+  } catch (const core::DataError&) {
+    return std::nullopt;  // the log has its own copy
   }
-  setup.seed = setup.replay->seed;
+}
+
+scene::Scene recordedScene(const game::InputLog& log, const std::string& file) {
+  if (log.scene.text.empty()) {  // schema 1
+    try {
+      return scene::loadScene(log.scene.source);
+    } catch (const core::DataError& error) {
+      throw core::DataError(file, "scene", error.what());
+    }
+  }
+  scene::Scene scene = scene::parseScene(log.scene.text, file + ": scene");
+  scene.name = std::filesystem::path(log.scene.source).stem().string();
+  scene.source = log.scene.source;
+  return scene;
+}
+
+// A replay brings its scene, seed and settings along.
+void readReplay(const std::filesystem::path& path, Run& run) {
+  SimulationSetup& setup = run.setup;
+  const std::string file = core::inputName(path);
+  game::InputLog log = game::readInputLog(path);
+  setup.pilot = Pilot::replay;
+  setup.replayFile = file;
+  setup.scene = recordedScene(log, file);
+  setup.seed = log.seed;
+  if (!log.program.empty() && log.program != programName()) {
+    setup.replayDoubt = "recorded by " + log.program;
+    run.replayNotes.push_back(file + ": recorded by " + log.program + ", this is " + programName() +
+                              ", which may fly otherwise");
+  }
+  if (!log.checkpoints.empty() && !log.ended) {
+    std::array<char, 32> seconds{};
+    std::snprintf(seconds.data(), seconds.size(), "%.3f", core::FixedStep::secondsOf(log.stepCount()));
+    run.replayNotes.push_back(file + ": the recording was cut off after " + seconds.data() + " s");
+  }
+  if (const auto now = sceneTextNow(log.scene.source); now && *now != setup.scene.text) {
+    run.replayNotes.push_back(file + ": scene: " + log.scene.source +
+                              " has changed since; the recorded scene is flown");
+  }
+  setup.replay = std::move(log);
 }
 
 using Layer = std::function<void(const core::SettingsTable&)>;
 
+enum class When { start, flying };
+
+// Gives `next` the values that are flown with where those are fixed.
+void keepFixed(const Run& run, const core::SettingsTable& next) {
+  for (std::size_t i = 0; i < next.fields().size(); ++i) {
+    const core::Field& flown = run.table.fields()[i];
+    if (!whyFixed(run.setup, flown.path).empty()) next.fields()[i].set(flown.get());
+  }
+}
+
 // All settings, layer upon layer; `player` applies the player's own. All or nothing: throws core::DataError.
-void compose(Run& run, const scene::Scene& scene, const Layer& player) {
+void compose(Run& run, const scene::Scene& scene, const Layer& player, When when) {
   // Which files lie at the bottom is said by the layers above them: first the quality, then, with its preset
   // among these layers, the tier of the clouds.
   const auto wishOver = [&](const Layer& bottom) {
@@ -71,6 +120,7 @@ void compose(Run& run, const scene::Scene& scene, const Layer& player) {
   const core::SettingsTable allTable(all);
   if (run.setup.replay) applyLogged(allTable, run.setup.replay->settings, run.setup.replayFile);
   applyOverrides(allTable, run.overrides);
+  if (when == When::flying) keepFixed(run, allTable);
 
   run.quality = quality;
   run.base = base;
@@ -118,6 +168,25 @@ std::vector<std::string> rowsThatFollow(const core::SettingsTable& table,
   return rows;
 }
 
+// What --set and --preset change in a replay is flown, but not as it was recorded.
+void noteOverrides(Run& run) {
+  for (const std::string& set : run.overrides) {
+    if (!decidesSimulation(set)) continue;
+    run.setup.replayDoubt += (run.setup.replayDoubt.empty() ? "" : ", ") + ("with " + set);
+    return;
+  }
+}
+
+// Why what the player wishes otherwise than before does not come about in this flight.
+void addRefusals(const Run& run, const core::SettingsTable& before, std::vector<std::string>& reasons) {
+  for (std::size_t i = 0; i < run.playerTable.fields().size(); ++i) {
+    const core::Field& wished = run.playerTable.fields()[i];
+    const std::string reason(whyFixed(run.setup, wished.path));
+    if (!reason.empty() && wished.get() != before.fields()[i].get() && !holds(reasons, reason))
+      reasons.push_back(reason);
+  }
+}
+
 // What the menu says comes after what the command line said.
 void forgetOverrides(Run& run, const std::string& path) {
   std::erase_if(run.overrides, [&](const std::string& set) { return set.starts_with(path + "="); });
@@ -158,13 +227,12 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line) {
   auto run = std::make_unique<Run>();
   SimulationSetup& setup = run->setup;
   if (line.replay) {
-    readReplay(*line.replay, setup);
+    readReplay(*line.replay, *run);
   } else {
     setup.scene = sceneOf(line);
     setup.seed = line.seed.value_or(setup.scene.seed);
     setup.pilot = line.autopilot ? Pilot::autopilot : Pilot::player;
   }
-  setup.record = line.record.has_value();
 
   run->overrides = line.set;
   run->userFolder = userFolder(line);
@@ -173,13 +241,16 @@ std::unique_ptr<Run> prepareRun(const CommandLine& line) {
     run->warning = run->userSettings.load();
     run->bindings = run->userSettings.bindings();
   }
-  compose(*run, setup.scene, ownChoices(run->userSettings));
+  compose(*run, setup.scene, ownChoices(run->userSettings), When::start);
+  if (line.replay) noteOverrides(*run);
+  if (line.record) run->recorder = std::make_unique<FlightRecorder>(*line.record);
+  setup.recorder = run->recorder.get();
   return run;
 }
 
 void useSoftwareRenderer(Run& run) {
   run.softwareRenderer = true;
-  compose(run, run.setup.scene, ownChoices(run.userSettings));
+  compose(run, run.setup.scene, ownChoices(run.userSettings), When::start);
 }
 
 std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string>& paths) {
@@ -197,7 +268,7 @@ std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string
     forgetOverrides(run, path);
   }
   Settings before = run.settings;
-  compose(run, run.setup.scene, ownChoices(run.userSettings));
+  compose(run, run.setup.scene, ownChoices(run.userSettings), When::flying);
   std::vector<std::string> changed = changedPaths(before, run);
   for (const std::string& path : paths) {
     if (!holds(changed, path)) changed.push_back(path);
@@ -206,20 +277,21 @@ std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string
 }
 
 void reloadScene(Run& run, const CommandLine& line) {
-  const scene::Scene scene = scene::loadScene(run.setup.scene.file.string());
-  compose(run, scene, ownChoices(run.userSettings));
+  const scene::Scene scene = scene::loadScene(run.setup.scene.source);
+  compose(run, scene, ownChoices(run.userSettings), When::flying);
   run.setup.scene = scene;
   if (!line.seed && !line.replay) run.setup.seed = scene.seed;
 }
 
-std::vector<std::string> reloadPlayer(Run& run) {
-  Settings before = run.settings;
+std::vector<std::string> reloadPlayer(Run& run, std::vector<std::string>* refused) {
+  Settings before = run.settings, wishedBefore = run.player;
   UserSettings edited = run.userSettings;
   std::optional<std::string> warning = edited.reload();
-  compose(run, run.setup.scene, ownChoices(edited));
+  compose(run, run.setup.scene, ownChoices(edited), When::flying);
   run.bindings = mergedBindings(edited.bindings(), run.userSettings.bindings(), run.bindings);
   run.userSettings = std::move(edited);
   run.warning = std::move(warning);
+  if (refused) addRefusals(run, core::SettingsTable(wishedBefore), *refused);
   return changedPaths(before, run);
 }
 

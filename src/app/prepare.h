@@ -31,6 +31,8 @@ struct Run {
   bool softwareRenderer = false;
   Quality quality = Quality::high;  // in force: never automatic
   SimulationSetup setup;
+  std::unique_ptr<FlightRecorder> recorder;  // with --record; setup.recorder
+  std::vector<std::string> replayNotes;      // lines about a replay that is not what it was recorded from
   std::optional<std::filesystem::path> userFolder;  // where the player's settings are kept
   UserSettings userSettings;                        // their file, and what the menu chose since
   std::optional<std::string> warning;               // what is wrong with it, to be said once
@@ -55,7 +57,7 @@ std::vector<std::string> goBackTo(const Choices& choices, Run& run);
 // core::DataError.
 CommandLine withPreset(CommandLine line);
 
-// Throws core::UsageError, core::DataError.
+// Opens the recording too. Throws core::UsageError, core::DataError.
 std::unique_ptr<Run> prepareRun(const CommandLine& line);
 
 // The processor draws: automatic quality is low from now on. Not called by runs whose result must not depend
@@ -65,6 +67,8 @@ void useSoftwareRenderer(Run& run);
 // Takes over what the menu changed in `table`; it comes after --set. A quality or a tier of the clouds that was
 // picked takes the rows along that its files set, whatever the player had set them to, but for rows that were
 // changed together with it. Returns the paths of all that changed. Throws core::DataError.
+//
+// In this and the two below, settings that are fixed for the flight (simulation.h) keep their values.
 std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string>& paths);
 
 // Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays.
@@ -72,7 +76,8 @@ std::vector<std::string> takeMenuChanges(Run& run, const std::vector<std::string
 void reloadScene(Run& run, const CommandLine& line);
 
 // The same for the player's file; what the menu changed since it was saved stays. Returns the paths of the settings
-// that changed. What does not fit is in `run.warning`.
-std::vector<std::string> reloadPlayer(Run& run);
+// that changed. What does not fit is in `run.warning`. A change of a fixed setting waits for the next flight; its
+// reason is added to `refused`.
+std::vector<std::string> reloadPlayer(Run& run, std::vector<std::string>* refused = nullptr);
 
 }  // namespace skydrop::app

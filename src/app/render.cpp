@@ -6,6 +6,7 @@
 
 #include "app/bindings.h"
 #include "app/cloud_noise.h"
+#include "app/end_flight.h"
 #include "app/frame_times.h"
 #include "app/menu_desk.h"
 #include "app/message.h"
@@ -84,6 +85,7 @@ int render(const CommandLine& line) {
   FrameFiles files(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
+  for (const std::string& note : run->replayNotes) warn(note);
   std::optional<CloudNoise> cloudNoise;  // got ready while the rest is
   if (scene::requiredEffects(run->setup.scene).contains(scene::Effect::clouds))
     cloudNoise.emplace(NoiseStore(cacheFolder()), CloudNoise::Maker::processor);
@@ -152,6 +154,7 @@ int render(const CommandLine& line) {
     }
     progress.clear();
     if (line.out != "-") print("%s\n", files.path(frame).c_str());
+    if (run->recorder) run->recorder->flush();
   }
   for (const std::string& message : stage.takeMessages()) warn(message);
 
@@ -161,7 +164,7 @@ int render(const CommandLine& line) {
     stage.writeTo(statistics);
     writeStatistics(*stats, statistics);
   }
-  return 0;
+  return endFlight(simulation, run->recorder.get());
 }
 
 }  // namespace skydrop::app

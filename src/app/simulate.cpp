@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/end_flight.h"
 #include "app/flight_trace.h"
 #include "app/frame_times.h"
 #include "app/message.h"
@@ -14,31 +15,40 @@
 
 namespace skydrop::app {
 
+namespace {
+
+// A replay that is not told how long flies to its end.
+std::uint64_t wantedSteps(const CommandLine& line, const SimulationSetup& setup) {
+  if (!line.seconds && setup.replay) return setup.replay->stepCount();
+  const double seconds = line.seconds.value_or(CommandLine::kDefaultSeconds);
+  return static_cast<std::uint64_t>(std::llround(seconds * core::FixedStep::kStepsPerSecond));
+}
+
+}  // namespace
+
 int simulate(const CommandLine& line) {
   const std::unique_ptr<Run> run = prepareRun(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
-  Simulation simulation(run->setup, run->settings, run->table);
-
+  for (const std::string& note : run->replayNotes) warn(note);
   std::optional<FlightTrace> trace;
-  if (line.trace) {
-    trace.emplace();
-    trace->append(simulation.world().now());
-  }
+  if (line.trace) trace.emplace(*line.trace);
+  Simulation simulation(run->setup, run->settings, run->table);
+  if (trace) trace->append(simulation.world().now());
 
   // Frames are only imitated: each asks for the steps that are due, as a window would.
   core::FixedStep clock;
   Progress progress("simulate", line.progress);
-  const auto wantedSteps = static_cast<std::uint64_t>(std::llround(line.seconds * core::FixedStep::kStepsPerSecond));
-  for (std::uint64_t done = 0; done < wantedSteps && !simulation.finished();) {
-    for (int due = clock.advance(1 / line.fps); due > 0 && done < wantedSteps && !simulation.finished(); --due, ++done) {
+  const std::uint64_t wanted = wantedSteps(line, run->setup);
+  for (std::uint64_t done = 0; done < wanted && !simulation.finished();) {
+    for (int due = clock.advance(1 / line.fps); due > 0 && done < wanted && !simulation.finished(); --due, ++done) {
       simulation.step({});
       simulation.world().takeEvents();
       if (trace) trace->append(simulation.world().now());
     }
     if (progress.isDue()) {
       progress.show(std::to_string(done / core::FixedStep::kStepsPerSecond) + " of " +
-                    std::to_string(wantedSteps / core::FixedStep::kStepsPerSecond) + " s");
+                    std::to_string(wanted / core::FixedStep::kStepsPerSecond) + " s");
     }
   }
   progress.clear();
@@ -46,13 +56,13 @@ int simulate(const CommandLine& line) {
   core::FrameStatistics statistics;
   simulation.writeTo(statistics);
   const game::Snapshot& now = simulation.world().now();
-  if (trace) trace->write(*line.trace);
+  if (trace) trace->flush();
   if (stats) writeStatistics(*stats, statistics);
   print("%.3f s, score %lld of %lld drops, %lld misses, at %.1f %.1f %.1f, state %016llx\n", now.simulatedSeconds,
         static_cast<long long>(now.score), static_cast<long long>(now.drops), static_cast<long long>(now.misses),
         now.aircraft.position.x, now.aircraft.position.y, now.aircraft.position.z,
         static_cast<unsigned long long>(statistics.stateHash));
-  return 0;
+  return endFlight(simulation, run->recorder.get(), trace ? &*trace : nullptr);
 }
 
 }  // namespace skydrop::app

@@ -23,11 +23,17 @@ using scene::Effect;
 
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
+constexpr auto kFlushPeriod = std::chrono::milliseconds(500);       // of the recording
 constexpr std::size_t kShownFrames = 240;                           // in the graph of the menu
 
 volatile std::sig_atomic_t endRequested = 0;
 
 void requestEnd(int) { endRequested = 1; }
+
+// Who started the game may have it ignore a signal (nohup).
+void endOn(int signal) {
+  if (std::signal(signal, requestEnd) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
 
 std::string reasonOf(const std::exception_ptr& failure) {
   try {
@@ -94,6 +100,7 @@ WindowGame::WindowGame(const CommandLine& line)
   if (run_->warning) tell(part::kPlayersValues, *run_->warning);
   if (const auto warning = folderRefusal(*run_)) tell(part::kChoices, *warning);
   if (!joysticks_.warning().empty()) warnings.push_back(joysticks_.warning());
+  warnings.insert(warnings.end(), run_->replayNotes.begin(), run_->replayNotes.end());
   window_.apply(run_->settings.view);
   for (std::string& warning : window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
     warnings.push_back(std::move(warning));
@@ -104,13 +111,15 @@ WindowGame::WindowGame(const CommandLine& line)
   feed_.emplace(*imguiInput_);
   controls_.setKeyLabels(keyboardLabels());
   if (auto warning = desk_.load(overlay_->menu())) warnings.push_back(std::move(*warning));
-  std::signal(SIGINT, requestEnd);
-  std::signal(SIGTERM, requestEnd);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, requestEnd);
+#ifdef SIGHUP
+  endOn(SIGHUP);  // the terminal was closed
+#endif
   for (const std::string& warning : warnings) tell(part::kStart, warning);
   tellOfSoftware();
   buildScene();
   loadedMs_ = 1000 * secondsSinceStart();
-  sceneFile_ = FileWatch(run_->setup.scene.file);
+  if (!line_.replay) sceneFile_ = FileWatch(run_->setup.scene.file);
   if (run_->userFolder) playerFile_ = FileWatch(userSettingsFile(*run_->userFolder));
 }
 
@@ -210,7 +219,7 @@ void WindowGame::handleEventsWhileLoading(bool& lostFocus) {
   }
 }
 
-void WindowGame::run() {
+int WindowGame::run() {
   std::exception_ptr failure;
   try {
     fly();
@@ -218,6 +227,7 @@ void WindowGame::run() {
     failure = std::current_exception();
   }
   finish(failure);
+  return run_->recorder && run_->recorder->isIncomplete() ? 1 : 0;
 }
 
 void WindowGame::fly() {
@@ -241,6 +251,7 @@ void WindowGame::fly() {
       window_.waitForNextFrame();
     }
     report();
+    keepRecording();
   }
 }
 
@@ -344,6 +355,8 @@ void WindowGame::advance(double seconds) {
     }
     if (isFrozen()) continue;
     simulation_->step(controls);
+    if (const auto divergence = simulation_->takeDivergence())
+      announce(*divergence, "The replay differs from the recorded flight");
     const std::vector<game::GameEvent> events = simulation_->world().takeEvents();
     events_.insert(events_.end(), events.begin(), events.end());
   }
@@ -526,15 +539,15 @@ void WindowGame::report() {
 }
 
 void WindowGame::applyMenuChanges(const std::vector<std::string>& paths) {
-  applyAll(takeMenuChanges(*run_, paths));
+  std::vector<std::string> allowed = paths;
+  tellOfRefusals(simulation_->takeBackFixed(allowed));
+  if (!allowed.empty()) applyAll(takeMenuChanges(*run_, allowed));
 }
 
 void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
   const bool needsNewLand = std::any_of(changedPaths.begin(), changedPaths.end(),
                                         [](const std::string& path) { return path.starts_with("terrain."); });
-  if (needsNewLand && run_->setup.record) {
-    notices_.add("The land keeps its shape while a flight is recorded");
-  } else if (needsNewLand) {
+  if (needsNewLand) {
     buildScene();
     window_.apply(run_->settings.view);
     return;
@@ -568,13 +581,16 @@ void WindowGame::watchFiles() {
 }
 
 void WindowGame::reloadSceneFile() {
+  if (run_->recorder) return tellOfRefusals({"The scene stays as it was while a flight is recorded"});
   reloadScene(*run_, line_);
   buildScene();
   notices_.add("The scene was loaded anew");
 }
 
 void WindowGame::reloadPlayerFile() {
-  const std::vector<std::string> changed = reloadPlayer(*run_);
+  std::vector<std::string> refused;
+  const std::vector<std::string> changed = reloadPlayer(*run_, &refused);
+  tellOfRefusals(refused);
   controls_.bindingsWereReplaced();
   applyAll(changed);
   if (run_->warning) {
@@ -583,6 +599,24 @@ void WindowGame::reloadPlayerFile() {
     faults_.clear(part::kPlayersValues);
   }
   notices_.add("The settings were loaded anew");
+}
+
+// What the player should know now, and find again in the terminal.
+void WindowGame::announce(const std::string& line, const std::string& notice) {
+  warn(line);
+  notices_.add(notice, Notices::kNewsSeconds);
+}
+
+void WindowGame::tellOfRefusals(const std::vector<std::string>& reasons) {
+  for (const std::string& reason : reasons) announce(reason, reason);
+}
+
+// By the clock on the wall: where frames are slow, simulated seconds are long.
+void WindowGame::keepRecording() {
+  if (!run_->recorder || Clock::now() < nextFlush_) return;
+  nextFlush_ = Clock::now() + kFlushPeriod;
+  run_->recorder->flush();
+  if (const auto reason = run_->recorder->takeReason()) announce(*reason, "The recording has ended, the flight goes on");
 }
 
 void WindowGame::saveScreenshot() {
@@ -633,7 +667,9 @@ void WindowGame::finish(std::exception_ptr failure) {
     }
   };
   step([&] {
-    if (line_.record && simulation_) game::writeInputLog(*line_.record, simulation_->recording());
+    if (simulation_) simulation_->endRecording();
+    if (!run_->recorder) return;
+    if (const auto reason = run_->recorder->takeReason()) warn(*reason);
   });
   step([&] { keepChoices(); });
   step([&] {

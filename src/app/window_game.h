@@ -43,10 +43,10 @@ class WindowGame {
   explicit WindowGame(const CommandLine& line);
   ~WindowGame();
 
-  // Returns when the window was closed, the player quit or a signal asked to end; then the statistics, the
-  // recording and the player's settings are written. So they are before it throws what ended the flight
-  // early.
-  void run();
+  // Returns when the window was closed, the player quit or a signal asked to end; then the statistics, the end of
+  // the recording and the player's settings are written. So they are before it throws what ended the flight
+  // early. The exit code: 1 where the recording is incomplete.
+  int run();
 
  private:
   void tellOfSoftware();
@@ -85,6 +85,9 @@ class WindowGame {
   void reloadPlayerFile();
   void servePreset(const ui::PresetRequest& request);
   ui::MenuTools menuTools(const game::Snapshot& snapshot, Size size);
+  void announce(const std::string& line, const std::string& notice);
+  void tellOfRefusals(const std::vector<std::string>& reasons);
+  void keepRecording();
   void saveScreenshot();
   void renewCosts();
   void report();
@@ -133,7 +136,7 @@ class WindowGame {
   std::vector<game::GameEvent> events_;  // of the steps since the last frame
   FrameTimes times_;
   core::FrameStatistics shownStatistics_;  // what the menu shows of costs
-  std::chrono::steady_clock::time_point nextWatch_, nextStatistics_, nextCosts_;
+  std::chrono::steady_clock::time_point nextWatch_, nextStatistics_, nextCosts_, nextFlush_;
   std::chrono::steady_clock::time_point lastFrame_;
   double loadedMs_ = 0;
   std::int64_t programsLoaded_ = 0;

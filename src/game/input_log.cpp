@@ -2,218 +2,42 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
-#include <limits>
-#include <set>
 #include <utility>
 
-#include "skydrop/core/error.h"
+#include "game/input_log_json.h"
 #include "skydrop/core/file.h"
-#include "skydrop/core/json.h"
+#include "skydrop/core/hash.h"
 
 namespace skydrop::game {
 namespace {
-
-using core::DataError;
-
-constexpr std::string_view kKind = "skydrop input log";
-constexpr std::size_t kMostText = 4096;       // characters of a string
-constexpr std::size_t kMostSettings = 10000;  // overrides, and changes
-constexpr std::size_t kMostBytes = std::size_t{64} << 20;
-constexpr core::JsonLimits kLimits = {.bytes = kMostBytes, .values = kMostBytes};
-
-// Reads the file in one pass and keeps nothing but the log itself: a hostile file cannot make it grow beyond
-// its own size. Throws DataError at the first value that does not belong.
-class LogReader final : public nlohmann::json_sax<nlohmann::json> {
- public:
-  LogReader(std::string_view file, InputLog& log) : file_(file), log_(log) {}
-
-  void finish() {
-    for (const char* needed : {"schema", "kind", "seed", "runs"}) {
-      if (!seen_.contains(needed)) fail(needed, "is missing");
-    }
-    std::uint64_t last = 0;
-    for (const InputLog::Change& change : log_.changes) {
-      if (change.step < last) fail("changes", "the steps do not ascend");
-      if (change.step > steps_) fail("changes", "a change lies behind the last step");
-      last = change.step;
-    }
-  }
-
-  bool null() override { return wrong("null"); }
-  bool boolean(bool) override { return wrong("true or false"); }
-  bool number_float(double, const std::string&) override { return wrong("a number that is not whole"); }
-  bool binary(binary_t&) override { return wrong("binary data"); }
-  bool number_integer(std::int64_t value) override {
-    return integer(value < 0, static_cast<std::uint64_t>(value));
-  }
-  bool number_unsigned(std::uint64_t value) override { return integer(false, value); }
-
-  bool string(std::string& value) override {
-    if (value.size() > kMostText) fail(place(), "a text of more than 4096 characters");
-    if (depth_ == 1 && key_ == "kind") {
-      if (value != kKind) fail(place(), "is not '" + std::string(kKind) + "'");
-    } else if (depth_ == 1 && key_ == "program") {
-      log_.program = value;
-    } else if (depth_ == 1 && key_ == "scene") {
-      log_.scene = value;
-    } else if (depth_ == 1 && key_ == "finalHash") {
-      const auto [end, error] =
-          std::from_chars(value.data(), value.data() + value.size(), log_.finalHash, 16);
-      if (error != std::errc() || end != value.data() + value.size())
-        fail(place(), "is not a hexadecimal number");
-    } else if (depth_ == 3 && key_ == "settings" && column_ < 2) {
-      texts_[column_] = value;
-    } else if (depth_ == 3 && key_ == "changes" && (column_ == 1 || column_ == 2)) {
-      texts_[column_ - 1] = value;
-    } else {
-      return wrong("a text");
-    }
-    ++column_;
-    return true;
-  }
-
-  bool start_object(std::size_t) override {
-    if (depth_ != 0) return wrong("an object");
-    depth_ = 1;
-    return true;
-  }
-  bool end_object() override {
-    depth_ = 0;
-    return true;
-  }
-
-  bool key(std::string& name) override {
-    static constexpr std::array<std::string_view, 9> kKnown = {
-        "schema", "kind", "program", "scene", "seed", "settings", "changes", "runs", "finalHash"};
-    key_ = name.substr(0, 40);
-    if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) {
-      fail(key_, "is not a member of an input log");
-    }
-    seen_.insert(name);
-    return true;
-  }
-
-  bool start_array(std::size_t) override {
-    if (depth_ == 1 && (key_ == "settings" || key_ == "changes" || key_ == "runs")) {
-      row_ = 0;
-    } else if (depth_ == 2) {
-      column_ = 0;
-      numbers_ = {};
-    } else {
-      return wrong("an array");
-    }
-    ++depth_;
-    return true;
-  }
-
-  bool end_array() override {
-    if (--depth_ == 1) return true;
-    const std::size_t expected = key_ == "runs" ? 7 : key_ == "changes" ? 3 : 2;
-    if (column_ != expected)
-      failRow("has " + std::to_string(column_) + " entries, not " + std::to_string(expected));
-    if (key_ == "runs") {
-      addRun();
-    } else {
-      const std::size_t count = key_ == "settings" ? log_.settings.size() : log_.changes.size();
-      if (count >= kMostSettings) failRow("there are more than 10000 of them");
-      SettingOverride setting{texts_[0], texts_[1]};
-      if (key_ == "settings") {
-        log_.settings.push_back(std::move(setting));
-      } else {
-        log_.changes.push_back({static_cast<std::uint64_t>(numbers_[0]), std::move(setting)});
-      }
-    }
-    ++row_;
-    return true;
-  }
-
-  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
-    return false;  // scanJson() says it
-  }
-
- private:
-  [[noreturn]] void fail(std::string_view where, std::string_view reason) const {
-    throw DataError(file_, where, reason);
-  }
-  [[noreturn]] void failRow(const std::string& reason) const {
-    fail(key_ + "[" + std::to_string(row_) + "]", reason);
-  }
-  std::string place() const {
-    std::string out = key_.empty() ? "top" : key_;
-    if (depth_ >= 2) out += "[" + std::to_string(row_) + "]";
-    if (depth_ >= 3) out += "[" + std::to_string(column_) + "]";
-    return out;
-  }
-  [[noreturn]] bool wrong(const char* what) const {
-    fail(place(), std::string(what) + " does not belong here");
-  }
-
-  bool integer(bool negative, std::uint64_t value) {
-    if (depth_ == 1 && key_ == "schema") {
-      if (negative || value != static_cast<std::uint64_t>(InputLog::kSchema))
-        fail(place(), "only schema 1 is known");
-    } else if (depth_ == 1 && key_ == "seed") {
-      if (negative) fail(place(), "is negative");
-      log_.seed = value;
-    } else if (depth_ == 3 && ((key_ == "runs" && column_ < 7) || (key_ == "changes" && column_ == 0))) {
-      // The first of a row is a step number or count; 2^60 is beyond any limit and survives the sign.
-      const std::uint64_t held = negative ? value : std::min<std::uint64_t>(value, 1ull << 60);
-      numbers_[column_] = static_cast<std::int64_t>(held);
-      if (numbers_[column_] < 0 && column_ == 0) fail(place(), "is negative");
-    } else {
-      return wrong("a number");
-    }
-    ++column_;
-    return true;
-  }
-
-  void addRun() {
-    const auto within = [&](std::size_t column, std::int64_t low, std::int64_t high) {
-      if (numbers_[column] < low || numbers_[column] > high) {
-        fail(key_ + "[" + std::to_string(row_) + "][" + std::to_string(column) + "]",
-             std::to_string(numbers_[column]) + " is outside " + std::to_string(low) + " .. " +
-                 std::to_string(high));
-      }
-      return numbers_[column];
-    };
-    InputLog::Run run;
-    run.steps =
-        static_cast<std::uint64_t>(within(0, 1, static_cast<std::int64_t>(InputLog::kMaxSteps - steps_)));
-    steps_ += run.steps;
-    run.controls.thrust = static_cast<std::int8_t>(within(1, 0, 127));
-    run.controls.brake = static_cast<std::int8_t>(within(2, 0, 127));
-    run.controls.pitch = static_cast<std::int8_t>(within(3, -127, 127));
-    run.controls.roll = static_cast<std::int8_t>(within(4, -127, 127));
-    run.controls.yaw = static_cast<std::int8_t>(within(5, -127, 127));
-    const std::int64_t flags = within(6, 0, 3);
-    run.controls.drop = (flags & 1) != 0;
-    run.controls.reset = (flags & 2) != 0;
-    log_.runs.push_back(run);
-  }
-
-  std::string_view file_;
-  InputLog& log_;
-  std::set<std::string> seen_;
-  std::string key_;
-  int depth_ = 0;  // 1 in the object, 2 in one of its arrays, 3 in a row of that
-  std::size_t row_ = 0, column_ = 0;
-  std::array<std::int64_t, 7> numbers_{};
-  std::array<std::string, 2> texts_;
-  std::uint64_t steps_ = 0;
-};
 
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+std::string hexText(std::uint64_t value) {
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(value));
+  return digits.data();
+}
+
+// Whether the text begins as every log of schema 2 does: {"schema":2 with blanks anywhere between.
+bool isSchema2(std::string_view text) {
+  for (const std::string_view part : {"{", "\"schema\"", ":", "2"}) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+    if (!text.starts_with(part)) return false;
+    text.remove_prefix(part.size());
+  }
+  return true;
+}
+
 }  // namespace
 
-void InputLog::append(const Controls& controls) {
-  const QuantisedControls q = quantise(controls);
-  if (runs.empty() || runs.back().controls != q) runs.push_back({0, q});
-  ++runs.back().steps;
+void InputLog::append(const QuantisedControls& controls, std::uint64_t steps) {
+  if (steps == 0) return;
+  if (runs.empty() || runs.back().controls != controls) runs.push_back({0, controls});
+  runs.back().steps += steps;
 }
 
 void InputLog::appendChange(SettingOverride setting) { changes.push_back({stepCount(), std::move(setting)}); }
@@ -224,59 +48,119 @@ std::uint64_t InputLog::stepCount() const {
   return steps;
 }
 
-std::string encodeInputLog(const InputLog& log) {
-  std::string out = "{\n\"schema\": " + std::to_string(InputLog::kSchema) + ",\n\"kind\": \"" +
-                    std::string(kKind) + "\",\n\"program\": " + quoted(log.program) +
-                    ",\n\"scene\": " + quoted(log.scene) + ",\n\"seed\": " + std::to_string(log.seed) + ",\n";
-  if (log.finalHash != 0) {
-    std::array<char, 17> hex{};
-    std::snprintf(hex.data(), hex.size(), "%016llx", static_cast<unsigned long long>(log.finalHash));
-    out += "\"finalHash\": \"" + std::string(hex.data()) + "\",\n";
+InputLogWriter::InputLogWriter(const InputLog& start) {
+  text_ = "{\"schema\":" + std::to_string(InputLog::kSchema) + ",\"kind\":\"" + std::string(kLogKind) +
+          "\",\"program\":" + quoted(start.program) + ",\"seed\":" + std::to_string(start.seed) +
+          ",\"scene\":{\"source\":" + quoted(start.scene.source) + ",\"digest\":\"" +
+          hexText(sceneDigest(start.scene.text)) + "\",\"text\":" + quoted(start.scene.text) +
+          "},\"settings\":[";
+  const char* separator = "";
+  for (const SettingOverride& s : start.settings) {
+    text_ += separator + ("[" + quoted(s.path) + "," + quoted(s.value) + "]");
+    separator = ",";
   }
-  const char* separator = "\n";
-  out += "\"settings\": [";
-  for (const SettingOverride& s : log.settings) {
-    out += separator + ("[" + quoted(s.path) + "," + quoted(s.value) + "]");
-    separator = ",\n";
-  }
-  out += "],\n\"changes\": [";
-  separator = "\n";
-  for (const InputLog::Change& c : log.changes) {
-    out += separator + ("[" + std::to_string(c.step) + "," + quoted(c.setting.path) + "," +
-                        quoted(c.setting.value) + "]");
-    separator = ",\n";
-  }
-  // steps, thrust, brake, pitch, roll, yaw (127 is 1), 1 for drop + 2 for reset
-  out += "],\n\"runs\": [";
-  separator = "\n";
-  for (const InputLog::Run& r : log.runs) {
-    out += separator + ("[" + std::to_string(r.steps));
-    for (const int value :
-         {int{r.controls.thrust}, int{r.controls.brake}, int{r.controls.pitch}, int{r.controls.roll},
-          int{r.controls.yaw}, (r.controls.drop ? 1 : 0) + (r.controls.reset ? 2 : 0)}) {
-      out += "," + std::to_string(value);
+  text_ += "]}\n";
+}
+
+void InputLogWriter::append(const QuantisedControls& controls, std::uint64_t steps) {
+  if (steps == 0) return;
+  if (!changes_.empty()) {
+    writeRun();
+    for (const SettingOverride& s : std::exchange(changes_, {})) {
+      text_ += "[\"set\"," + quoted(s.path) + "," + quoted(s.value) + "]\n";
+      ++changeCount_;
     }
-    out += "]";
-    separator = ",\n";
   }
-  out += "]\n}\n";
-  return out;
+  if (run_.controls != controls) {
+    writeRun();
+    run_.controls = controls;
+  }
+  run_.steps += steps;
+  steps_ += steps;
+}
+
+void InputLogWriter::change(SettingOverride setting) {
+  std::erase_if(changes_, [&](const SettingOverride& earlier) { return earlier.path == setting.path; });
+  changes_.push_back(std::move(setting));
+}
+
+void InputLogWriter::checkpoint(std::uint64_t hash) { writeHash("check", hash); }
+void InputLogWriter::end(std::uint64_t hash) { writeHash("end", hash); }
+
+bool InputLogWriter::isFull() const {
+  return steps_ >= InputLog::kMaxSteps || changeCount_ + changes_.size() > InputLog::kMaxChanges;
+}
+
+std::string InputLogWriter::take() {
+  writeRun();
+  return std::exchange(text_, {});
+}
+
+void InputLogWriter::writeRun() {
+  if (run_.steps == 0) return;
+  text_ += "[" + std::to_string(run_.steps);
+  const QuantisedControls& c = run_.controls;
+  if (writtenControls_ != c) {
+    for (const int value :
+         {int{c.thrust}, int{c.brake}, int{c.pitch}, int{c.roll}, int{c.yaw}, (c.drop ? 1 : 0) + (c.reset ? 2 : 0)}) {
+      text_ += "," + std::to_string(value);
+    }
+  }
+  text_ += "]\n";
+  writtenControls_ = c;
+  run_.steps = 0;
+}
+
+void InputLogWriter::writeHash(std::string_view kind, std::uint64_t hash) {
+  writeRun();
+  text_ += "[\"" + std::string(kind) + "\"," + std::to_string(steps_) + ",\"" + hexText(hash) + "\"]\n";
+}
+
+std::string encodeInputLog(const InputLog& log) {
+  InputLogWriter writer(log);
+  std::size_t change = 0, checkpoint = 0, run = 0;
+  std::uint64_t step = 0, runEnd = log.runs.empty() ? 0 : log.runs.front().steps;
+  while (true) {
+    for (; checkpoint < log.checkpoints.size() && log.checkpoints[checkpoint].step == step; ++checkpoint) {
+      const bool isEnd = log.ended && checkpoint + 1 == log.checkpoints.size();
+      isEnd ? writer.end(log.checkpoints[checkpoint].hash) : writer.checkpoint(log.checkpoints[checkpoint].hash);
+    }
+    for (; change < log.changes.size() && log.changes[change].step == step; ++change)
+      writer.change(log.changes[change].setting);
+    if (run == log.runs.size()) return writer.take();
+    std::uint64_t next = runEnd;
+    if (change < log.changes.size()) next = std::min(next, log.changes[change].step);
+    if (checkpoint < log.checkpoints.size()) next = std::min(next, log.checkpoints[checkpoint].step);
+    writer.append(log.runs[run].controls, next - step);
+    step = next;
+    if (step == runEnd && ++run < log.runs.size()) runEnd += log.runs[run].steps;
+  }
 }
 
 InputLog decodeInputLog(std::string_view text, std::string_view file) {
-  InputLog log;
-  LogReader reader(file, log);
-  core::scanJson(text, file, reader, kLimits);
-  reader.finish();
-  return log;
+  return isSchema2(text) ? decodeSchema2(text, file) : decodeSchema1(text, file);
+}
+
+std::uint64_t sceneDigest(std::string_view text) {
+  core::StateHasher hasher;
+  hasher.add(static_cast<std::uint64_t>(text.size()));
+  for (std::size_t at = 0; at < text.size(); at += sizeof(std::uint64_t)) {
+    const std::string_view piece = text.substr(at, sizeof(std::uint64_t));
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+      word |= static_cast<std::uint64_t>(static_cast<unsigned char>(piece[i])) << (8 * i);
+    hasher.add(word);
+  }
+  return hasher.value();
 }
 
 InputLog readInputLog(const std::filesystem::path& file) {
-  return decodeInputLog(core::readTextInput(file, kMostBytes), core::inputName(file));
+  return decodeInputLog(core::readTextInput(file, InputLog::kMaxBytes), core::inputName(file));
 }
 
-void writeInputLog(const std::filesystem::path& file, const InputLog& log) {
-  core::writeFileAtomically(file, encodeInputLog(log));
+std::optional<std::uint64_t> InputReplay::hashDue() {
+  if (checkpoint_ == log_->checkpoints.size() || log_->checkpoints[checkpoint_].step > step_) return std::nullopt;
+  return log_->checkpoints[checkpoint_++].hash;
 }
 
 std::vector<SettingOverride> InputReplay::changesDue() {

@@ -111,6 +111,10 @@ Scene parseScene(std::string_view text, const std::filesystem::path& file) {
   Scene scene = SceneReader(file).read(core::parseJson(text, file.string()));
   scene.file = file;
   scene.name = file.stem().string();
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(file, error);
+  scene.source = (error ? file : absolute).string();
+  scene.text = text;
   return scene;
 }
 
@@ -121,7 +125,9 @@ Scene loadScene(std::string_view nameOrFile) {
   if (!isPath && !std::filesystem::exists(file, ignored)) {
     throw DataError(nameOrFile, "scene", "there is none of this name; there are: " + knownScenes());
   }
-  return parseScene(core::readTextFile(file, kMostSceneBytes), file);
+  Scene scene = parseScene(core::readTextFile(file, kMostSceneBytes), file);
+  if (!isPath) scene.source = nameOrFile;
+  return scene;
 }
 
 std::filesystem::path sceneFile(std::string_view name) {

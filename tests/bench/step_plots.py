@@ -57,7 +57,7 @@ def fly(program, folder, figure, path, value):
 
     log, table = folder / "log.json", folder / "trace.csv"
     log.write_text(json.dumps({
-        "schema": 1, "kind": "skydrop input log", "program": "step_plots.py", "scene": str(scene), "seed": 1,
+        "schema": 1, "kind": "skydrop input log", "scene": str(scene), "seed": 1,
         "settings": [[path, str(value)]], "changes": [],
         "runs": [run(figure.hold, 127), run(figure.seconds - figure.hold, 0)]}))
     subprocess.run([program, "simulate", "--replay", str(log), "--seconds", str(figure.seconds), "--trace",

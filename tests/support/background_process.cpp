@@ -42,6 +42,7 @@ BackgroundProcess::BackgroundProcess(const std::vector<std::string>& words,
   if (pid_ != 0) return;
 
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  signal(SIGHUP, SIG_DFL);  // whatever the test runs under may ignore it
   applyEnvironment(environment);
   const int log = open(logFile.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   dup2(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
@@ -62,9 +63,11 @@ BackgroundProcess::~BackgroundProcess() {
 
 bool BackgroundProcess::isRunning() { return !wait(0); }
 
-void BackgroundProcess::askToEnd() {
-  if (pid_ > 0 && !exitCode_) kill(pid_, SIGTERM);
+void BackgroundProcess::send(int signal) {
+  if (pid_ > 0 && !exitCode_) kill(pid_, signal);
 }
+
+void BackgroundProcess::askToEnd() { send(SIGTERM); }
 
 std::optional<int> BackgroundProcess::wait(double timeoutSeconds) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeoutSeconds);

@@ -24,6 +24,7 @@ class BackgroundProcess {
   BackgroundProcess& operator=(const BackgroundProcess&) = delete;
 
   bool isRunning();
+  void send(int signal);
   // SIGTERM.
   void askToEnd();
   // The exit code, 128 + n after signal n; nullopt if it still runs after that time.

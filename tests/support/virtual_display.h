@@ -23,6 +23,8 @@ class VirtualDisplay {
 
   // The layout of its keyboard, as setxkbmap names it: "de". Throws std::runtime_error.
   void setKeyboard(const std::string& layout) const;
+  // The server ends, whoever still uses it.
+  void end() { server_.reset(); }
 
   // What its screen shows now, as somebody before it would see it; the mouse pointer is not in it.
   core::Image picture() const;

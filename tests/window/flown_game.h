@@ -27,7 +27,7 @@ class FlownGame {
   static constexpr int kWidth = 640, kHeight = 360;
 
   struct Launch {
-    std::vector<std::string> words = {};    // the scene `terrain` unless they name another
+    std::vector<std::string> words = {};    // the scene `terrain` unless they name another, or a replay
     std::string userSettings = {};          // the player's file, none if empty
     bool sized = true;                      // kWidth x kHeight by the command line
     std::filesystem::path userFolder = {};  // empty: one of its own
@@ -71,6 +71,8 @@ class FlownGame {
   // Takes the window off the screen, as if minimised, and back.
   void hide() const { display_->xdotool({"windowunmap", window_}); }
   void unhide() const { display_->xdotool({"windowmap", window_}); }
+  // The display goes away under the running game.
+  void endDisplay() { display_->end(); }
   std::string log() const;
 
  private:

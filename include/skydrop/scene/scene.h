@@ -35,6 +35,8 @@ struct Start {
 struct Scene {
   std::string name;  // the file's stem
   std::filesystem::path file;
+  std::string source;  // what loadScene finds it by again, from any folder: a name or an absolute path
+  std::string text;    // the content of the file
   std::string description;
   std::uint64_t seed = 1;
   EffectSet effects;
