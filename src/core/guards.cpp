@@ -46,6 +46,8 @@ std::string_view guardName(Guard guard) {
       return "notFiniteForce";
     case Guard::notFiniteState:
       return "notFiniteState";
+    case Guard::stiffStep:
+      return "stiffStep";
     case Guard::clockStep:
       return "clockStep";
     case Guard::targetWidened:

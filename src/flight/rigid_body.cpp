@@ -83,15 +83,15 @@ void RigidBody::update(double dt) {
   update(dt, [](const BodyState&) { return Wrench{}; });
 }
 
-void RigidBody::update(double dt, const WrenchField& field) {
+void RigidBody::update(double dt, const WrenchField& field, double time) {
   if (!std::isfinite(dt) || dt <= 0) return;
-  const auto total = [&](const BodyState& at) {
-    Wrench w = field(at);
+  const auto total = [&](const BodyState& at, double stageTime) {
+    Wrench w = field(at, stageTime);
     w.force += force_ + at.orientation * relativeForce_;
     w.torque += relativeTorque_ + glm::conjugate(at.orientation) * torque_;
     return w;
   };
-  const BodyState next = integrate(integrator_, state_, properties_, total, dt);
+  const BodyState next = integrate(integrator_, state_, properties_, total, dt, time, &memory_);
   if (isFinite(next)) {
     state_ = next;
   } else {
@@ -117,10 +117,17 @@ void RigidBody::setState(const BodyState& state) {
   const glm::dquat orientation = checkedUnit(state.orientation);
   state_ = state;
   state_.orientation = orientation;
+  memory_ = {};
 }
 
 void RigidBody::setMass(double mass, const glm::dmat3& inertia) {
   properties_ = checkedProperties(mass, inertia);
+  memory_ = {};
+}
+
+void RigidBody::setIntegrator(Integrator integrator) {
+  integrator_ = integrator;
+  memory_ = {};
 }
 
 }  // namespace skydrop::flight

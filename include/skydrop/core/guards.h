@@ -18,6 +18,7 @@ enum class Guard {
   notFiniteControl,  // a stick axis that was NaN or infinite, read as 0
   notFiniteForce,    // a force or torque that was not finite, ignored
   notFiniteState,    // a step that would have left the body's state not finite, refused
+  stiffStep,         // a step of a body too stiff for its integrator, divided
   clockStep,         // a frame time that was NaN or infinite, ignored
   targetWidened,     // no land for a target within the wanted distance, searched further out
   respawnRaised,     // the last safe place had higher ground ahead, respawned above it

@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <string_view>
+#include <type_traits>
 
 namespace skydrop::flight {
 
@@ -23,6 +24,12 @@ inline constexpr std::array<std::string_view, 4> kIntegratorNames = {"thesis", "
 // The order of the error over a fixed time as the step shrinks. That of `thesis` holds only where the
 // gyroscopic term vanishes; elsewhere it does not converge (P01).
 int declaredOrder(Integrator integrator);
+
+// The greatest product of step and rate (of a decay or an oscillation: the spectral radius of the right-hand
+// side) that a step takes whole. All decays and damped oscillations below it are stable; the exception is
+// `thesis`, which damps an oscillation of angular frequency w only by what its damping ratio has over w dt /
+// 2.
+double wholeStepBound(Integrator integrator);
 
 struct BodyState {
   glm::dvec3 position{0};              // m, world
@@ -43,24 +50,49 @@ struct MassProperties {
   glm::dmat3 inverseInertia{1};
 };
 
-// The right-hand side: the wrench as a function of the state, asked several times within a step. A reference
-// to a callable that outlives the call; not owned, never empty.
+// The right-hand side: the wrench as a function of the state and of the time (s, on the clock of who asks for
+// the step), asked several times within a step. Made of a callable that takes both, or the state alone. A
+// reference to it that it must outlive; not owned, never empty.
 class WrenchField {
  public:
   template <class F>
   WrenchField(const F& f)  // implicit on purpose: lambdas are passed in place
-      : object_(&f),
-        call_([](const void* o, const BodyState& s) { return (*static_cast<const F*>(o))(s); }) {}
-  Wrench operator()(const BodyState& state) const { return call_(object_, state); }
+      : object_(&f), call_([](const void* o, const BodyState& s, [[maybe_unused]] double time) {
+          if constexpr (std::is_invocable_v<const F&, const BodyState&, double>) {
+            return (*static_cast<const F*>(o))(s, time);
+          } else {
+            return (*static_cast<const F*>(o))(s);
+          }
+        }) {}
+  Wrench operator()(const BodyState& state, double time) const { return call_(object_, state, time); }
 
  private:
   const void* object_;
-  Wrench (*call_)(const void*, const BodyState&);
+  Wrench (*call_)(const void*, const BodyState&, double);
 };
 
-// The state after `dt` seconds (dt > 0 and finite). Pure; the orientation that comes out is unit within
-// 1e-15.
+struct Acceleration {
+  glm::dvec3 linear{0};   // m/s^2, world
+  glm::dvec3 angular{0};  // rad/s^2, body axes
+};
+
+// What one step leaves for the next: it spares the integrators of one stage the second evaluation that tells
+// whether the right-hand side is stiff, and after a stiff step the next is examined before it is taken.
+// Forgotten (assigned {}) when the body is placed or becomes another.
+struct StepMemory {
+  Acceleration start;  // at the start of the last step
+  bool known = false;
+  bool stiff = false;
+};
+
+// The state after `dt` seconds (dt > 0 and finite) from `time`. The orientation that comes out is unit within
+// 1e-15. Deterministic; without `memory` pure.
+//
+// A step whose right-hand side is too stiff for it (wholeStepBound) is counted (core::Guard::stiffStep) and
+// divided: into at most 64 equal parts of the same integrator, or, where those do not suffice and always for
+// `thesis`, into 8 linearly implicit Euler steps, which are stable for any rate and of order 1. Every other
+// step is the integrator's own, bit for bit. docs/flight.md tells how it is found out and what it costs.
 BodyState integrate(Integrator integrator, const BodyState& state, const MassProperties& body,
-                    const WrenchField& wrench, double dt);
+                    const WrenchField& wrench, double dt, double time = 0, StepMemory* memory = nullptr);
 
 }  // namespace skydrop::flight

@@ -31,9 +31,11 @@ class RigidBody {
   // nothing, and keeps the forces. A step that would leave a state that is not finite is refused and counted
   // (Guard::notFiniteState).
   void update(double dt);
-  // The same with further forces that depend on the state, evaluated within the step, so that the
-  // integrator's order holds for them too.
-  void update(double dt, const WrenchField& field);
+  // The same with further forces that depend on the state and the time, evaluated within the step, so that
+  // the integrator's order holds for them too. `time` (s) is that of the step's start on the clock of the
+  // caller; the field gets that of each stage. For the same bits everywhere it is made from a whole number of
+  // steps, not added up. A step that is too stiff is divided and counted (Guard::stiffStep; integrator.h).
+  void update(double dt, const WrenchField& field, double time = 0);
 
   const BodyState& state() const { return state_; }
   const glm::dvec3& position() const { return state_.position; }
@@ -54,7 +56,7 @@ class RigidBody {
   void setMass(double mass, const glm::dmat3& inertia);
 
   Integrator integrator() const { return integrator_; }
-  void setIntegrator(Integrator integrator) { integrator_ = integrator; }
+  void setIntegrator(Integrator integrator);
 
  private:
   MassProperties properties_;
@@ -62,6 +64,7 @@ class RigidBody {
   glm::dvec3 force_{0}, torque_{0};                  // world axes
   glm::dvec3 relativeForce_{0}, relativeTorque_{0};  // body axes
   Integrator integrator_ = Integrator::rk4;
+  StepMemory memory_;
 };
 
 }  // namespace skydrop::flight
