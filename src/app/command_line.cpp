@@ -5,11 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "app/version.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/message.h"
+#include "skydrop/render/camera.h"
 #include "skydrop/scene/scene.h"
 
 namespace skydrop::app {
@@ -19,6 +21,8 @@ using core::UsageError;
 
 constexpr double kMaxSeconds = 1e6;    // more is a slip of the hand
 constexpr double kFarthestM = 1e12;    // where doubles still resolve a tenth of a millimetre
+constexpr const char* kExitCodes = "Exit codes: 0 ok, 1 failed, 2 usage, 3 no OpenGL 4.5 or no display, "
+                                   "141 nobody reads standard output.";
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
@@ -59,12 +63,23 @@ Size parseSize(const std::string& text) {
   return {integer("--size", parts[0], 1, kMaxSide), integer("--size", parts[1], 1, kMaxSide)};
 }
 
+glm::dvec3 cameraPosition(const std::string& flag, const std::vector<std::string>& parts) {
+  return {number(flag, parts[0], -kFarthestM, kFarthestM),
+          number(flag, parts[1], -kFarthestM, render::kHighestCameraM),
+          number(flag, parts[2], -kFarthestM, kFarthestM)};
+}
+
 Pose parsePose(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 6) throw UsageError("--pose: '" + text + "' is not of the form X,Y,Z,YAW,PITCH,ROLL");
-  const auto metres = [&](std::size_t i) { return number("--pose", parts[i], -kFarthestM, kFarthestM); };
   const auto degrees = [&](std::size_t i) { return number("--pose", parts[i], -360, 360); };
-  return {{metres(0), metres(1), metres(2)}, degrees(3), degrees(4), degrees(5)};
+  return {cameraPosition("--pose", parts), degrees(3), degrees(4), degrees(5)};
+}
+
+glm::dvec3 parseCamera(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3) throw UsageError("--camera: '" + text + "' is not of the form X,Y,Z");
+  return cameraPosition("--camera", parts);
 }
 
 Backend parseBackend(const std::string& text) {
@@ -116,6 +131,7 @@ class Parser {
     CLI::App* noise = app_.add_subcommand("noise", "make, check, export and read the noise of the clouds");
     CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
     for (CLI::App* verb : {render, simulate, accuracy, noise, info}) verb->set_help_flag("--help", "print this help");
+    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, info}) verb->footer(kExitCodes);
     addCommon(*render);
     addRender(*render);
     addCommon(*simulate);
@@ -149,6 +165,10 @@ class Parser {
     if (version_) return {line_, std::string("skydrop ") + kVersion + "\n", {}};
     if (listScenes_) return sceneList();
     check();
+    checkCamera();
+    if (camera_) line_.pose = poseOfCamera();
+    // After every --set: the flag is the shorter word for the same.
+    if (hud_ || noHud_) line_.set.push_back(std::string("view.hud=") + (hud_ ? "true" : "false"));
     return {line_, std::nullopt, {}};
   }
 
@@ -228,15 +248,34 @@ class Parser {
     text(verb, "--size", "WxH", "pixels", [this](const std::string& t) { line_.size = parseSize(t); });
   }
 
-  void addFly(CLI::App& verb) {
+  void addView(CLI::App& verb) {
     addSize(verb);
+    text(verb, "--camera", "X,Y,Z", "a camera in the world: metres, +X east, Y up, -Z north",
+         [this](const std::string& t) { camera_ = parseCamera(t); });
+    const auto angle = [&](const std::string& flag, std::optional<double>& target, double most, const std::string& help) {
+      text(verb, flag, "DEGREES", help,
+           [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
+    };
+    angle("--heading", heading_, 360, "of --camera by the compass: 0 north, 90 east (0)");
+    angle("--pitch", pitch_, 90, "of --camera, up (0)");
+    angle("--roll", roll_, 360, "of --camera, right side down (0)");
+    verb.add_flag("--above-ground", aboveGround_, "Y of --camera is counted from the surface, land or sea");
+    text(verb, "--pose", "X,Y,Z,YAW,PITCH,ROLL",
+         "the same in one word; YAW 0 looks east, 90 south: the compass heading less 90",
+         [this](const std::string& t) { line_.pose = parsePose(t); });
+    verb.add_flag("--hud", hud_, "with the HUD, which a camera in the world leaves out of pictures (view.hud=true)");
+    verb.add_flag("--no-hud", noHud_, "without the HUD (view.hud=false)");
+  }
+
+  void addFly(CLI::App& verb) {
+    addView(verb);
     verb.add_flag("--fullscreen", line_.fullscreen, "fill the screen");
   }
 
   void addRender(CLI::App& verb) {
     text(verb, "--backend", "egl|osmesa|window", "what gives the OpenGL context",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
-    addSize(verb);
+    addView(verb);
     text(verb, "--out", "FILE.png|-", "the picture; in its name %d is the frame's number and %% a percent sign",
          [this](const std::string& t) { line_.out = t; });
     text(verb, "--frames", "N", "how many (1)",
@@ -245,8 +284,6 @@ class Parser {
          [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
     text(verb, "--time", "S", "simulated seconds before the first frame (0)",
          [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
-    text(verb, "--pose", "X,Y,Z,YAW,PITCH,ROLL", "a camera in the world: metres, degrees",
-         [this](const std::string& t) { line_.pose = parsePose(t); });
     verb.add_flag("--menu", line_.menu, "with the menu open");
   }
 
@@ -274,6 +311,22 @@ class Parser {
         throw UsageError("--noise: '" + first->second + "' and '" + file.string() +
                          "' would both be exported as " + first->first.string());
       }
+    }
+  }
+
+  // Compass degrees to those of a pose, within its range.
+  Pose poseOfCamera() const {
+    const double yaw = heading_.value_or(0) - 90;
+    return {*camera_, yaw < -360 ? yaw + 360 : yaw, pitch_.value_or(0), roll_.value_or(0), aboveGround_};
+  }
+
+  void checkCamera() const {
+    if (camera_ && line_.pose) throw UsageError("--camera and --pose exclude each other");
+    if (hud_ && noHud_) throw UsageError("--hud and --no-hud exclude each other");
+    if (camera_) return;
+    for (const auto& [given, flag] : {std::pair(heading_.has_value(), "--heading"), std::pair(pitch_.has_value(), "--pitch"),
+                                      std::pair(roll_.has_value(), "--roll"), std::pair(aboveGround_, "--above-ground")}) {
+      if (given) throw UsageError(std::string(flag) + " belongs to --camera, which is not given");
     }
   }
 
@@ -310,6 +363,9 @@ class Parser {
 
   CommandLine line_;
   bool version_ = false, listScenes_ = false;
+  std::optional<glm::dvec3> camera_;
+  std::optional<double> heading_, pitch_, roll_;
+  bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};
 };
 
@@ -322,6 +378,11 @@ ParsedCommandLine parseCommandLine(int argc, const char* const* argv) {
 
 std::string noiseExportName(const std::filesystem::path& file) {
   return core::isStandardInput(file) ? "stdin" : file.stem().string();
+}
+
+bool sets(const CommandLine& line, std::string_view path) {
+  return std::any_of(line.set.begin(), line.set.end(),
+                     [&](const std::string& set) { return set.starts_with(std::string(path) + "="); });
 }
 
 std::string framePath(const std::string& pattern, int frame) {

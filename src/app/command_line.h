@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace skydrop::app {
@@ -21,10 +22,12 @@ struct Size {
   int width = 0, height = 0;  // pixels, 1 .. kMaxSide
 };
 
-// A camera in the world: metres; degrees; yaw 0 looks along +x and grows towards +z, pitch up, roll right.
+// A camera in the world: metres; degrees; yaw 0 looks along +x (east) and grows towards +z (south), pitch up,
+// roll right. A compass heading is yaw + 90.
 struct Pose {
   glm::dvec3 position{0};
   double yawDegrees = 0, pitchDegrees = 0, rollDegrees = 0;
+  bool aboveGround = false;  // position.y is counted from the surface, land or sea
 };
 
 inline constexpr const char* kDefaultScene = "fair";
@@ -55,6 +58,7 @@ struct CommandLine {
 
   // fly and render
   std::optional<Size> size;
+  std::optional<Pose> pose;  // --pose, or --camera and what belongs to it
 
   // render, simulate, accuracy and noise
   bool progress = false;  // also where standard error is no terminal
@@ -65,7 +69,6 @@ struct CommandLine {
   int frames = 1;
   double fps = 60;   // simulated frames a second, (0, 1000]
   double timeS = 0;  // simulated seconds before the first frame
-  std::optional<Pose> pose;
   bool menu = false;
 
   // simulate
@@ -86,6 +89,9 @@ struct ParsedCommandLine {
 };
 
 ParsedCommandLine parseCommandLine(int argc, const char* const* argv);
+
+// Whether the words set this setting, by --set or by a flag that stands for it.
+bool sets(const CommandLine& line, std::string_view path);
 
 // What the export of a DDS file is called, without its ending.
 std::string noiseExportName(const std::filesystem::path& file);

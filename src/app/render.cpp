@@ -1,6 +1,5 @@
 #include <cmath>
 #include <cstdio>
-#include <glm/trigonometric.hpp>
 #include <map>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include "app/progress.h"
 #include "app/stage.h"
 #include "app/standard_output.h"
+#include "app/start_camera.h"
 #include "app/statistics_json.h"
 #include "app/stopwatch.h"
 #include "app/verbs.h"
@@ -25,12 +25,6 @@ namespace skydrop::app {
 namespace {
 
 constexpr Size kDefaultSize{1280, 720};
-
-void place(render::Camera& camera, const Pose& pose) {
-  camera.setMode(render::CameraMode::free);
-  camera.setPose(pose.position, glm::radians(pose.yawDegrees), glm::radians(pose.pitchDegrees),
-                 glm::radians(pose.rollDegrees));
-}
 
 // The step at which a frame is drawn: simulated time is a whole number of steps.
 std::uint64_t stepOfFrame(const CommandLine& line, int frame) {
@@ -101,13 +95,18 @@ int render(const CommandLine& line) {
   if (cloudNoise) {
     for (const std::string& message : cloudNoise->takeMessages()) warn(message);
   }
-  if (line.pose) place(stage.camera(), *line.pose);
+  if (line.pose) {
+    placeCamera(stage.camera(), *line.pose, *simulation.ground());
+    if (const auto warning = underSurface(stage.camera(), *simulation.ground()); warning && stage.land())
+      warn(*warning);
+  }
   std::unique_ptr<Overlay> overlay;
   if (simulation.effects().contains(scene::Effect::hud) || line.menu) {
     overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()),
                                         ui::InterfaceScale{run->settings.view.interfaceScale});
     overlay->menuOpen = line.menu;
-    overlay->hudShown = run->settings.view.hud;
+    // A camera in the world sees another place than the aircraft that the HUD is about.
+    overlay->hudShown = run->settings.view.hud && (!line.pose || sets(line, "view.hud"));
     stage.addOverlay();
   }
 

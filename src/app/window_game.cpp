@@ -11,6 +11,7 @@
 #include "app/message.h"
 #include "app/quality_preset.h"
 #include "app/standard_output.h"
+#include "app/start_camera.h"
 #include "app/statistics_json.h"
 #include "app/user_settings.h"
 #include "skydrop/core/error.h"
@@ -95,6 +96,7 @@ WindowGame::WindowGame(const CommandLine& line)
       desk_(run_->userFolder),
       screenshots_(screenshotFolder(*run_)) {
   if (window_.context().isSoftware()) useSoftwareRenderer(*run_);
+  if (line_.pose) run_->settings.view.camera = render::CameraMode::free;
   beginClouds();
   std::vector<std::string> warnings;
   if (run_->warning) tell(part::kPlayersValues, *run_->warning);
@@ -166,6 +168,12 @@ WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
   const Stage::Setup setup{effects, next.simulation->ground(), line_.workers, stats_.has_value(),
                            hasClouds ? cloudNoise_->get() : nullptr};
   next.stage = std::make_unique<Stage>(window_.context(), setup, run_->settings);
+  if (stage_) {
+    next.stage->camera() = stage_->camera();
+  } else if (line_.pose) {
+    placeCamera(next.stage->camera(), *line_.pose, *next.simulation->ground());
+    if (const auto warning = underSurface(next.stage->camera(), *next.simulation->ground())) warn(*warning);
+  }
   next.stage->addOverlay();
   if (effects.contains(Effect::sound)) {
     if (!audio_) {

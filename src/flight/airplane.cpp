@@ -66,6 +66,11 @@ double smoothStep(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
+// Share of the air's density that is left at a height: all of it in the world that is meant to be flown in.
+double airLeftAt(double height) {
+  return height <= kThinAirFrom ? 1 : dmath::exp((kThinAirFrom - height) / kThinAirScale);
+}
+
 struct Flow {
   glm::dvec3 velocity{0};  // of the body through the air, body axes
   double speed = 0;
@@ -138,7 +143,8 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
                       const AirplaneCondition& condition, const glm::dvec3& wind, const BodyState& state) {
   const Flow f = flowOf(s, condition.separation, wind, state);
   const glm::dvec3& v = f.velocity;
-  const double halfDensityArea = 0.5 * kAirDensity * s.wingArea;
+  const double air = airLeftAt(state.position.y);
+  const double halfDensityArea = 0.5 * kAirDensity * s.wingArea * air;
 
   // Forces in body axes. None divides by the speed: each is built from speed times a component of the
   // velocity.
@@ -149,7 +155,7 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   const double dragCoefficient =
       s.dragCoefficient + s.inducedDrag * cl * cl + kBroadsideDrag * (v.x * v.x + v.y * v.y) * inverseSquare;
   const glm::dvec3 drag = -halfDensityArea * dragCoefficient * f.speed * v;
-  const glm::dvec3 thrust{0, 0, -condition.throttle * maxThrust(s)};  // (3.7)
+  const glm::dvec3 thrust{0, 0, -condition.throttle * maxThrust(s) * air};  // (3.7)
   Wrench w;
   w.force = state.orientation * (lift + side + drag + thrust) - glm::dvec3(0, body.mass * kGravity, 0);
 

@@ -115,8 +115,8 @@ void Camera::standAt(const View& view) {
 }
 
 void Camera::move(const glm::dvec3& rightUpForward) {
-  const glm::dvec3 moved =
-      position_ + glm::transpose(worldToView()) * (rightUpForward * glm::dvec3(1, 1, -1));
+  glm::dvec3 moved = position_ + glm::transpose(worldToView()) * (rightUpForward * glm::dvec3(1, 1, -1));
+  moved.y = std::min(moved.y, std::max(kHighestCameraM, position_.y));
   if (isFinite(moved)) position_ = moved;
 }
 

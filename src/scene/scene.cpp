@@ -8,6 +8,7 @@
 #include "skydrop/core/file.h"
 #include "skydrop/core/json.h"
 #include "skydrop/core/nearest_names.h"
+#include "skydrop/flight/environment.h"
 
 namespace skydrop::scene {
 namespace {
@@ -79,7 +80,8 @@ class SceneReader {
       if (name == "position") {
         if (!member.is_array() || member.size() != 3) fail(place, "is not a list of three numbers");
         for (int i = 0; i < 3; ++i) {
-          start.position[i] = number(member[static_cast<std::size_t>(i)], place, -kFarthestStartM, kFarthestStartM);
+          start.position[i] = number(member[static_cast<std::size_t>(i)], place, -kFarthestStartM,
+                                     i == 1 ? flight::kCeiling : kFarthestStartM);
         }
       } else if (name == "heading") {
         start.headingDegrees = number(member, place, 0, 360);

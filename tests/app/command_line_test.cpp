@@ -49,6 +49,42 @@ TEST(CommandLine, everyFlagOfRenderArrives) {
   EXPECT_TRUE(line.autopilot);
 }
 
+TEST(CommandLine, aCameraTakesCompassDegrees) {
+  // Heading 0 is north (-z, yaw -90 of a pose), 90 east (+x, yaw 0); what is not given is 0. For a window and for
+  // pictures.
+  for (const char* verb : {"render", "--fullscreen"}) {
+    const Pose north = *parse({verb, "--camera", "1,2,-3"}).commandLine.pose;
+    EXPECT_EQ(north.position, glm::dvec3(1, 2, -3));
+    EXPECT_EQ(north.yawDegrees, -90);
+    EXPECT_EQ(north.pitchDegrees, 0);
+    EXPECT_FALSE(north.aboveGround);
+  }
+  const Pose pose = *parse({"render", "--camera=-1,20,5", "--heading", "135", "--pitch=-30", "--roll", "15",
+                            "--above-ground"})
+                         .commandLine.pose;
+  EXPECT_EQ(pose.position, glm::dvec3(-1, 20, 5));
+  EXPECT_EQ(pose.yawDegrees, 45);
+  EXPECT_EQ(pose.pitchDegrees, -30);
+  EXPECT_EQ(pose.rollDegrees, 15);
+  EXPECT_TRUE(pose.aboveGround);
+  EXPECT_EQ(parse({"render", "--camera", "0,1,0", "--heading=-300"}).commandLine.pose->yawDegrees, -30);
+}
+
+TEST(CommandLine, flagsOfTheHudStandForItsSetting) {
+  EXPECT_EQ(parse({"render", "--no-hud"}).commandLine.set, std::vector<std::string>{"view.hud=false"});
+  EXPECT_EQ(parse({"--no-hud"}).commandLine.set, std::vector<std::string>{"view.hud=false"});
+  EXPECT_EQ(parse({"render", "--hud"}).commandLine.set, std::vector<std::string>{"view.hud=true"});
+  EXPECT_TRUE(sets(parse({"render", "--hud"}).commandLine, "view.hud"));
+  EXPECT_TRUE(sets(parse({"render", "--set", "view.hud=true"}).commandLine, "view.hud"));
+  EXPECT_FALSE(sets(parse({"render", "--set", "view.hudson=true"}).commandLine, "view.hud"));
+}
+
+TEST(CommandLine, helpOfEveryVerbNamesTheExitCodes) {
+  for (const char* verb : {"render", "simulate", "accuracy", "noise", "info", "--help"}) {
+    EXPECT_NE(parse({verb, "--help"}).answer->find("0 ok, 1 failed, 2 usage, 3 no OpenGL"), std::string::npos) << verb;
+  }
+}
+
 TEST(CommandLine, questionsAreAnsweredInsteadOfRun) {
   EXPECT_TRUE(parse({"--version"}).answer->starts_with("skydrop "));
   EXPECT_NE(parse({"--help"}).answer->find("simulate"), std::string::npos);
@@ -98,6 +134,20 @@ TEST(CommandLine, wrongWordsAreRefusedInOneLineThatNamesThem) {
   EXPECT_EQ(refusalOf({"render", "--pose", "1,2,3"}), "--pose: '1,2,3' is not of the form X,Y,Z,YAW,PITCH,ROLL");
   EXPECT_EQ(refusalOf({"render", "--pose", "nan,2,3,0,0,0"}), "--pose: 'nan' is not a finite number");
   EXPECT_EQ(refusalOf({"render", "--pose", "1e13,2,3,0,0,0"}), "--pose: 1e13 is out of range -1e+12 to 1e+12");
+  EXPECT_EQ(refusalOf({"render", "--camera", "1,2"}), "--camera: '1,2' is not of the form X,Y,Z");
+  EXPECT_EQ(refusalOf({"render", "--camera", "1,2e5,3"}), "--camera: 2e5 is out of range -1e+12 to 20000");
+  EXPECT_EQ(refusalOf({"render", "--pose", "1,2e5,3,0,0,0"}), "--pose: 2e5 is out of range -1e+12 to 20000");
+  EXPECT_EQ(refusalOf({"render", "--camera", "1,2,3", "--pose", "1,2,3,0,0,0"}),
+            "--camera and --pose exclude each other");
+  for (const char* flag : {"--heading=1", "--pitch=1", "--roll=1", "--above-ground"}) {
+    const std::string name = std::string(flag).substr(0, std::string(flag).find('='));
+    EXPECT_EQ(refusalOf({"render", flag, "--pose", "1,2,3,0,0,0"}), name + " belongs to --camera, which is not given");
+    EXPECT_EQ(refusalOf({flag}), name + " belongs to --camera, which is not given");
+  }
+  EXPECT_EQ(refusalOf({"render", "--camera", "1,2,3", "--heading", "north"}),
+            "--heading: 'north' is not a finite number");
+  EXPECT_EQ(refusalOf({"render", "--camera", "1,2,3", "--pitch", "91"}), "--pitch: 91 is out of range -90 to 90");
+  EXPECT_EQ(refusalOf({"render", "--hud", "--no-hud"}), "--hud and --no-hud exclude each other");
   EXPECT_EQ(refusalOf({"render", "--frames", "2"}), "--out: 'skydrop.png' needs %d for several frames");
   EXPECT_EQ(refusalOf({"render", "--out", "a.bmp"}), "--out: 'a.bmp' does not end in .png");
   EXPECT_EQ(refusalOf({"render", "--backend", "vulkan"}), "--backend: 'vulkan' is not one of egl osmesa window");

@@ -59,6 +59,26 @@ TEST(Stability, P04_anHourOfScriptedFlightStaysFinite) {
   EXPECT_LT(fastest, 220);  // m/s: thrust and weight against drag, straight down
 }
 
+TEST(Stability, P04_noAircraftClimbsOutOfTheWorldThatIsDrawn) {
+  // Ten minutes upwards with the strongest engine that can be set, from just below the thin air: it stays below the
+  // ceiling, and comes down again when the engine idles.
+  AirplaneSettings settings;
+  settings.maxThrottle = 1000;
+  BodyState start = flyingNorth(250);
+  start.position.y = kThinAirFrom - 1000;
+  Airplane airplane(settings, start);
+  double highest = 0;
+  for (int i = 0; i < 600 * 120; ++i) {
+    airplane.step({.thrust = 1, .pitch = 0.5}, kCalm, 1.0 / 120);
+    highest = std::max(highest, airplane.body().position().y);
+  }
+  EXPECT_TRUE(isFinite(airplane.body().state()));
+  EXPECT_GT(highest, kThinAirFrom);
+  EXPECT_LT(highest, kCeiling);
+  for (int i = 0; i < 300 * 120; ++i) airplane.step({.brake = 1}, kCalm, 1.0 / 120);
+  EXPECT_LT(airplane.body().position().y, kThinAirFrom);
+}
+
 double terminalSpeed(Integrator integrator, int rate) {
   AirplaneSettings settings;
   settings.integrator = integrator;

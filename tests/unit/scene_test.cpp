@@ -77,6 +77,8 @@ TEST(Scene, badScenesAreRefusedWithFilePlaceAndReason) {
             "a.json: start.position: is not a list of three numbers");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"speed": "fast"}})"),
             "a.json: start.speed: \"fast\" is not a number");
+  EXPECT_NE(refusalOf(R"({"schema": 1, "start": {"position": [0, 200000, 0]}})").find("is out of range"),
+            std::string::npos);
   EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"position": [1e400, 0, 0]}})"),
             "a.json: line 1, column 43: number overflow parsing '1e400'");
   EXPECT_EQ(refusalOf(R"({"schema": 1, )").substr(0, 39), "a.json: line 1, column 14: syntax error");

@@ -32,6 +32,8 @@ TEST(Program, usageErrorsExitWithTwoAndOneLine) {
       {"dance"},
       {"render", "--out", out, "--size", "0x0"},
       {"render", "--out", out, "--pose", "1,2"},
+      {"render", "--out", out, "--pose", "0,200000,0,0,0,0"},
+      {"render", "--out", out, "--heading", "90"},
       {"render", "--out", out, "--set", "aircraft.rollFactr=1"},
       {"render", "--out", out, "--set", "aircraft.rollFactor=1e9"},
       {"render", "--out", out, "--set", "aircraft.rollFactor=nan"},

@@ -3,12 +3,16 @@
 #include <glm/mat4x4.hpp>
 #include <string_view>
 
+#include "skydrop/flight/environment.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/render_settings.h"
 #include "skydrop/render/view.h"
 #include "skydrop/terrain/height_source.h"
 
 namespace skydrop::render {
+
+// No camera in the world stands higher (m, above the sea); docs/rendering.md shows why.
+inline constexpr double kHighestCameraM = flight::kCeiling;
 
 enum class CameraMode { chase, cockpit, free };
 std::string_view cameraModeName(CameraMode mode);
@@ -38,7 +42,7 @@ class Camera {
   // The free camera where this view is, so that a change to it moves nothing. The view must be valid.
   void standAt(const View& view);
   // The free camera's own moves: metres along right, up and forward; radians, pitch kept within +-45 degrees.
-  // Level again after a pose with roll.
+  // Level again after a pose with roll, and no higher than kHighestCameraM.
   void move(const glm::dvec3& rightUpForward);
   void turn(double yawRad, double pitchRad);
 
