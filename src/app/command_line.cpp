@@ -210,7 +210,7 @@ class Parser {
     path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
     path(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
     path(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
-    path(verb, "--record", "FILE", "record the flight as an input log; FILE must be new or empty", line_.record);
+    path(verb, "--record", "FILE|-", "record the flight as an input log; FILE must be new or empty", line_.record);
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
   }
 
@@ -288,7 +288,7 @@ class Parser {
   }
 
   void addSimulate(CLI::App& verb) {
-    path(verb, "--trace", "FILE.csv", "write every step of the flight as a row of numbers", line_.trace);
+    path(verb, "--trace", "FILE.csv|-", "write every step of the flight as a row of numbers", line_.trace);
     text(verb, "--seconds", "S", "how long (60; a replay to its end)",
          [this](const std::string& t) { line_.seconds = number("--seconds", t, 0, kMaxSeconds); });
     text(verb, "--fps", "N", "the drawing rate that is imitated (60)",
@@ -330,15 +330,29 @@ class Parser {
     }
   }
 
+  // One would replace the other at the end. A device takes both.
+  void checkOutputs() const {
+    std::vector<std::pair<std::string, std::filesystem::path>> outputs;
+    if (line_.verb == Verb::render || line_.verb == Verb::accuracy) outputs.emplace_back("--out", line_.out);
+    if (line_.stats) outputs.emplace_back("--stats", *line_.stats);
+    if (line_.trace) outputs.emplace_back("--trace", *line_.trace);
+    if (line_.record) outputs.emplace_back("--record", *line_.record);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      const std::filesystem::path path = outputs[i].second.lexically_normal();
+      for (std::size_t j = 0; j < i; ++j) {
+        if (path != outputs[j].second.lexically_normal() || path.string().starts_with("/dev/")) continue;
+        throw UsageError(outputs[j].first + " and " + outputs[i].first + " name the same file");
+      }
+    }
+  }
+
   void check() const {
     checkFiles();
     if (line_.autopilot && line_.replay) throw UsageError("--autopilot and --replay exclude each other");
     if (line_.replay && (line_.scene || line_.seed)) {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
     }
-    if (line_.stats && line_.trace && *line_.stats == *line_.trace) {
-      throw UsageError("--stats and --trace name the same file");
-    }
+    checkOutputs();
     if (line_.noise.check && !line_.noise.files.empty()) throw UsageError("--check and --noise exclude each other");
     if (line_.verb != Verb::render) return;
     if (!countsFrames(line_.out) && line_.frames > 1) {

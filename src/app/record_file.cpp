@@ -2,11 +2,13 @@
 
 #include <utility>
 
+#include "app/standard_output.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::app {
 
-RecordFile::RecordFile(const std::filesystem::path& file, Existing existing) : file_(file) {
+RecordFile::RecordFile(const std::filesystem::path& file, Existing existing)
+    : file_(openOutput(file).value()) {
   std::error_code none;
   if (existing == Existing::refused && std::filesystem::is_regular_file(file, none) &&
       std::filesystem::file_size(file, none) > 0) {

@@ -175,6 +175,13 @@ TEST(CommandLine, onlyTheNameOfAPictureCountsFrames) {
   }
 }
 
+TEST(CommandLine, twoOutputsOfOneNameAreRefused) {
+  EXPECT_EQ(refusalOf({"simulate", "--stats", "a", "--trace", "./a"}), "--stats and --trace name the same file");
+  EXPECT_EQ(refusalOf({"simulate", "--record", "a", "--stats", "a"}), "--stats and --record name the same file");
+  EXPECT_EQ(refusalOf({"render", "--out", "-", "--stats", "-"}), "--out and --stats name the same file");
+  EXPECT_TRUE(parse({"simulate", "--stats", "/dev/null", "--trace", "/dev/null"}).commandLine.trace);
+}
+
 TEST(CommandLine, framePathsCountFrames) {
   EXPECT_EQ(framePath("a-%d.png", 12), "a-12.png");
   EXPECT_EQ(framePath("a.png", 12), "a.png");

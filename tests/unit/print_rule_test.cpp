@@ -21,6 +21,7 @@ TEST(PrintRule, nothingButStandardOutputWritesToStandardOutput) {
     ++files;
     std::ifstream stream(entry.path());
     for (std::string line; std::getline(stream, line);) {
+      line = line.substr(0, line.find("//"));
       EXPECT_FALSE(std::regex_search(line, unchecked)) << entry.path() << ": " << line;
     }
   }

@@ -177,6 +177,9 @@ TEST(Program, aDashWritesAFileToStandardOutputAndNothingElse) {
   EXPECT_TRUE(nlohmann::json::accept(stats.out)) << stats.out;
   EXPECT_NE(stats.err.find("1.000 s, score"), std::string::npos) << stats.err;
   EXPECT_TRUE(nlohmann::json::accept(runSkydrop({"simulate", "--seconds", "1", "--stats", "/dev/stdout"}).out));
+  const ProcessResult trace = runSkydrop({"simulate", "--seconds", "1", "--trace", "-"});
+  EXPECT_TRUE(trace.out.starts_with("time_s,")) << trace.out;
+  EXPECT_EQ(trace.out.find("score 0 of"), std::string::npos) << "the result stands in the table";
   const ProcessResult picture = runSkydrop({"render", "--scene", "empty", "--size", "16x16", "--out", "-"});
   EXPECT_EQ(picture.exitCode, 0) << picture.err;
   EXPECT_TRUE(picture.out.starts_with("\x89PNG")) << picture.out;
