@@ -45,6 +45,8 @@ TEST(SettingsFile, membersThatNobodyKnowsAreRefusedUnlessTheyAreToBeKept) {
   EXPECT_EQ(test::refusalOf<DataError>([&] { parseSettings(text, "a.json", {"groups"}); }),
             "a.json: wings: unknown member");
   EXPECT_EQ(parseSettings(text, "a.json", {"groups"}, UnknownMembers::keep)["wings"], 2);
+  EXPECT_EQ(test::refusalOf<DataError>([&] { parseSettings(text, "a.json", {}, UnknownMembers::refuse); }),
+            "a.json: groups: unknown member");
 }
 
 }  // namespace
