@@ -1,6 +1,5 @@
 #include "game/input_log_json.h"
 
-#include <algorithm>
 #include <charconv>
 
 #include "skydrop/core/error.h"
@@ -15,26 +14,6 @@ void LogEvents::wrong(std::string_view what) const { fail(place(), std::string(w
 
 void LogEvents::requireText(const std::string& value, std::size_t most) const {
   if (value.size() > most) fail(place(), "a text of more than " + std::to_string(most) + " characters");
-}
-
-bool LogEvents::parse_error(std::size_t position, const std::string&,
-                            const nlohmann::json::exception& error) {
-  // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ..." -> the reason
-  const std::string what = error.what();
-  const auto colon = what.find(": ");
-  std::size_t line = line_, column = 1;
-  for (const char c : text_.substr(0, std::min(position > 0 ? position - 1 : 0, text_.size()))) {
-    if (c == '\n') {
-      ++line, column = 1;
-    } else {
-      ++column;
-    }
-  }
-  std::string reason = colon == std::string::npos ? what : what.substr(colon + 2);
-  for (char& c : reason) {
-    if (static_cast<unsigned char>(c) < 32) c = ' ';
-  }
-  fail("line " + std::to_string(line) + ", column " + std::to_string(column), reason.substr(0, 200));
 }
 
 InputLog::Run makeRun(const std::array<std::int64_t, 7>& row, std::uint64_t stepsBefore, std::string_view file,

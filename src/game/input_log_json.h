@@ -1,12 +1,13 @@
 // What the readers of both schemas of an input log share. They read in one pass, by events, and keep nothing
-// but the log itself: a hostile file cannot make them grow beyond its own size, nor recurse.
+// but the log itself: a hostile file cannot make them grow beyond its own size.
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "skydrop/core/json.h"
 #include "skydrop/game/input_log.h"
 
 namespace skydrop::game {
@@ -24,27 +25,24 @@ class LogEvents : public nlohmann::json_sax<nlohmann::json> {
     return integer(value < 0, static_cast<std::uint64_t>(value));
   }
   bool number_unsigned(std::uint64_t value) override { return integer(false, value); }
-  bool parse_error(std::size_t position, const std::string& token,
-                   const nlohmann::json::exception& error) override;
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;  // core::scanJson() says it
+  }
 
  protected:
-  // `line`: the number of the text's first line in its file.
-  LogEvents(std::string_view text, std::string_view file, std::size_t line)
-      : text_(text), file_(file), line_(line) {}
+  explicit LogEvents(std::string_view file) : file_(file) {}
 
   // `value` is the bits of a negative one.
   virtual bool integer(bool negative, std::uint64_t value) = 0;
   // Where the reader is.
   virtual std::string place() const = 0;
 
-  std::size_t line() const { return line_; }
   [[noreturn]] void fail(std::string_view where, std::string_view reason) const;
   [[noreturn]] void wrong(std::string_view what) const;
   void requireText(const std::string& value, std::size_t most = InputLog::kMaxText) const;
 
  private:
-  std::string_view text_, file_;
-  std::size_t line_;
+  std::string_view file_;
 };
 
 // The seven numbers of a row as a run. `stepsBefore`: of the rows before it.

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "game/input_log_json.h"
-#include "skydrop/core/json.h"
 
 namespace skydrop::game {
 namespace {
@@ -13,8 +12,7 @@ constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
 class Schema1Reader final : public LogEvents {
  public:
-  Schema1Reader(std::string_view text, std::string_view file, InputLog& log)
-      : LogEvents(text, file, 1), file_(file), log_(log) {}
+  Schema1Reader(std::string_view file, InputLog& log) : LogEvents(file), file_(file), log_(log) {}
 
   void finish() {
     for (const char* needed : {"schema", "kind", "seed", "runs"}) {
@@ -70,7 +68,7 @@ class Schema1Reader final : public LogEvents {
     if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) {
       fail(key_, "is not a member of an input log");
     }
-    if (!seen_.insert(name).second) fail(key_, "stands twice");
+    seen_.insert(name);
     return true;
   }
 
@@ -153,7 +151,7 @@ class Schema1Reader final : public LogEvents {
 
 InputLog decodeSchema1(std::string_view text, std::string_view file) {
   InputLog log;
-  Schema1Reader reader(text, file, log);
+  Schema1Reader reader(file, log);
   core::scanJson(text, file, reader, {.bytes = kMostBytes, .values = kMostBytes});
   reader.finish();
   return log;

@@ -9,10 +9,12 @@
 namespace skydrop::game {
 namespace {
 
+constexpr core::JsonLimits kHeaderLimits = {.bytes = InputLog::kMaxBytes, .values = 4 * InputLog::kMaxSettings};
+constexpr core::JsonLimits kRecordLimits = {.bytes = InputLog::kMaxBytes, .values = 100};
+
 class HeaderReader final : public LogEvents {
  public:
-  HeaderReader(std::string_view text, std::string_view file, InputLog& log)
-      : LogEvents(text, file, 1), log_(log) {}
+  HeaderReader(std::string_view file, InputLog& log) : LogEvents(file), log_(log) {}
 
   void finish() {
     for (const char* needed : {"schema", "kind", "seed", "scene", "scene.source", "scene.digest", "scene.text"}) {
@@ -65,7 +67,7 @@ class HeaderReader final : public LogEvents {
         (depth_ == 1 && name.find('.') != std::string::npos)) {
       fail(key_, "is not a member of an input log");
     }
-    if (!seen_.insert(path).second) fail(key_, "stands twice");
+    seen_.insert(path);
     return true;
   }
 
@@ -119,8 +121,7 @@ class HeaderReader final : public LogEvents {
 // One record: a flat array of whole numbers and texts.
 class RecordReader final : public LogEvents {
  public:
-  RecordReader(std::string_view text, std::string_view file, std::size_t line)
-      : LogEvents(text, file, line), file_(file) {}
+  RecordReader(std::string_view file, std::size_t line) : LogEvents(file), file_(file), line_(line) {}
 
   void addTo(InputLog& log, std::uint64_t& steps) {
     if (textCount_ == 0) return addRun(log, steps);
@@ -159,7 +160,7 @@ class RecordReader final : public LogEvents {
  private:
   static constexpr std::size_t kColumns = 7;
 
-  std::string place() const override { return "line " + std::to_string(line()); }
+  std::string place() const override { return "line " + std::to_string(line_); }
 
   bool integer(bool negative, std::uint64_t value) override {
     take(true);
@@ -198,12 +199,29 @@ class RecordReader final : public LogEvents {
   }
 
   std::string_view file_;
+  std::size_t line_;
   bool inside_ = false;
   std::size_t count_ = 0, textCount_ = 0;
   std::array<bool, kColumns> isNumber_{};
   std::array<std::int64_t, kColumns> numbers_{};
   std::array<std::string, kColumns> texts_;
 };
+
+// The parser counts the lines of what it is given: what it names "line 1" is this line of the file.
+void scanLine(std::string_view text, std::string_view file, std::size_t line, RecordReader& reader) {
+  try {
+    core::scanJson(text, file, reader, kRecordLimits);
+  } catch (const core::DataError& refusal) {
+    constexpr std::string_view kFirstLine = ": line 1, ";
+    const std::string said = refusal.what();
+    const std::size_t at = said.find(kFirstLine);
+    const std::size_t reason = at == std::string::npos ? at : said.find(": ", at + kFirstLine.size());
+    if (reason == std::string::npos) throw;
+    const std::size_t column = at + kFirstLine.size();
+    throw core::DataError(file, "line " + std::to_string(line) + ", " + said.substr(column, reason - column),
+                          said.substr(reason + 2));
+  }
+}
 
 }  // namespace
 
@@ -220,12 +238,12 @@ InputLog decodeSchema2(std::string_view text, std::string_view file) {
     const std::string_view row = text.substr(at, end - at);
     if (log.ended) throw core::DataError(file, "line " + std::to_string(line), "comes after the end");
     if (line == 1) {
-      HeaderReader reader(row, file, log);
-      nlohmann::json::sax_parse(row, &reader);
+      HeaderReader reader(file, log);
+      core::scanJson(row, file, reader, kHeaderLimits);
       reader.finish();
     } else {
-      RecordReader reader(row, file, line);
-      nlohmann::json::sax_parse(row, &reader);
+      RecordReader reader(file, line);
+      scanLine(row, file, line, reader);
       reader.addTo(log, steps);
     }
   }

@@ -216,7 +216,7 @@ TEST(InputLog, wrongValuesAreNamedWithTheirPlace) {
   expect(replaced(text, "\"seed\"", "\"speed\""), "speed", "not a member");
   expect(replaced(text, "\"seed\"", "\"scene.text\""), "scene.text", "not a member");
   expect(replaced(text, "\"seed\"", "\"kind\""), "kind", "twice");
-  expect(replaced(text, "\"source\"", "\"text\""), "scene.text", "twice");
+  expect(replaced(text, "\"source\"", "\"text\""), "text", "twice");
   expect(replaced(text, "\"source\"", "\"file\""), "scene.file", "not a member");
   expect(replaced(text, "\"scene\":{", "\"scene\":{\"digest\":{"), "scene.digest", "object");
   expect(replaced(text, "schema\\\": 1", "schema\\\": 2"), "scene.digest", "is not that of");
@@ -237,7 +237,7 @@ TEST(InputLog, wrongValuesAreNamedWithTheirPlace) {
   expect(replaced(text, "[100,127,", "[100,[127],"), "line 3", "array");
   expect(replaced(text, "[100,127,", "{\"a\":[100,127,"), "line 3", "object");
   expect(replaced(text, "[100,127,0,0,0,0,0]", "[100]"), "line 3", "no row has named");
-  expect(replaced(text, "[100,127,0,0,0,0,0]", ""), "line 3", "syntax error");
+  expect(replaced(text, "[100,127,0,0,0,0,0]", ""), "line 3", "empty");
   expect(replaced(text, "[100,127,0,0,0,0,0]", "100"), "line 3", "number");
   expect(replaced(text, "\"check\",0", "\"check\",-1"), "line 2", "negative");
   expect(replaced(text, "\"check\",0", "\"check\",150"), "line 8", "ascend");
