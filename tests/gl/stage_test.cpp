@@ -4,34 +4,45 @@
 
 #include "app/prepare.h"
 #include "support/gl_test.h"
+#include "support/shared_noise.h"
 
 namespace skydrop::app {
 namespace {
 
-using StageGLTest = test::GLTest;
+// The scene that the game starts with, and one without clouds.
+class StageGLTest : public test::GLTest, public testing::WithParamInterface<const char*> {
+ protected:
+  static std::unique_ptr<app::Run> prepared() {
+    CommandLine line;
+    line.verb = Verb::render;
+    line.scene = GetParam();
+    return prepareRun(line);
+  }
 
-std::unique_ptr<Run> runOf(const std::string& scene) {
-  CommandLine line;
-  line.verb = Verb::render;
-  line.scene = scene;
-  return prepareRun(line);
-}
+  static Stage::Setup setupOf(const Simulation& simulation) {
+    const bool hasClouds = simulation.effects().contains(scene::Effect::clouds);
+    return {simulation.effects(), simulation.ground(), 1, false, hasClouds ? test::sharedNoise() : nullptr};
+  }
+};
 
-TEST_F(StageGLTest, afterWarmingUpNoFrameCompilesAShader) {
-  // The scene without clouds, warmed up: the first frames with the aircraft ahead, with a package in the air and
-  // with a target in sight use programs that are there already.
-  const auto run = runOf("terrain");
+INSTANTIATE_TEST_SUITE_P(, StageGLTest, testing::Values(kDefaultScene, "terrain"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST_P(StageGLTest, afterWarmingUpNoFrameCompilesAShader) {
+  // Warmed up: the first frames with the aircraft ahead, with a package in the air and with a target in sight use
+  // programs that are there already.
+  const auto run = prepared();
   Simulation simulation(run->setup, run->settings, run->table);
-  Stage stage(context(), {simulation.effects(), simulation.ground(), 1, false}, run->settings);
+  Stage stage(context(), setupOf(simulation), run->settings);
   const Size size{160, 90};
   game::Snapshot shown = simulation.world().now();
   stage.warmUp(shown, size);
   const std::int64_t warm = context().ledger().live(render::gl::ObjectKind::program);
-  const auto drawsOf = [&](const char* pass) {
+  const auto workOf = [&](const char* pass) {
     core::FrameStatistics statistics;
     stage.writeTo(statistics);
     for (const auto& [name, row] : statistics.passes) {
-      if (name == pass) return row.draws;
+      if (name == pass) return row.draws + row.dispatches;
     }
     return std::int64_t{0};
   };
@@ -45,18 +56,20 @@ TEST_F(StageGLTest, afterWarmingUpNoFrameCompilesAShader) {
   shown.target.position = shown.aircraft.position + shown.aircraft.orientation * glm::dvec3(0, -50, -400);
   shown.target.radius = 50;
   stage.draw(shown, size, Streaming::asItComes);
-  EXPECT_GT(drawsOf("aircraft"), 0);
-  EXPECT_GT(drawsOf("packages"), 0);
-  EXPECT_GT(drawsOf("marker"), 0);
+  EXPECT_GT(workOf("aircraft"), 0);
+  EXPECT_GT(workOf("packages"), 0);
+  EXPECT_GT(workOf("marker"), 0);
+  if (simulation.effects().contains(scene::Effect::clouds)) {
+    EXPECT_GT(workOf("clouds"), 0);
+  }
   EXPECT_EQ(context().ledger().live(render::gl::ObjectKind::program), warm);
 }
 
-TEST_F(StageGLTest, theGpusMemoryIsWithinItsBudget) {
-  // All textures and buffers of the scene without clouds at 640 x 360, those of the land's chunks above all: at most
-  // 128 MiB.
-  const auto run = runOf("terrain");
+TEST_P(StageGLTest, theGpusMemoryIsWithinItsBudget) {
+  // All textures and buffers at 640 x 360, those of the land's chunks above all: at most 128 MiB.
+  const auto run = prepared();
   Simulation simulation(run->setup, run->settings, run->table);
-  Stage stage(context(), {simulation.effects(), simulation.ground(), 1, false}, run->settings);
+  Stage stage(context(), setupOf(simulation), run->settings);
   stage.draw(simulation.world().now(), {640, 360}, Streaming::asItComes);
   core::FrameStatistics statistics;
   stage.writeTo(statistics);
