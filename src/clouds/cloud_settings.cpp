@@ -27,13 +27,15 @@ std::string weatherNote(const CloudSettings& s) {
 
 void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
   const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
-                          std::string_view help, std::string_view aliases = {}, core::FieldNote note = {}) {
+                          std::string_view help, std::string_view aliases = {}, core::FieldNote note = {},
+                          std::optional<core::Range> slider = std::nullopt) {
     visitor.number(name, value,
                    {.unit = unit,
                     .min = min,
                     .max = max,
                     .help = help,
                     .logarithmic = true,
+                    .slider = slider,
                     .aliases = aliases,
                     .note = std::move(note)});
   };
@@ -48,7 +50,8 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
          "Where the rays around a pixel differ by more, it gets one of its own; more leaves edges softer.",
          "edge threshold",
          core::noteWhile([&s] { return s.resolution == MarchResolution::full; },
-                         "Does nothing in full resolution: every pixel has a ray."));
+                         "Does nothing in full resolution: every pixel has a ray."),
+         core::Range{0.005, 4});
   number("seekSteps", s.seekSteps, "1", 1, 16, "Steps at a time through clear air; more may miss thin wisps.",
          "stride");
   number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.",
@@ -56,7 +59,7 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
   number(
       "stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
       "Length of a step far from the eye, about, as a share of the distance; less finds smaller wisps there.",
-      "step size, LOD");
+      "step size, LOD", {}, core::Range{0.001, 0.1});
   number("stepDepth", s.stepDepth, "1", 0.02, 5,
          "Most optical depth, about, that shares one look at the light, over four steps at most; less "
          "resolves light and shade in dense cloud.",

@@ -46,6 +46,7 @@ void describe(core::SettingsVisitor& v, AutopilotSettings& s) {
             .min = 30,
             .max = 2000,
             .help = "Height above the highest ground ahead: more is safer.",
+            .slider = core::Range{30, 1000},
             .aliases = "altitude, terrain avoidance"});
   v.number("lookAheadSeconds", s.lookAheadSeconds,
            {.unit = "s",

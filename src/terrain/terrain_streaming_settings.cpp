@@ -1,5 +1,6 @@
 #include "skydrop/terrain/terrain_streaming_settings.h"
 
+#include <optional>
 #include <utility>
 
 namespace skydrop::terrain {
@@ -7,13 +8,15 @@ namespace skydrop::terrain {
 void describe(core::SettingsVisitor& visitor, TerrainStreamingSettings& s) {
   using core::TakesEffect;
   const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
-                          std::string_view help, std::string_view aliases, core::FieldNote note = {}) {
+                          std::string_view help, std::string_view aliases, core::FieldNote note = {},
+                          std::optional<core::Range> slider = std::nullopt) {
     visitor.number(name, value,
                    {.unit = unit,
                     .min = min,
                     .max = max,
                     .help = help,
                     .logarithmic = true,
+                    .slider = slider,
                     .aliases = aliases,
                     .note = std::move(note)});
   };
@@ -22,7 +25,8 @@ void describe(core::SettingsVisitor& visitor, TerrainStreamingSettings& s) {
          "root of the distance.",
          "LOD, level of detail, draw distance",
          core::noteWhile([&s] { return s.viewDistanceM > s.farDistanceM; },
-                         "Land ends before that: at farDistanceM."));
+                         "Land ends before that: at farDistanceM."),
+         core::Range{1000, 60000});
   number("farDistanceM", s.farDistanceM, "m", 5000, 100000, "Land ends here, faded into the haze.",
          "draw distance, far plane, horizon");
   number("pixelError", s.pixelError, "pixel", 0.1, 20,
