@@ -36,7 +36,7 @@ void describe(core::SettingsVisitor& visitor, TerrainStreamingSettings& s) {
   number("cellPixels", s.cellPixels, "pixel", 1, 200,
          "Largest width of a mesh cell on the picture, however smooth the land is; smaller draws more "
          "triangles.",
-         "LOD, level of detail, tessellation");
+         "LOD, level of detail, tessellation", {}, core::Range{1, 120});
   number("texelPixels", s.texelPixels, "pixel", 0.5, 16,
          "Largest width of a sample on the picture (height and normal); smaller asks for more chunks.",
          "LOD, level of detail, resolution");
@@ -45,7 +45,7 @@ void describe(core::SettingsVisitor& visitor, TerrainStreamingSettings& s) {
                   .min = 0,
                   .max = 2000,
                   .help = "Sea floor below this depth is not drawn: the water hides it.",
-                  .slider = core::Range{0, 200},
+                  .slider = core::Range{0, 150},
                   .aliases = "underwater, culling"});
   number("cacheMiB", s.cacheMiB, "MiB", 8, 4096,
          "Memory for chunks on the processor's side; what does not fit is made anew, or drawn coarser.",

@@ -1,0 +1,440 @@
+// Every row of the menu does something over all that its slider covers. Here the rows of flight, game, land,
+// streaming, sound, view and input, by what the simulation, the land, the loudspeaker or the interface makes
+// of them; rows of the picture in tests/gl/settings_effect_test.cpp.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <condition_variable>
+#include <functional>
+#include <glm/trigonometric.hpp>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/overlay.h"
+#include "app/player_input.h"
+#include "app/prepare.h"
+#include "skydrop/audio/audio_manager.h"
+#include "skydrop/audio/sound_scene.h"
+#include "skydrop/core/hash.h"
+#include "skydrop/core/job_pool.h"
+#include "skydrop/game/world.h"
+#include "skydrop/terrain/analytic_height_sources.h"
+#include "skydrop/terrain/endless_terrain.h"
+#include "skydrop/terrain/noise_height_source.h"
+#include "support/row_steps.h"
+
+namespace skydrop::app {
+namespace {
+
+using core::StateHasher;
+using game::Controls;
+
+void add(StateHasher& h, const glm::dvec3& v) { h.add(v.x), h.add(v.y), h.add(v.z); }
+void add(StateHasher& h, const glm::dquat& q) { h.add(q.x), h.add(q.y), h.add(q.z), h.add(q.w); }
+
+// What a player can see, hear or read of a moment; not the settings themselves.
+void add(StateHasher& h, const game::Snapshot& now) {
+  const game::AircraftSnapshot& a = now.aircraft;
+  add(h, a.position), add(h, a.orientation), add(h, a.velocity), add(h, a.angularVelocityBody);
+  h.add(a.throttle), h.add(std::uint64_t{a.stallWarning}), h.add(std::uint64_t{a.stalled}), h.add(a.buffet);
+  h.add(std::uint64_t{a.crashed}), h.add(a.secondsToRespawn), h.add(std::uint64_t{a.spawnCount});
+  for (const game::PackageSnapshot& p : now.packages)
+    add(h, p.position), add(h, p.orientation), h.add(p.parachuteOpen), h.add(std::uint64_t{p.landed});
+  add(h, now.target.position), h.add(now.target.radius), h.add(now.cooldownSeconds);
+  h.add(static_cast<std::uint64_t>(now.score)), h.add(static_cast<std::uint64_t>(now.drops));
+  for (const game::Message& message : now.messages) h.add(message.secondsLeft);
+}
+
+const std::shared_ptr<const terrain::HeightSource>& land() {
+  static const auto source = terrain::makeNoiseHeightSource(terrain::TerrainSettings(), 1);
+  return source;
+}
+
+game::WorldSetup worldOf(const Settings& settings, std::shared_ptr<const terrain::HeightSource> ground,
+                         double startHeight) {
+  game::WorldSetup setup;
+  setup.ground = std::move(ground);
+  setup.start.position = {0, startHeight, 0};
+  setup.airplane = settings.aircraft;
+  setup.package = settings.package;
+  setup.game = settings.game;
+  return setup;
+}
+
+using Flyer = std::function<Controls(const game::Snapshot&)>;
+
+std::uint64_t flight(const game::WorldSetup& setup, double seconds, const Flyer& flyer) {
+  game::World world(setup);
+  StateHasher h;
+  for (int step = 0; step < seconds * 120; ++step) {
+    world.step(flyer(world.now()));
+    if (step % 12 == 0) add(h, world.now());
+  }
+  return h.value();
+}
+
+// Rolls, pulls, yaws, climbs at full power, slows down into a stall, and dives; drops a package a second.
+Controls manoeuvres(const game::Snapshot& now) {
+  const double t = now.simulatedSeconds;
+  Controls c;
+  c.roll = t < 2 ? 1 : t > 6 && t < 8 ? -1 : 0;
+  c.pitch = t > 2 && t < 4 ? 1 : t > 11 && t < 20 ? 0.7 : t > 23 && t < 26 ? -0.5 : 0;
+  c.yaw = t > 4 && t < 6 ? 1 : 0;
+  c.thrust = t > 8 && t < 11 ? 1 : 0;
+  c.brake = t > 11 && t < 20 ? 1 : 0;
+  c.drop = std::fmod(t, 1) > 0.5;
+  return c;
+}
+
+std::uint64_t aerobatics(const Settings& settings) {
+  return flight(worldOf(settings, terrain::makeFlatSource(50), 2500), 32, manoeuvres);
+}
+
+// From so high that a package falls for as long as any of its rows lets it fall fast.
+std::uint64_t packages(const Settings& settings) {
+  return flight(worldOf(settings, terrain::makeFlatSource(50), 2500), 32, [](const game::Snapshot& now) {
+    Controls c;
+    c.drop = now.simulatedSeconds > 0.5;
+    return c;
+  });
+}
+
+// Level for some seconds, then into the ground.
+std::uint64_t crashAfter(double levelSeconds, double seconds, const Settings& settings) {
+  return flight(worldOf(settings, terrain::makeFlatSource(50), 60), seconds, [&](const game::Snapshot& now) {
+    Controls c;
+    c.pitch = now.simulatedSeconds > levelSeconds && now.aircraft.spawnCount < 2 ? -1 : 0;
+    return c;
+  });
+}
+std::uint64_t crash(const Settings& settings) { return crashAfter(2, 15, settings); }
+std::uint64_t lateCrash(const Settings& settings) { return crashAfter(34, 46, settings); }
+
+// Low and level; drops a package as often as it can.
+std::uint64_t drops(const Settings& settings) {
+  return flight(worldOf(settings, terrain::makeFlatSource(50), 60), 66, [](const game::Snapshot& now) {
+    Controls c;
+    c.drop = std::fmod(now.simulatedSeconds, 1) > 0.5;
+    return c;
+  });
+}
+
+// When the first package is removed.
+std::uint64_t removal(const Settings& settings) {
+  game::WorldSetup setup = worldOf(settings, terrain::makeFlatSource(50), 60);
+  game::World world(setup);
+  Controls c;
+  c.drop = true;
+  for (int step = 0; step < 80 * 120; ++step) {
+    world.step(c);
+    for (const game::GameEvent& event : world.takeEvents())
+      if (event.kind == game::GameEventKind::packageRemoved) return world.stepCount();
+  }
+  return 0;
+}
+
+std::uint64_t firstTargets(const Settings& settings) {
+  StateHasher h;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    game::WorldSetup setup = worldOf(settings, land(), 400);
+    setup.seed = seed;
+    add(h, game::World(setup).now());
+  }
+  return h.value();
+}
+
+std::uint64_t autopilot(const Settings& settings) {
+  game::Autopilot pilot(land(), settings.autopilot);
+  return flight(worldOf(settings, land(), 400), 30,
+                [&](const game::Snapshot& now) { return pilot.decide(now); });
+}
+
+std::uint64_t heights(const Settings& settings) {
+  const auto source = terrain::makeNoiseHeightSource(settings.terrain, 1);
+  StateHasher h;
+  for (int z = -20; z < 20; ++z)
+    for (int x = -20; x < 20; ++x) h.add(source->height({x * 1003.0, z * 1003.0}));
+  return h.value();
+}
+
+terrain::ViewVolume volume(const glm::dvec3& eye, int width, int height) {
+  const double pitch = glm::radians(-10.0);
+  const glm::dmat3 toView = glm::transpose(glm::dmat3(
+      glm::dvec3(1, 0, 0), {0, std::cos(pitch), std::sin(pitch)}, {0, -std::sin(pitch), std::cos(pitch)}));
+  return terrain::makeViewVolume(eye, toView, glm::radians(60.0), width, height);
+}
+terrain::ViewVolume small() { return volume({0, 900, 0}, 320, 180); }
+terrain::ViewVolume large() { return volume({0, 900, 0}, 1920, 1080); }
+
+void add(StateHasher& h, const terrain::EndlessTerrain& endless) {
+  const terrain::StreamingStatistics& s = endless.statistics();
+  for (const std::size_t count : {s.chunksWanted, s.chunksDrawn, s.patches, s.overBudget})
+    h.add(static_cast<std::uint64_t>(count));
+  for (const terrain::PatchDraw& patch : endless.frame().patches) h.add(patch.distanceM);
+}
+
+// One terrain for all, so that chunks are made once.
+terrain::EndlessTerrain& sharedTerrain() {
+  static core::JobPool pool(2);
+  static terrain::EndlessTerrain endless(land(), pool, terrain::TerrainStreamingSettings());
+  return endless;
+}
+
+// What is drawn when everything that the view wants is there.
+std::uint64_t settled(const Settings& settings, const terrain::ViewVolume& view) {
+  terrain::EndlessTerrain& endless = sharedTerrain();
+  endless.apply(settings.streaming);
+  endless.settle(view);
+  StateHasher h;
+  add(h, endless);
+  for (const double level : endless.frame().lod.morph) h.add(level);
+  return h.value();
+}
+std::uint64_t detail(const Settings& settings) { return settled(settings, large()); }
+std::uint64_t budget(const Settings& settings) { return settled(settings, small()); }
+
+// Above the deepest sea around.
+std::uint64_t seaFloor(const Settings& settings) {
+  static const glm::dvec2 deepest = [] {
+    glm::dvec2 place(0);
+    double lowest = 0;
+    for (int z = -100; z < 100; ++z) {
+      for (int x = -100; x < 100; ++x) {
+        const double height = land()->height({x * 500.0, z * 500.0});
+        if (height < lowest) lowest = height, place = {x * 500.0, z * 500.0};
+      }
+    }
+    return place;
+  }();
+  return settled(settings, volume({deepest.x, 300, deepest.y}, 320, 180));
+}
+
+// What the first frame sends to the GPU when all chunks are there already.
+std::uint64_t uploads(const Settings& settings) {
+  terrain::EndlessTerrain& endless = sharedTerrain();
+  terrain::TerrainStreamingSettings other = settings.streaming;
+  other.gpuMiB = 120;
+  endless.apply(other);
+  endless.settle(small());
+  endless.apply(settings.streaming);  // a changed number of slots empties them all
+  endless.update(small());
+  return endless.statistics().uploadedBytes;
+}
+
+// What is kept of a flight over five views.
+std::uint64_t kept(const Settings& settings) {
+  terrain::EndlessTerrain& endless = sharedTerrain();
+  endless.apply(settings.streaming);
+  for (int i = 0; i < 5; ++i) endless.settle(volume({i * 50000.0, 900, 0}, 320, 180));
+  return endless.statistics().bytes;
+}
+
+// Land whose making waits until the end.
+class HeldUpSource final : public terrain::HeightSource {
+ public:
+  terrain::HeightSample sample(glm::dvec2 xz) const override { return land()->sample(xz); }
+  terrain::HeightBounds bounds(glm::dvec2 lo, glm::dvec2 hi) const override { return land()->bounds(lo, hi); }
+  terrain::HeightBounds range() const override { return land()->range(); }
+  bool fillChunk(const terrain::ChunkKey&, std::stop_token stop, terrain::ChunkData&) const override {
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable_any().wait(lock, stop, [] { return false; });
+    return false;
+  }
+};
+
+std::uint64_t waitingChunks(const Settings& settings) {
+  core::JobPool pool(1);
+  terrain::EndlessTerrain endless(std::make_shared<HeldUpSource>(), pool, settings.streaming);
+  endless.update(small());
+  return endless.statistics().queue;
+}
+
+std::uint64_t sound(const Settings& settings) {
+  audio::AudioManager audio(settings.audio, audio::AudioManager::Output::loopback);
+  audio::SoundScene scene(audio, settings.audio);
+  game::Snapshot now;
+  now.aircraft.present = true;
+  now.aircraft.throttle = 0.7;
+  now.aircraft.airspeedMps = 70;
+  game::GameEvent drop;
+  drop.kind = game::GameEventKind::drop;
+  scene.update(now, std::array{drop});
+  std::vector<float> samples(4410);
+  audio.render(samples);
+  StateHasher h;
+  for (const float sample : samples) h.add(static_cast<double>(sample));
+  return h.value();
+}
+
+std::uint64_t interface(const Settings& settings) {
+  constexpr Size kSize{1920, 1080};
+  scene::EffectSet effects;
+  effects.insert(scene::Effect::hud);
+  Overlay overlay(effects, kSize, {}, {settings.view.interfaceScale});
+  overlay.hudShown = settings.view.hud;
+  Settings copy = settings;
+  const core::SettingsTable table(copy);
+  game::Snapshot now;
+  now.aircraft.present = true;
+  OverlayFrame frame{now, kSize, 0, table};
+  frame.scale = {settings.view.interfaceScale};
+  overlay.build(frame);
+  StateHasher h;
+  const ImDrawData& data = *ImGui::GetDrawData();
+  for (int list = 0; list < data.CmdListsCount; ++list) {
+    for (const ImDrawVert& vertex : data.CmdLists[list]->VtxBuffer)
+      h.add(static_cast<double>(vertex.pos.x)), h.add(static_cast<double>(vertex.pos.y));
+  }
+  return h.value();
+}
+
+// The levers after sticks and triggers were pushed a little further each time.
+std::uint64_t sticks(const Settings& settings) {
+  StateHasher h;
+  PlayerInput input;
+  for (int i = 0; i <= 40; ++i) {
+    GamepadState state;
+    const float push = -1 + 0.05f * static_cast<float>(i);
+    state.axes = {push, -0.7f * push, 0.6f * push, 0.3f, push, 0.5f * push};
+    input.handle(readingOf(state, settings.input.gamepad), settings.input.gamepad);
+    const Controls c = input.step();
+    for (const double lever : {c.thrust, c.brake, c.pitch, c.roll, c.yaw}) h.add(lever);
+  }
+  return h.value();
+}
+
+// All rows but these two, as `render` would have them.
+std::uint64_t preparedRows(const Settings& settings) {
+  CommandLine line;
+  line.verb = Verb::render;
+  line.set = {
+      "quality=" + std::string(kQualityNames[static_cast<std::size_t>(settings.quality)]),
+      "clouds.tier=" + std::string(clouds::kCloudTierNames[static_cast<std::size_t>(settings.clouds.tier)])};
+  if (settings.quality != Quality::automatic) line.set.pop_back();
+  StateHasher h;
+  const auto run = prepareRun(line);
+  for (const core::Field& field : run->table.fields())
+    if (field.path != "quality" && field.path != "clouds.tier") h.add(field.get());
+  return h.value();
+}
+
+struct Probe {
+  std::string_view rows;  // a path, or the beginning of one
+  std::uint64_t (*observe)(const Settings&);
+  std::vector<std::string> given = {};  // what has to be set before the row means anything
+};
+
+// The first that fits.
+const std::vector<Probe> kProbes = {
+    {"aircraft.", aerobatics},
+    {"package.", packages},
+    {"game.target", firstTargets},
+    {"game.dropCooldown", drops},
+    {"game.landedPackageSeconds", removal},
+    {"game.respawnBackSeconds", lateCrash, {"game.crashSeconds=0.1"}},
+    {"game.", crash},
+    {"autopilot.", autopilot, {"game.targetNearest=1200", "game.targetFarthest=1500"}},
+    {"terrain.", heights},
+    {"streaming.uploadMiBPerFrame", uploads},
+    {"streaming.queueLimit", waitingChunks, {"streaming.texelPixels=0.5"}},
+    {"streaming.cacheMiB", kept, {"streaming.gpuMiB=128", "streaming.texelPixels=0.5"}},
+    {"streaming.gpuMiB", budget, {"streaming.texelPixels=0.5"}},
+    {"streaming.seaFloorDepthM", seaFloor},
+    {"streaming.viewDistanceM", detail},
+    {"streaming.pixelError", detail, {"streaming.cellPixels=200"}},
+    {"streaming.cellPixels", detail, {"streaming.pixelError=20", "streaming.texelPixels=0.5"}},
+    {"streaming.texelPixels", detail, {"streaming.cacheMiB=1024", "streaming.gpuMiB=128"}},
+    {"audio.", sound},
+    {"view.hud", interface},
+    {"view.interfaceScale", interface},
+    {"input.", sticks},
+    {"quality", preparedRows},
+    {"clouds.tier", preparedRows},
+};
+
+// Not tried here. Of the window alone, by the tests that are named; the rest are rows of the picture.
+constexpr std::string_view kElsewhere[] = {
+    "streaming.farDistanceM",  // tests/gl/settings_effect_test.cpp
+    "view.frameCapHz",         // FrameSchedule, FramePacer: tests/app/frame_pacer_test.cpp
+    "view.vsync",              // the driver's: no picture, no state
+    "view.freezeTime",         // tests/window/comfort_test.cpp
+    "view.camera",
+    "render.",
+    "clouds.",  // tests/gl/settings_effect_test.cpp
+};
+
+// Of the tries here, not of the rows: what a budget has room for once everything is there.
+constexpr test::IdlePart kIdleParts[] = {
+    {"game.targetSlopeDeg", 27, 45, "land as steep as that is rare among 30 targets"},
+    {"autopilot.maxBankDeg", 10, 35, "the target of this flight lies nearly ahead"},
+    {"autopilot.dropMargin", 0, 0.15, "the first drop of this flight is nearer than that"},
+    {"streaming.cacheMiB", 27, 4096, "there is no more land in the five views"},
+    {"streaming.gpuMiB", 24, 128, "the view wants no more"},
+    {"streaming.uploadMiBPerFrame", 19, 128, "the view wants no more"},
+    {"streaming.texelPixels", 3.9, 8.1, "the mesh of this view asks for as fine samples by itself"},
+    {"streaming.queueLimit", 128, 1024, "the view wants no more"},
+};
+
+bool startsWithAny(std::string_view path, std::span<const std::string_view> beginnings) {
+  return std::ranges::any_of(beginnings,
+                             [&](std::string_view beginning) { return path.starts_with(beginning); });
+}
+
+class SettingsEffect : public testing::TestWithParam<const char*> {};
+
+TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
+  if (std::string_view(GetParam()) == "audio.") {
+    try {
+      audio::AudioManager(audio::AudioSettings(), audio::AudioManager::Output::loopback);
+    } catch (const std::runtime_error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  Settings settings;
+  const core::SettingsTable table(settings);
+  int rows = 0;
+  for (const core::Field& field : table.fields()) {
+    if (!field.path.starts_with(GetParam())) continue;
+    const auto probe =
+        std::ranges::find_if(kProbes, [&](const Probe& p) { return field.path.starts_with(p.rows); });
+    if (probe == kProbes.end()) {
+      EXPECT_TRUE(startsWithAny(field.path, kElsewhere)) << field.path << ": nobody has tried this row";
+      continue;
+    }
+    ++rows;
+    settings = Settings();
+    for (const std::string& given : probe->given) core::setField(table, given);
+    for (const std::string& line :
+         test::idleSteps(field, kIdleParts, [&] { return probe->observe(settings); }))
+      ADD_FAILURE() << line;
+  }
+  EXPECT_GT(rows, 0);
+}
+
+constexpr const char* kGroups[] = {"aircraft.", "package.", "game.",  "autopilot.", "terrain.", "streaming.",
+                                   "audio.",    "view.",    "input.", "quality",    "clouds."};
+
+INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
+  std::string name = group.param;
+  std::erase(name, '.');
+  return name;
+});
+
+TEST(SettingsEffectOfAll, everyGroupIsTried) {
+  Settings settings;
+  const core::SettingsTable table(settings);
+  for (const core::Field& field : table.fields()) {
+    const bool isTried =
+        std::ranges::any_of(kGroups, [&](const char* group) { return field.path.starts_with(group); });
+    EXPECT_TRUE(isTried || field.path.starts_with("render.")) << field.path;
+  }
+}
+
+}  // namespace
+}  // namespace skydrop::app
