@@ -25,7 +25,7 @@ struct OverlayFrame {
   double seconds = 0;  // since the last frame
   const core::SettingsTable& table;
   const core::FrameStatistics* statistics = nullptr;
-  std::string_view error = {};  // of the last reload
+  std::string_view error = {};  // what is broken now (faults.h)
   ui::MenuTools tools = {};
   const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
   ui::InterfaceScale scale = {};

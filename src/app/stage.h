@@ -83,7 +83,7 @@ class Stage {
   // Milliseconds that the last draw() spent in waiting for land.
   double settleMs() const { return settleMs_; }
 
-  // Compiles changed shaders anew and gives up nothing: one line for each that is broken, and for each part
+  // Recompiles changed shaders and gives up nothing: one line for each that is broken, and for each part
   // of the land that could not be made.
   std::vector<std::string> takeMessages();
 

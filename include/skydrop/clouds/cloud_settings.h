@@ -10,7 +10,7 @@
 
 namespace skydrop::clouds {
 
-// From no clouds at all to what the others are judged by. What a tier says stands in
+// From no clouds at all to what the others are judged by. What a tier sets is in
 // assets/clouds/<name>.json: rows of MarchSettings.
 enum class CloudTier { off, low, medium, high, ultra, reference };
 inline constexpr std::array<std::string_view, 6> kCloudTierNames = {"off",  "low",   "medium",

@@ -48,7 +48,7 @@ class Package {
 };
 
 // Where and when a package released in this state would land, on a surface given by its height at (x, z); the
-// same equations as the package itself, longer steps. Empty when it is still in the air after `kLongestFall`.
+// same equations as the package itself, longer steps. Empty when it is still in the air after that long.
 struct Landing {
   glm::dvec3 position{0};
   double seconds = 0;

@@ -5,11 +5,11 @@
 // The scoring rule (docs/flight.md gives the reasons):
 //  - a package belongs to the target that was current when it was released, and scores when it lands inside
 //    that target's radius; any other landing is a miss. Where the aircraft is does not matter.
-//  - a drop is "at the target" when the predicted landing point lay inside the radius at the release (when
-//  the
-//    drop text shows): then the next target is drawn at once. Any other drop is "elsewhere" and keeps the
-//    target. Should a drop elsewhere land inside after all, it scores and the next target is drawn at the
-//    landing, so that no target scores twice from drops made in turn.
+//  - a drop is "at the target" when the predicted landing point lay inside the radius at the release, which
+//    is when the drop text shows: then the next target is drawn at once.
+//  - any other drop is "elsewhere" and keeps the target. Should it land inside after all, it scores and the
+//    next target is drawn at the landing, so that no target scores twice from drops made in turn.
+//  - without a target packages fall, and nothing scores.
 #pragma once
 
 #include <cstdint>

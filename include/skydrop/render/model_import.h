@@ -1,6 +1,6 @@
 // Model files to plain data: OBJ with MTL, and glTF 2 (.gltf, .glb), read through assimp. No GL: any thread.
 //
-// A file is read and judged here, and assimp gets what was judged, written anew; its result is judged before
+// A file is read and judged here, and assimp gets what was judged, rewritten; its result is judged before
 // anyone else sees it: whatever is wrong is a core::DataError that names file, place and reason. Files that a
 // model names (buffers, material files, textures) must lie in its own folder or below. What the game does not
 // draw (tangents, colours, factors, other maps, optional extensions) is left out.

@@ -46,7 +46,7 @@ class Renderer {
   // Copies the output to the window's own frame buffer of this size. The caller swaps.
   void present(int width, int height);
 
-  // Compiles changed shaders anew; broken ones stay as they were, one line each.
+  // Recompiles changed shaders; broken ones stay as they were, one line each.
   gl::ShaderCache::Reloaded reloadShaders() { return shaders_.reloadChanged(); }
 
   // Asks for times, or no longer: see the constructor.

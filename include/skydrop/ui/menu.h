@@ -52,7 +52,7 @@ struct MenuContent {
   std::span<const MenuSection> sections;
   const core::FrameStatistics* statistics =
       nullptr;                  // shown as what accuracy costs in time; null: no section
-  std::string_view error = {};  // of the last reload, or of a preset; empty: none
+  std::string_view error = {};  // what is broken now (app/faults.h); empty: nothing is
   MenuTools tools = {};
   const BindingsContent* bindings = nullptr;  // null: no section
 };

@@ -56,7 +56,7 @@ class ShaderProgram {
   void setFloats(std::string_view name, std::span<const float> values);     // float name[]
   void setVec4s(std::string_view name, std::span<const glm::vec4> values);  // vec4 name[]
 
-  // Compiles anew from the files. If that fails the program stays as it was and the error is thrown.
+  // Recompiles from the files. If that fails the program stays as it was and the error is thrown.
   void reload();
   // Whether a file of this program was written since it was last compiled (or tried).
   bool isStale() const;

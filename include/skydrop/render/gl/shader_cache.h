@@ -25,7 +25,7 @@ class ShaderCache {
   ComputeShader& computeShader(const std::string& file, std::span<const std::string> defines = {});
 
   struct Reloaded {
-    int programs = 0;                 // compiled anew
+    int programs = 0;                 // recompiled
     std::vector<std::string> errors;  // one line each; those programs stay as they were
   };
   // Looks at the files' times. A file that fails is not tried again until it is written again.

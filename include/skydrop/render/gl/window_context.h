@@ -96,7 +96,7 @@ class WindowContext final : public Context {
   std::vector<WindowEvent> pollEvents();
   bool isKeyDown(int key) const;
 
-  // For Dear ImGui's GLFW back-end, which chains its callbacks to ours.
+  // GLFW's own. Events are handed out by pollEvents() alone: callbacks must not be replaced.
   GLFWwindow* handle() const;
 
   struct Impl;
