@@ -327,10 +327,10 @@ TEST_F(FixedSettings, theLandOfARecordingStaysWhateverChangesIt) {
   EXPECT_TRUE(choose(*run, "aircraft.rollFactor", 0.5).empty());
   EXPECT_EQ(run->settings.aircraft.rollFactor, 0.5);
   const std::string json = R"({"terrain": {")" + field.name + "\": " + std::to_string(other) +
-                           R"(}, "aircraft": {"rollFactor": 0.6}})";
+                           R"(}, "aircraft": {"pitchSpeed": 22}})";
   EXPECT_EQ(edit(*run, json).size(), 1u);
   EXPECT_TRUE(isSame());
-  EXPECT_EQ(run->settings.aircraft.rollFactor, 0.6);
+  EXPECT_EQ(run->settings.aircraft.pitchSpeed, 22);
   EXPECT_EQ(run->playerTable.at(path).get(), other) << "the file's own value is not lost";
   EXPECT_TRUE(choose(*run, "quality", static_cast<double>(Quality::low)).empty());
   EXPECT_TRUE(isSame());
