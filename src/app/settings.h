@@ -1,6 +1,6 @@
 // Every setting of the program: the modules' structs, composed. Precedence, later wins: defaults, the tier of
-// the clouds, the quality's preset, scene, the player's file (fly only, or where --user-dir is given), the log
-// of a replay (what decides the simulation), --preset, --set, menu.
+// the clouds, the quality's preset, scene, the player's file (fly only, or where --user-dir is given), the
+// log of a replay (what decides the simulation), --preset, --set, menu.
 #pragma once
 
 #include <array>
