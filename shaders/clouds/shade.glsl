@@ -5,22 +5,27 @@ layout(binding = 11) uniform sampler3D coarseShade;
 uniform vec4 inFineShade[2];    // rows: a place relative to the eye, and 1, to the texture
 uniform vec4 inCoarseShade[2];
 uniform vec2 shadeLayer;        // base above the eye (m), 1 / thickness
+uniform vec2 shadeRadii;        // how far the fine and the coarse map reach for certain (m)
 
 vec2 placeInShade(vec4 rows[2], vec3 relative) {
   return vec2(dot(rows[0], vec4(relative, 1.0)), dot(rows[1], vec4(relative, 1.0)));
 }
 
-// 1 inside a map, 0 at its edge and beyond.
-float insideShade(vec2 place) {
-  float toEdge = 0.5 - max(abs(place.x - 0.5), abs(place.y - 0.5));
-  return smoothstep(0.0, 0.06, toEdge);
+// 1 inside a map, 0 at its radius and beyond, along the map's axes. Counted along the sun's rays from the ground below
+// the eye, not from the texture's edges: those move in steps of eight columns, and shadows would change with them.
+float insideShade(vec4 rows[2], vec3 relative, float radiusM) {
+  vec3 fromGround = relative + vec3(0.0, frame.eye.x, 0.0);
+  float along = dot(rows[0].xyz, fromGround) * inversesqrt(dot(rows[0].xz, rows[0].xz));
+  float across = dot(rows[1].xyz, fromGround) * inversesqrt(dot(rows[1].xz, rows[1].xz));
+  return smoothstep(0.0, 0.12, 1.0 - max(abs(along), abs(across)) / radiusM);
 }
 
 float cloudShade(vec3 relative) {
   vec2 fine = placeInShade(inFineShade, relative);
   vec2 coarse = placeInShade(inCoarseShade, relative);
-  float depth = mix(texture(coarseShade, vec3(coarse, 0.5)).x, texture(fineShade, vec3(fine, 0.5)).x, insideShade(fine));
+  float depth = mix(texture(coarseShade, vec3(coarse, 0.5)).x, texture(fineShade, vec3(fine, 0.5)).x,
+                    insideShade(inFineShade, relative, shadeRadii.x));
   // Within the layer the clouds below a place do not shade it: taken as even from base to top.
   float above = 1.0 - saturate((relative.y - shadeLayer.x) * shadeLayer.y);
-  return mix(1.0, sunBelowCloud(depth * above), insideShade(coarse));
+  return mix(1.0, sunBelowCloud(depth * above), insideShade(inCoarseShade, relative, shadeRadii.y));
 }

@@ -7,6 +7,7 @@ void CloudShade::bind(gl::Shader& shader) const {
   coarse_.depths->bind(kCoarseUnit);
   shader.setVec4s("inFineShade", fine_.rows);
   shader.setVec2("shadeLayer", layer_);
+  shader.setVec2("shadeRadii", glm::vec2(fine_.radiusM, coarse_.radiusM));
   shader.setVec4s("inCoarseShade", coarse_.rows);
 }
 

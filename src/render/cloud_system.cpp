@@ -155,14 +155,16 @@ void CloudSystem::castShade(FrameContext& context) {
   // What shades the land around the eye stands where the sun's rays to that land pass the base.
   const glm::dvec3 toSun = raisedSun(context.light.toSun);
   const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (settings_.cloudHeight / toSun.y);
-  update(context, *fineShade_, kFineShadeM, kFineShadeRadiusM, middle);
-  update(context, *coarseShade_, kCoarseShadeM, settings_.fadeDistance, middle);
-  const auto map = [&](const LightGrid& grid) {
+  const auto map = [&](LightGrid& grid, double cellM, double radiusM) {
+    const double reach = std::min(radiusM, settings_.fadeDistance);
+    update(context, grid, cellM, reach, middle);
     const std::array<glm::vec4, 3> rows = toLightGrid(grid.layout(), eye);
-    return CloudShade::Map{&grid.depths(), {rows[0], rows[1]}};
+    return CloudShade::Map{&grid.depths(), {rows[0], rows[1]}, reach};
   };
-  context.cloudShade.set(map(*fineShade_), map(*coarseShade_),
-                         settings_.cloudHeight - context.frame.view.position.y, settings_.thickness);
+  const CloudShade::Map fine = map(*fineShade_, kFineShadeM, kFineShadeRadiusM);
+  const CloudShade::Map coarse = map(*coarseShade_, kCoarseShadeM, settings_.fadeDistance);
+  context.cloudShade.set(fine, coarse, settings_.cloudHeight - context.frame.view.position.y,
+                         settings_.thickness);
 }
 
 void CloudSystem::marchInParts() {

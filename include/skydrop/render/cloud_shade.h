@@ -15,10 +15,11 @@ namespace skydrop::render {
 class CloudShade {
  public:
   // A texture, kept alive by whoever fills this, and rows that carry a place relative to the eye (and 1) to
-  // its coordinates.
+  // its coordinates. It holds at least the rays that meet sea level this far from below the eye.
   struct Map {
     const gl::Texture* depths = nullptr;
     std::array<glm::vec4, 2> rows{};
+    double radiusM = 0;
   };
 
   bool empty() const { return fine_.depths == nullptr; }

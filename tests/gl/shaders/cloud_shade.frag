@@ -1,0 +1,15 @@
+// What clouds leave of the sun on a level square, a place a pixel.
+#include "frame.glsl"
+#include "shared/cloud_medium.glsl"
+#include "shared/cloud_light.glsl"
+#include "clouds/shade.glsl"
+
+uniform vec3 corner;    // of the square, relative to the eye
+uniform float spacing;  // of its places, metres
+
+out vec4 color;
+
+void main() {
+  vec2 place = floor(gl_FragCoord.xy) * spacing;
+  color = vec4(cloudShade(corner + vec3(place.x, 0.0, place.y)));
+}
