@@ -11,6 +11,8 @@ namespace {
 
 class MenuRowsTest : public MenuFixture {};
 
+constexpr int kNoDoubleClick = 40;  // frames between two presses that are two clicks
+
 TEST_F(MenuRowsTest, everyFieldOfTheGivenSectionsHasARowAndOthersHaveNone) {
   // Only the groups that the caller names are shown, subgroups included.
   const std::vector<std::string> expected = {"aircraft.rollFactor", "aircraft.mass",    "aircraft.blades",
@@ -101,26 +103,29 @@ TEST_F(MenuRowsTest, aSliderCoversItsPartOfTheRangeAndTypingAllOfIt) {
   driver.frames(2);
   drag("weather.scale", 0.3f, 5.0f);
   release("weather.scale", 5.0f);
+  driver.frames(kNoDoubleClick);
   EXPECT_EQ(settings.weather.scale, 1) << "the slider's end, not the range's";
   startTyping("weather.scale");
   typeAndEnter("3.5");
   EXPECT_EQ(settings.weather.scale, 3.5);
-  driver.frames(5);
+  driver.frames(kNoDoubleClick);
   EXPECT_EQ(settings.weather.scale, 3.5) << "the slider leaves it as it was typed";
   startTyping("weather.scale");
   typeAndEnter("4.5");
   EXPECT_EQ(settings.weather.scale, 3.5) << "beyond the range it is refused";
-  drag("weather.scale", 0.9f, -1.0f);
-  release("weather.scale", -1.0f);
+  driver.frames(kNoDoubleClick);
+  drag("weather.scale", 0.9f, -0.2f);
+  release("weather.scale", -0.2f);
   EXPECT_EQ(settings.weather.scale, 0.5);
 }
 
 TEST_F(MenuRowsTest, aSliderOfPowersOfTwoStopsAtThemAlone) {
   sections = {{"weather", "Weather", true}};
   driver.frames(2);
-  for (const auto& [at, value] : {std::pair(5.0f, 512.0), std::pair(-1.0f, 4.0), std::pair(0.5f, 64.0)}) {
+  for (const auto& [at, value] : {std::pair(5.0f, 512.0), std::pair(-0.2f, 4.0), std::pair(0.5f, 64.0)}) {
     drag("weather.cell", 0.3f, at);
     release("weather.cell", at);
+    driver.frames(kNoDoubleClick);
     EXPECT_EQ(std::exp2(std::round(std::log2(settings.weather.cell))), settings.weather.cell);
     EXPECT_TRUE(settings.weather.cell == value || (value == 64 && settings.weather.cell == 32)) << at;
   }
@@ -157,7 +162,7 @@ TEST_F(MenuRowsTest, aRowShowsResetOnlyWhileItIsNotTheDefault) {
 }
 
 TEST_F(MenuRowsTest, aSectionIsResetByItself) {
-  sections = {{"aircraft", "Aircraft", true}, {"weather", "Weather", true}};
+  sections = {{"aircraft", "Aircraft", false}, {"weather", "Weather", true}};
   settings.aircraft.mass = 900;
   settings.weather.scale = 0.1;
   driver.frames(3);
