@@ -218,11 +218,13 @@ class WavParser {
     }
     wav_.frames = wav_.data.size() / block * static_cast<std::uint64_t>(blockFrames_);
     if (blockFrames_ == 1 || !factFrames_) return;
-    if (*factFrames_ > wav_.frames ||
-        *factFrames_ + static_cast<std::uint64_t>(blockFrames_) <= wav_.frames) {
+    if (*factFrames_ > wav_.frames) {
       fail("fact chunk", "says " + std::to_string(*factFrames_) + " samples where the blocks hold " +
                              std::to_string(wav_.frames));
     }
+    // It can only end within the last block. libsndfile counts half the samples of two channels; then the
+    // blocks decide.
+    if (*factFrames_ + static_cast<std::uint64_t>(blockFrames_) <= wav_.frames) return;
     wav_.frames = *factFrames_;
   }
 

@@ -19,8 +19,8 @@ enum class WavEncoding { pcm, ieeeFloat, aLaw, muLaw, imaAdpcm, msAdpcm };
 struct WavFile {
   WavEncoding encoding = WavEncoding::pcm;
   int channels = 0;
-  int sampleRate = 0;                 // Hz
-  std::uint64_t frames = 0;           // of the data; those of the fact chunk where blocks are padded
+  int sampleRate = 0;        // Hz
+  std::uint64_t frames = 0;  // of the data; those of the fact chunk where it ends within the last block
   std::span<const std::byte> format;  // content of the chunk "fmt "
   std::span<const std::byte> data;    // content of the chunk "data": whole frames or blocks
 };

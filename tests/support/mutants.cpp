@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 
 #include "skydrop/core/hash.h"
@@ -77,6 +78,11 @@ void forEachMutant(const std::string& good, int rounds, const std::function<void
   for (std::size_t size = 0; size < good.size(); size += step) use(good.substr(0, size));
   Mutator mutator(good.size());
   for (int round = 0; round < rounds && !good.empty(); ++round) use(mutator.mutant(good));
+}
+
+std::string writePlainly(const std::filesystem::path& file, const std::string& content) {
+  std::ofstream(file, std::ios::binary) << content;
+  return file.string();
 }
 
 }  // namespace skydrop::test

@@ -145,7 +145,7 @@ TEST_F(HostileModels, damagedFilesAreReadOrRefused) {
     if (!entry.path().filename().string().starts_with("good")) continue;
     const std::string name = "mutant" + entry.path().extension().string();
     test::forEachMutant(core::readTextFile(entry.path()), 60, [&](const std::string& bytes) {
-      const std::string path = write(name, bytes);
+      const std::string path = test::writePlainly(folder_.path() / name, bytes);
       const std::string line = test::refusalOf<core::DataError>([&] { expectSound(importModel(path)); });
       ASSERT_TRUE(line.empty() || test::isOneLineAbout(line, folder_.path().filename().string())) << line;
     });
@@ -157,7 +157,7 @@ TEST_F(HostileModels, damagedFilesAreReadOrRefused) {
     }
     const std::string good = core::readTextFile(kCorpus / file);
     test::forEachMutant(good, 30, [&](const std::string& bytes) {
-      write(file, bytes);
+      test::writePlainly(folder_.path() / file, bytes);
       for (const char* model : {"goodSquare.obj", "goodPercentEncoded.gltf"}) {
         const std::string line =
             test::refusalOf<core::DataError>([&] { expectSound(importModel(folder_.path() / model)); });

@@ -34,17 +34,25 @@ std::vector<double> sines(int channels) {
 struct Encoding {
   const char* name;
   int format;
-  double
-      tolerance;  // of full scale: one step of the coarser of the encoding and 16 bits; of ADPCM as measured
+  double tolerance;  // of full scale
+  int settled = 0;   // frames after which it holds
 };
 
-constexpr double kStep16 = 1.01 / 32768;
+// libsndfile writes full scale as 127 or 32767 and we read it as 128 or 32768: 0.6 of a step for these sines,
+// beside half a step of rounding. Longer samples are cut to 16 bits. The others as libsndfile itself decodes
+// them, rounded up; the steps of IMA ADPCM have to grow from 7/32768 first.
+constexpr double kStep8 = 1.11 / 128, kStep16 = 1.11 / 32768;
 constexpr Encoding kEncodings[] = {
-    {"8 bits", SF_FORMAT_PCM_U8, 1.01 / 128}, {"16 bits", SF_FORMAT_PCM_16, kStep16},
-    {"24 bits", SF_FORMAT_PCM_24, kStep16},   {"32 bits", SF_FORMAT_PCM_32, kStep16},
-    {"float 32", SF_FORMAT_FLOAT, kStep16},   {"float 64", SF_FORMAT_DOUBLE, kStep16},
-    {"A-law", SF_FORMAT_ALAW, 0.02},          {"mu-law", SF_FORMAT_ULAW, 0.02},
-    {"IMA ADPCM", SF_FORMAT_IMA_ADPCM, 0.05}, {"MS ADPCM", SF_FORMAT_MS_ADPCM, 0.05},
+    {"8 bits", SF_FORMAT_PCM_U8, kStep8},
+    {"16 bits", SF_FORMAT_PCM_16, kStep16},
+    {"24 bits", SF_FORMAT_PCM_24, kStep16},
+    {"32 bits", SF_FORMAT_PCM_32, kStep16},
+    {"float 32", SF_FORMAT_FLOAT, kStep16},
+    {"float 64", SF_FORMAT_DOUBLE, kStep16},
+    {"A-law", SF_FORMAT_ALAW, 0.017},
+    {"mu-law", SF_FORMAT_ULAW, 0.017},
+    {"IMA ADPCM", SF_FORMAT_IMA_ADPCM, 0.013, 64},
+    {"MS ADPCM", SF_FORMAT_MS_ADPCM, 0.007},
 };
 
 class WavFiles : public testing::Test {
@@ -85,13 +93,13 @@ TEST_F(WavFiles, everyEncodingGivesTheSamplesThatWereWritten) {
         const std::vector<double> written = sines(channels);
         ASSERT_GE(sound.samples.size(), written.size());
         double worst = 0;
-        for (std::size_t i = 0; i < written.size(); ++i) {
+        for (auto i = static_cast<std::size_t>(encoding.settled * channels); i < written.size(); ++i) {
           worst = std::max(worst, std::abs(sound.samples[i] / 32768.0 - written[i]));
         }
         EXPECT_LT(worst, encoding.tolerance);
-        // The last block of ADPCM is filled up, and libsndfile's fact chunk counts that in.
+        // The last block of ADPCM is filled up, and libsndfile's fact chunk may count that in.
         const bool isAdpcm = encoding.format == SF_FORMAT_IMA_ADPCM || encoding.format == SF_FORMAT_MS_ADPCM;
-        EXPECT_LE(sound.samples.size(), written.size() + (isAdpcm ? 4096 : 0));
+        EXPECT_LE(sound.samples.size(), written.size() + (isAdpcm ? 256 : 0));
         ++read;
       }
     }
@@ -153,9 +161,9 @@ TEST_F(WavFiles, refusalsGiveTheirReason) {
 TEST_F(WavFiles, damagedFilesAreReadOrRefusedWithinBounds) {
   for (const auto& entry : std::filesystem::directory_iterator(kCorpus)) {
     if (!entry.path().filename().string().starts_with("good")) continue;
-    test::forEachMutant(core::readTextFile(entry.path()), 200, [&](const std::string& bytes) {
+    test::forEachMutant(core::readTextFile(entry.path()), 60, [&](const std::string& bytes) {
       try {
-        const Sound sound = readWav(folder_.write("a.wav", bytes));
+        const Sound sound = readWav(test::writePlainly(folder_.path() / "a.wav", bytes));
         ASSERT_TRUE(sound.channels == 1 || sound.channels == 2);
         ASSERT_EQ(sound.samples.size() % static_cast<std::size_t>(sound.channels), 0u);
         ASSERT_LE(sound.samples.size(), 2 * bytes.size());  // ADPCM: two samples a byte
