@@ -166,21 +166,27 @@ BodyState implicitStep(const Dynamics& dynamics, const BodyState& start, double 
            std::sqrt(dynamics.body->mass * glm::dot(l, l) + glm::dot(r, dynamics.body->inertia * r));
   };
   Acceleration change;
+  // Goes along `way`, halved until it helps; the share that was gone, 0 where none helps.
+  const auto go = [&](const Acceleration& way, double before) {
+    double share = 1;
+    for (int n = 0; n <= kHalvings; ++n, share /= 2) {
+      const Acceleration next{change.linear + share * way.linear, change.angular + share * way.angular};
+      if (!(size(missing(next, dynamics(arriving(next), end))) <= (1 - kLeastGain * share) * before)) continue;
+      change = next;
+      return share;
+    }
+    return 0.0;
+  };
   for (int i = 0; i < kNewtonSteps; ++i) {
     const LinearisedMotion motion(dynamics, arriving(change), end, dt);
     const Acceleration left = missing(change, motion.acceleration());
     const double before = size(left);
     if (before == 0) break;
-    const Acceleration way = motion.answerTo(left);
-    double share = 1;
-    Acceleration next;
-    for (int n = 0;; ++n, share /= 2) {
-      next = {change.linear + share * way.linear, change.angular + share * way.angular};
-      if (size(missing(next, dynamics(arriving(next), end))) <= (1 - kLeastGain * share) * before) break;
-      if (n == kHalvings) return arriving(change);  // nothing but rounding is left, or no step helps
-    }
-    change = next;
-    if (share == 1) break;
+    double share = go(motion.answerTo(left), before);
+    // A slope that is small beside what the force bends may have the wrong sign (dry friction, along the motion):
+    // then the way of the force itself.
+    if (share == 0) share = go(left, before);
+    if (share == 0 || share == 1) break;  // nothing but rounding is left, or no step helps; or there
   }
   return arriving(change);
 }

@@ -43,8 +43,9 @@ class LinearisedMotion {
 // A step of implicit Euler, stable however stiff the motion is: of order 1, it damps what it cannot resolve.
 // The velocities solve u1 = u0 + dt a(place + dt u1, u1, time + dt) by Newton steps that are halved until
 // they help: one for a linear force (Baraff, Witkin, SIGGRAPH 1998, section 3), at most four, so that of a
-// force with a corner (friction, contact) it makes part of the way. Where none helps the velocities stay. Not
-// finite where the forces are not.
+// force with a corner (friction, contact) it makes part of the way. Where a Newton step does not help the way
+// of the force itself is tried, and where that does not either the velocities stay. Not finite where the
+// forces are not.
 BodyState implicitStep(const Dynamics& dynamics, const BodyState& start, double time, double dt);
 
 }  // namespace skydrop::flight

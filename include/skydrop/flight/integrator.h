@@ -89,7 +89,7 @@ struct StepMemory {
 // 1e-15. Deterministic; without `memory` pure.
 //
 // A step whose right-hand side is too stiff for it (wholeStepBound) is counted (core::Guard::stiffStep) and
-// divided: into at most 64 equal parts of the same integrator, or, where those do not suffice and always for
+// divided: into at most 128 equal parts of the same integrator, or, where those do not suffice and always for
 // `thesis`, into 8 linearly implicit Euler steps, which are stable for any rate and of order 1. Every other
 // step is the integrator's own, bit for bit. docs/flight.md tells how it is found out and what it costs.
 BodyState integrate(Integrator integrator, const BodyState& state, const MassProperties& body,
