@@ -189,13 +189,13 @@ TEST_F(LastGoodState, aSettingThatCallsForABrokenShaderIsTakenBack) {
   const std::string good = contentOf(file);
   writeTo(file, good + "\nthis is no shader\n");
   openMenu();
-  enter("render.terrainNormals=true");
+  enter("render.land.terrainNormals=true");
   expectFault(name);
   EXPECT_EQ(linesAbout(name), 1) << flown().log();
   EXPECT_FALSE(flown().statistics().at("passes").at("terrain").contains("skipped"));
   writeTo(file, good);
   const auto programs = flown().statistics().at("gl").at("programs").get<int>();
-  enter("render.terrainNormals=true");
+  enter("render.land.terrainNormals=true");
   ASSERT_TRUE(
       flown().waitFor([&](const json& s) { return s.at("gl").at("programs").get<int>() > programs; }));
   expectSound();
