@@ -33,6 +33,8 @@ double FrameTimes::quantile(double quantile) const {
     std::nth_element(sorted.begin(), nth, sorted.end());
     return *nth;
   }
+  if (rank == 0) return least_;
+  if (rank + 1 >= static_cast<double>(count_)) return most_;
   std::size_t bin = 0, below = 0;
   while (bin + 1 < kBins && static_cast<double>(below + bins_[bin]) <= rank) below += bins_[bin++];
   const double middle = kShortestMs * std::exp((static_cast<double>(bin) + 0.5) * kBinWidth);

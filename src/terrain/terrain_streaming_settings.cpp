@@ -61,7 +61,7 @@ void describe(core::SettingsVisitor& visitor, TerrainStreamingSettings& s) {
   number("uploadMiBPerFrame", s.uploadMiBPerFrame, "MiB", 0.25, 128,
          "Chunk data that one frame may send to the GPU, one chunk at least; less makes frames steadier and "
          "land sharp later.",
-         "bandwidth, budget, stutter");
+         "bandwidth, budget, stutter", {}, core::Range{0.5, 128});
   visitor.integer("queueLimit", s.queueLimit,
                   {.unit = "1",
                    .min = 1,

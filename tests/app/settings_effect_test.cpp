@@ -216,7 +216,8 @@ std::uint64_t seaFloor(const Settings& settings) {
 
 // What the first frame sends to the GPU when all chunks are there already.
 std::uint64_t uploads(const Settings& settings) {
-  terrain::EndlessTerrain& endless = sharedTerrain();
+  static core::JobPool pool(2);
+  static terrain::EndlessTerrain endless(land(), pool, settings.streaming);
   terrain::TerrainStreamingSettings other = settings.streaming;
   other.gpuMiB = 120;
   endless.apply(other);
@@ -374,6 +375,8 @@ constexpr test::IdlePart kIdleParts[] = {
     {"game.targetSlopeDeg", 27, 45, "land as steep as that is rare among 30 targets"},
     {"autopilot.maxBankDeg", 10, 35, "the target of this flight lies nearly ahead"},
     {"autopilot.dropMargin", 0, 0.15, "the first drop of this flight is nearer than that"},
+    {"streaming.seaFloorDepthM", 30, 45, "no patch of this view ends between"},
+    {"streaming.seaFloorDepthM", 135, 150, "no patch of this view ends between"},
     {"streaming.cacheMiB", 27, 4096, "there is no more land in the five views"},
     {"streaming.gpuMiB", 24, 128, "the view wants no more"},
     {"streaming.uploadMiBPerFrame", 19, 128, "the view wants no more"},
