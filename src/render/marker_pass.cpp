@@ -17,9 +17,9 @@ namespace {
 
 namespace shared = core::shared::f64;
 
-// Linear sRGB. Little blue: the sea, the sky, snow and shadow have plenty.
 constexpr GLuint kCloudLightUnit = 1, kCloudDistancesUnit = 2;  // as in shaders/marker
 
+// Linear sRGB. Little blue: the sea, the sky, snow and shadow have plenty.
 constexpr glm::dvec3 kSignalOrange(1.0, 0.30, 0.01);
 // Of a white sheet's radiance: brighter, and the tone map would bleach the orange on its way to white.
 constexpr double kDaylightShare = 0.35;

@@ -28,7 +28,7 @@ namespace skydrop::scene {
 
 struct Start {
   glm::dvec3 position{0, 600, 0};  // m; y above the surface where there is terrain
-  double headingDegrees = 90;      // compass, [0, 360)
+  double headingDegrees = 90;      // compass, [0, 360]
   double speedMps = 70;            // [0, 300]
 };
 
