@@ -43,10 +43,12 @@ std::string VirtualDisplay::missing() {
 VirtualDisplay::VirtualDisplay(int width, int height, const std::string& logFile) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  // Without -noreset the server forgets the layout of its keyboard when the program that set it ends.
   const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
   server_ = std::make_unique<BackgroundProcess>(
       std::vector<std::string>{findProgram("Xvfb").value(), "-displayfd", std::to_string(ends[1]), "-screen",
-                               "0", screen, "-nolisten", "tcp", "-fbdir", frameBuffer_.path().string()},
+                               "0", screen, "-nolisten", "tcp", "-noreset", "-fbdir",
+                               frameBuffer_.path().string()},
       std::vector<std::string>{}, logFile, std::vector<int>{ends[1]});
   close(ends[1]);
   const std::string number = readLine(ends[0]);
