@@ -1,12 +1,15 @@
-// Every row of the weather does something over all that its slider covers, a tenth at a time: by what a ray
-// sees of the clouds, and by where there is cloud. Other rows: tests/app/settings_effect_test.cpp.
+// Every row of the picture does something over all that its slider covers, a tenth at a time: those of the
+// weather by what a ray sees of the clouds, and by where there is cloud; the others by whole frames of the
+// game. Other rows: tests/app/settings_effect_test.cpp.
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/prepare.h"
 #include "app/settings.h"
+#include "app/stage.h"
 #include "skydrop/core/hash.h"
 #include "support/cloud_rows.h"
 #include "support/row_steps.h"
@@ -68,6 +71,88 @@ TEST_F(CloudRowsEffectGLTest, onlyTheTierOffDrawsNoClouds) {
     clouds_.tier = static_cast<clouds::CloudTier>(tier);
     EXPECT_GT(difference(sceneFrom(below()), background), 20) << tier;
   }
+}
+
+// What a row needs before it means anything.
+struct Given {
+  std::string_view row;
+  std::vector<std::string_view> settings = {};
+  Size size = {64, 36};
+};
+
+// Frames of the default scene.
+class PictureRowsEffectGLTest : public test::GLTest {
+ protected:
+  void SetUp() override {
+    GLTest::SetUp();
+    if (IsSkipped()) return;
+    CommandLine line;
+    line.verb = Verb::render;
+    line.set = {"clouds.tier=low", "clouds.march.resolution=full"};  // quick, and the clouds fill the frames
+    run_ = prepareRun(line);
+    simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
+    const Stage::Setup setup{simulation_->effects(), simulation_->ground(), 2, false, test::sharedNoise()};
+    stage_ = std::make_unique<Stage>(context(), setup, run_->settings);
+    stage_->camera().setMode(render::CameraMode::free);
+    stage_->renderer().add(std::make_unique<test::LightProbe>(light_));
+  }
+  void TearDown() override {
+    stage_.reset();
+    GLTest::TearDown();
+  }
+
+  // Metres and degrees; with the aircraft ahead on the left.
+  void addFrame(StateHasher& h, const glm::dvec3& eye, double yaw, double pitch, Size size) {
+    render::Camera& camera = stage_->camera();
+    camera.setPose(eye, glm::radians(yaw), glm::radians(pitch), 0);
+    game::Snapshot shown = simulation_->world().now();
+    shown.aircraft.position = eye + 20.0 * camera.direction() + glm::dvec3(0, 1, 0);
+    stage_->draw(shown, size, Streaming::settled);
+    for (const glm::vec4& texel : light_)
+      for (int c = 0; c < 3; ++c) h.add(static_cast<double>(texel[c]));
+    for (const std::uint8_t byte : stage_->renderer().readBack().rgba) h.add(std::uint64_t{byte});
+  }
+
+  std::vector<std::string> idleSteps(const core::Field& field, const Given& given) {
+    const Settings kept = run_->settings;
+    for (const std::string_view row : given.settings) core::setField(run_->table, row);
+    std::vector<std::string> lines = test::idleSteps(field, {}, [&] {
+      stage_->apply(run_->settings);
+      StateHasher h;
+      addFrame(h, {0, 1500, 0}, 40, 2, given.size);
+      return h.value();
+    });
+    run_->settings = kept;
+    return lines;
+  }
+
+  std::unique_ptr<app::Run> run_;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<Stage> stage_;
+
+ private:
+  std::vector<glm::vec4> light_;  // of the last frame, before the tone map
+};
+
+TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference) {
+  if (test::backendFromEnvironment() == render::gl::Backend::osmesa) return;  // draws the same bits
+  const std::vector<Given> kGiven = {
+      {"clouds.march.tolerance", {"clouds.march.resolution=half"}, {240, 135}},
+      {"clouds.march.stepGrowth", {"clouds.march.stepM=4"}},
+      {"clouds.march.sunReachM", {"clouds.march.lightGrid=true"}},
+      {"clouds.march.lightCellM", {"clouds.march.lightGrid=true"}},
+  };
+  int rows = 0;
+  for (const core::Field& field : run_->table.fields()) {
+    const bool isOfThePicture =
+        (field.path.starts_with("render.") && !field.path.starts_with("render.camera.")) ||
+        field.path.starts_with("clouds.march.") || field.path == "streaming.farDistanceM";
+    if (!isOfThePicture) continue;
+    ++rows;
+    const auto given = std::ranges::find(kGiven, field.path, &Given::row);
+    for (const std::string& line : idleSteps(field, given == kGiven.end() ? Given() : *given)) ADD_FAILURE() << line;
+  }
+  EXPECT_GE(rows, 20);
 }
 
 }  // namespace

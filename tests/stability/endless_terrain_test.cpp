@@ -35,7 +35,9 @@ class WatchedSource final : public HeightSource {
     {
       std::unique_lock lock(mutex_);
       begun_.push_back(key);
+      ++held_;
       opened_.wait(lock, [&] { return open_; });
+      --held_;
     }
     if (failing && failing(key)) throw std::bad_alloc();
     // A tenth of the samples is enough of a land for these tests: rows are repeated.
@@ -71,6 +73,12 @@ class WatchedSource final : public HeightSource {
     return begun_;
   }
 
+  // Workers that are held at the door of a closed source.
+  int held() const {
+    const std::scoped_lock lock(mutex_);
+    return held_;
+  }
+
   std::function<bool(const ChunkKey&)> failing;  // set before the first chunk
 
  private:
@@ -78,6 +86,7 @@ class WatchedSource final : public HeightSource {
   mutable std::mutex mutex_;
   mutable std::condition_variable opened_;
   mutable std::vector<ChunkKey> begun_;
+  mutable int held_ = 0;
   bool open_ = true;
 };
 
@@ -259,11 +268,13 @@ TEST(Stability, T12_aFastFlightKeepsTheQueueBoundedAndTheChunkBelowComesFirst) {
     source->close();
     eye += glm::dvec3(5000, 0, 3000);  // over land that nothing has been made of
     const ViewVolume stop = lookingAlong(eye, 0, -1.2);
-    std::vector<ChunkKey> before;
-    do {  // until the worker hangs in a chunk that this view does not want, or has nothing to do
-      before = source->begun();
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    } while (before.size() != source->begun().size());
+    const auto atRest = [&] {  // the worker is held in a chunk that this view does not want, or has no work
+      if (source->held() == 1) return true;
+      const core::JobStatistics now = pool.statistics();
+      return now.queued == 0 && now.running == 0;
+    };
+    while (!atRest()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const std::vector<ChunkKey> before = source->begun();
     terrain.update(stop);
     source->open();
     terrain.settle(stop);
