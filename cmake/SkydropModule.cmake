@@ -13,6 +13,7 @@ function(skydrop_module name)
       PUBLIC ${PROJECT_SOURCE_DIR}/include
       PRIVATE ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(skydrop_${name} PUBLIC skydrop_flags ${ARG_LINK} PRIVATE ${ARG_PRIVATE})
+    skydrop_precompile(skydrop_${name})
   endif()
   add_library(skydrop::${name} ALIAS skydrop_${name})
 endfunction()

@@ -4,9 +4,11 @@
 
 namespace skydrop::app {
 
-inline constexpr const char* kVersion = SKYDROP_VERSION;
+// MAJOR.MINOR.PATCH. MINOR rises with every change of what the simulation computes: a replay that another
+// version recorded may then end elsewhere (docs/determinism.md).
+extern const char* const kVersion;
 
 // As records name the program that made them.
-inline std::string programName() { return std::string("skydrop ") + kVersion; }
+std::string programName();
 
 }  // namespace skydrop::app

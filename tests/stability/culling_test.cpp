@@ -12,6 +12,7 @@
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/view_volume.h"
 #include "support/hills_source.h"
+#include "support/instrumented.h"
 #include "terrain/chunk_selection.h"
 
 namespace skydrop::terrain {
@@ -140,7 +141,7 @@ TEST(Stability, T09_noVisibleChunkIsCulledAndFewInvisibleOnesAreDrawn) {
   Oracle oracle(*source);
   core::RandomStream random{9, 0};
   std::size_t drawn = 0, seen = 0, missed = 0;
-  constexpr int kPoses = 100000;
+  constexpr int kPoses = test::repetitions(100000);
   for (int pose = 0; pose < kPoses; ++pose) {
     glm::dvec2 at{(random.nextUnit() - 0.5) * 6000, (random.nextUnit() - 0.5) * 6000};
     if (pose % 2 == 0) at.x = std::round(at.x / 960) * 960 + random.nextUnit() * 2 - 1;

@@ -2,6 +2,7 @@
 #include "support/shared_noise.h"
 
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 #include "skydrop/clouds/noise_cache.h"
@@ -13,7 +14,9 @@ constexpr std::uint32_t kSeed = 0;
 
 std::filesystem::path folder() { return sharedCacheHome() / "skydrop"; }
 
-core::TextureData textureOf(clouds::NoiseTexture texture) {
+}  // namespace
+
+core::TextureData sharedTexture(clouds::NoiseTexture texture) {
   clouds::CachedNoise cached = clouds::loadNoise(folder(), texture, kSeed);
   if (cached.state == clouds::CacheState::good) return std::move(cached.texture);
   core::TextureData made = clouds::makeNoise(texture, kSeed);
@@ -21,16 +24,16 @@ core::TextureData textureOf(clouds::NoiseTexture texture) {
   return made;
 }
 
-}  // namespace
-
 std::filesystem::path sharedCacheHome() {
+  const char* given = std::getenv("SKYDROP_TEST_CACHE");
+  if (given != nullptr && *given != '\0') return given;
   return std::filesystem::path(test::binaryDir()) / "tests" / "cache";
 }
 
 std::shared_ptr<const clouds::FoldedNoise> sharedNoise() {
   using enum clouds::NoiseTexture;
   static const auto noise = std::make_shared<const clouds::FoldedNoise>(
-      clouds::foldNoise(textureOf(shape), textureOf(detail), textureOf(weather)));
+      clouds::foldNoise(sharedTexture(shape), sharedTexture(detail), sharedTexture(weather)));
   return noise;
 }
 

@@ -7,13 +7,18 @@
 #include <memory>
 
 #include "skydrop/clouds/cloud_field.h"
+#include "skydrop/clouds/noise_textures.h"
 
 namespace skydrop::test {
 
-// What stands for $XDG_CACHE_HOME wherever a test starts the program.
+// What stands for $XDG_CACHE_HOME wherever a test starts the program: $SKYDROP_TEST_CACHE, so that builds with
+// sanitizers need not make the noise again, or a folder of the build tree.
 std::filesystem::path sharedCacheHome();
 
-// The textures in it, of the seed that the game uses. Throws core::DataError.
+// A texture in it, of the seed that the game uses; made if it is not there. Throws core::DataError.
+core::TextureData sharedTexture(clouds::NoiseTexture texture);
+
+// All three. Throws core::DataError.
 std::shared_ptr<const clouds::FoldedNoise> sharedNoise();
 
 // Copies the textures' files into a cache of the test's own.

@@ -11,6 +11,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/shared.h"
+#include "support/shared_noise.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::clouds {
@@ -18,11 +19,11 @@ namespace {
 
 namespace shared = core::shared::f32;
 
-// Each is made once for all tests of this file: the shape takes a second and a half.
+// Kept in a cache: theDefinitionIsTheOneThatItsNumberNames makes them anew and holds what lies there to it.
 const core::TextureData& texture(NoiseTexture which) {
-  static std::array<core::TextureData, 3> made;
-  core::TextureData& kept = made[static_cast<std::size_t>(which)];
-  if (kept.width == 0) kept = makeNoise(which, 0);
+  static std::array<core::TextureData, 3> loaded;
+  core::TextureData& kept = loaded[static_cast<std::size_t>(which)];
+  if (kept.width == 0) kept = test::sharedTexture(which);
   return kept;
 }
 
@@ -183,9 +184,12 @@ TEST_F(NoiseCacheTest, aFolderThatCannotBeMadeIsAnError) {
 TEST(NoiseCache, theDefinitionIsTheOneThatItsNumberNames) {
   // Whoever changes the noise raises kNoiseDefinition, or old caches would be taken for new ones.
   EXPECT_EQ(kNoiseDefinition, 1u);
-  EXPECT_EQ(noiseDigest(texture(NoiseTexture::shape)), 15652582648506124404u);
-  EXPECT_EQ(noiseDigest(texture(NoiseTexture::detail)), 15171973740172691631u);
-  EXPECT_EQ(noiseDigest(texture(NoiseTexture::weather)), 12613845850247122945u);
+  const std::array<std::uint64_t, 3> digests = {15652582648506124404u, 15171973740172691631u, 12613845850247122945u};
+  for (const NoiseTexture which : kNoiseTextures) {
+    const core::TextureData made = makeNoise(which, 0);
+    EXPECT_EQ(noiseDigest(made), digests[static_cast<std::size_t>(which)]) << noiseLayout(which).name;
+    EXPECT_EQ(made, texture(which)) << noiseLayout(which).name;
+  }
 }
 
 }  // namespace

@@ -6,19 +6,11 @@
 #include <array>
 #include <cstdlib>
 
-#include "skydrop/clouds/noise_textures.h"
 #include "skydrop/core/hash.h"
+#include "support/shared_noise.h"
 
 namespace skydrop::clouds {
 namespace {
-
-// The noise of the game: two seconds, once for each program.
-std::shared_ptr<const FoldedNoise> gameNoise() {
-  static const auto noise = std::make_shared<const FoldedNoise>(
-      foldNoise(makeNoise(NoiseTexture::shape, 0), makeNoise(NoiseTexture::detail, 0),
-                makeNoise(NoiseTexture::weather, 0)));
-  return noise;
-}
 
 // Erosion only takes away, so what is judged is the field without it.
 CloudSettings uneroded(CloudSettings settings = {}) {
@@ -70,8 +62,8 @@ TEST(Occupancy, whereThereIsCloudTheCellIsOccupied) {
   // At random places, also far out and in the drifted field: density means distance 0.
   core::RandomStream random{1, 0};
   for (const auto& [name, settings] : corners()) {
-    const Occupancy occupancy(*gameNoise(), settings);
-    CloudField field(gameNoise(), settings);
+    const Occupancy occupancy(*test::sharedNoise(), settings);
+    CloudField field(test::sharedNoise(), settings);
     int clouds = 0;
     for (int i = 0; i < 60000; ++i) {
       const glm::dvec2 drift = i % 3 == 0 ? glm::dvec2(0) : glm::dvec2(1.3e6 * random.nextUnit(), -7e5);
@@ -93,8 +85,8 @@ TEST(Occupancy, aDistanceIsABoxOfClearAir) {
   // All cells nearer than the distance, in every axis, hold nothing: what a ray may leap over.
   core::RandomStream random{2, 0};
   for (const auto& [name, settings] : corners()) {
-    const Occupancy occupancy(*gameNoise(), settings);
-    const CloudField field(gameNoise(), settings);
+    const Occupancy occupancy(*test::sharedNoise(), settings);
+    const CloudField field(test::sharedNoise(), settings);
     const glm::dvec3 size = cellSize(settings);
     const glm::dvec3 origin(0, settings.cloudHeight, 0);
     for (int i = 0; i < 60000; ++i) {
@@ -114,7 +106,7 @@ TEST(Occupancy, distancesAreThoseOfASearch) {
   settings.coverage = 0.2;
   settings.densityThreshold = 0.7;
   settings.scale = 0.3;
-  const Occupancy occupancy(*gameNoise(), settings);
+  const Occupancy occupancy(*test::sharedNoise(), settings);
   constexpr int kFarthest = Occupancy::kFarthest;
   const auto searched = [&](const glm::ivec3& cell) {
     int nearest = kFarthest;
@@ -147,8 +139,8 @@ TEST(Occupancy, isNotMuchMoreThanWhatIsThere) {
   // Against the share of cells in which samples a texel apart find cloud: 0.335 against 0.23. The maxima of
   // base and weather need not meet in one place of a cell, so it cannot be equal.
   const CloudSettings settings = uneroded();
-  const Occupancy occupancy(*gameNoise(), settings);
-  const CloudField field(gameNoise(), settings);
+  const Occupancy occupancy(*test::sharedNoise(), settings);
+  const CloudField field(test::sharedNoise(), settings);
   const glm::dvec3 size = cellSize(settings);
   core::RandomStream random{4, 0};
   constexpr int kCells = 3000;
@@ -170,9 +162,9 @@ TEST(Occupancy, isNotMuchMoreThanWhatIsThere) {
 TEST(Occupancy, aClearSkyIsEmpty) {
   // No coverage, no cloud: nothing has to be drawn. Coverage of any share is not empty.
   CloudSettings settings;
-  EXPECT_FALSE(Occupancy(*gameNoise(), settings).isEmpty());
+  EXPECT_FALSE(Occupancy(*test::sharedNoise(), settings).isEmpty());
   settings.coverage = 0;
-  const Occupancy clear(*gameNoise(), settings);
+  const Occupancy clear(*test::sharedNoise(), settings);
   EXPECT_TRUE(clear.isEmpty());
   EXPECT_EQ(clear.occupiedShare(), 0);
   EXPECT_EQ(std::ranges::min(clear.distances()), Occupancy::kFarthest);
@@ -181,7 +173,7 @@ TEST(Occupancy, aClearSkyIsEmpty) {
 TEST(Occupancy, cellsCountFromTheOriginAndTheBase) {
   // Columns wrap, rows do not; the last metre before a period is the last cell.
   const CloudSettings settings;
-  const Occupancy occupancy(*gameNoise(), settings);
+  const Occupancy occupancy(*test::sharedNoise(), settings);
   const glm::dvec3 size = cellSize(settings);
   const double base = settings.cloudHeight;
   EXPECT_EQ(occupancy.cellOf({0, base, 0}), glm::ivec3(0, 0, 0));
