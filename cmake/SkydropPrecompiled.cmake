@@ -19,7 +19,8 @@ if(SKYDROP_PRECOMPILED_HEADERS)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # For ccache; and g++ 12 sees overflows in its own std::string once that comes from a precompiled header (the
     # sanitizers look for real ones).
-    target_compile_options(skydrop_flags INTERFACE -fpch-preprocess -Wno-array-bounds -Wno-restrict)
+    target_compile_options(skydrop_flags INTERFACE -fpch-preprocess -Wno-array-bounds -Wno-restrict
+      -Wno-stringop-overflow)
   endif()
   skydrop_precompiled_headers(skydrop_precompiled ${skydrop_common_headers})
   if(SKYDROP_TESTS)

@@ -1,7 +1,5 @@
-// What every shader of a frame may read: the block of include/skydrop/render/frame_uniforms.h and what follows from
+// What every shader of a frame may read: the block of include/skydrop/render/frame/frame_uniforms.h and what follows from
 // it. Light is multiplied by exposure; positions are relative to the eye, in world axes (metres).
-#include "shared/dialect.glsl"
-#include "shared/guards.glsl"
 #include "shared/depth.glsl"
 #include "shared/atmosphere.glsl"
 
@@ -54,7 +52,7 @@ SkyColumn frameColumn() {
 }
 
 // Light that a matt surface sends out: albedo in [0, 1], unit normal, share of the sun that is not in shadow.
-vec3 litByFrame(vec3 albedo, vec3 normal, float sunShare) {
+vec3 shadeLambert(vec3 albedo, vec3 normal, float sunShare) {
   float up = 0.5 + 0.5 * normal.y;
   vec3 light = frame.sunLight.xyz * (max(dot(normal, frame.toSun.xyz), 0.0) * sunShare) +
                mix(frame.groundLight.xyz, frame.skyLight.xyz, up);
@@ -69,7 +67,7 @@ vec3 horizonRadiance(vec3 direction) {
 }
 
 // A surface's light as it reaches the eye from a place `relative` to it. Without the feature: as it is.
-vec3 throughHaze(vec3 light, vec3 relative) {
+vec3 applyAerialPerspective(vec3 light, vec3 relative) {
 #ifdef HAZE
   float distanceM = length(relative);
   vec3 direction = relative / max(distanceM, 1e-6);

@@ -1,4 +1,6 @@
 // Lays clouds over the scene.
+#include "frame.glsl"
+
 layout(binding = 0, rgba16f) uniform image2D scene;
 
 // Over the brightest that a half float keeps light may become infinite.

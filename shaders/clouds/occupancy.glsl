@@ -1,4 +1,7 @@
-// Leaps over what is empty (include/skydrop/clouds/occupancy.h). After clouds/uniforms.glsl.
+// Leaps over what is empty (include/skydrop/clouds/occupancy.h).
+#include "shared/cloud_light.glsl"
+#include "clouds/uniforms.glsl"
+
 layout(binding = 3) uniform usampler3D occupancy;  // x, row, z: cells to the nearest occupied one
 
 const ivec3 kCells = ivec3(256, 16, 256);

@@ -1,4 +1,5 @@
-// From what a ray gathered to the light that reaches the eye. After clouds/march.glsl.
+// From what a ray gathered to the light that reaches the eye.
+#include "clouds/march.glsl"
 
 // Radiance of a cloud whose light comes from a distance, through the air before it: what is far away becomes the sky
 // behind it.

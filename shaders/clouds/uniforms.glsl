@@ -1,5 +1,8 @@
-// What the shaders of the clouds share: the block of src/render/cloud_uniforms.h. Positions are relative to the eye, in
-// world axes (metres); light is multiplied by exposure. After frame.glsl.
+// What the shaders of the clouds share: the block of src/render/clouds/cloud_uniforms.h. Positions are relative to the eye, in
+// world axes (metres); light is multiplied by exposure.
+#include "frame.glsl"
+#include "shared/cloud_medium.glsl"
+
 layout(std140, binding = 1) uniform Clouds {
   vec4 shapePlace;    // xyz: the eye in periods of the texture, [0, 1); w: periods in a metre
   vec4 detailPlace;

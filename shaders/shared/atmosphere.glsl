@@ -2,6 +2,9 @@
 // earth but for the air mass; single scattering after Chandrasekhar ("Radiative Transfer", 1950, chapter I: the
 // plane-parallel layer) and multiple scattering as an isotropic share of it. Light is linear RGB; radiance per
 // irradiance of the sun outside the atmosphere, so the unit is the sun's.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
 
 CONST Real kPi = Real(3.14159265358979);
 

@@ -1,6 +1,9 @@
-// The medium of a cloud layer: from what the noise textures hold at a place to a density in [0, 1]. After guards.glsl.
+// The medium of a cloud layer: from what the noise textures hold at a place to a density in [0, 1].
 // Sources: Schneider and Vos, "The Real-Time Volumetric Cloudscapes of Horizon Zero Dawn", 2015 (base shape, height
 // gradients by type, erosion); coverage is used as a share of sky: clouds grow with it.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
 
 // How noise becomes density. Ranges stand with clouds::CloudSettings.
 struct CloudMedium {

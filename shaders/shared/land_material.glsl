@@ -1,5 +1,8 @@
 // What the land is made of at a place: by height above the sea, slope, curvature and noise.
 // Albedos are linear sRGB, after measured ones (grass .08 to .2 in green, conifers .04, sand .35, rock .2, snow .8).
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
 
 // Noise at a place, each in [-1, 1] and faded out where a pixel cannot show it.
 struct LandNoise {

@@ -1,5 +1,8 @@
 // The mesh of the land: how the level of detail depends on distance and how heights morph between two levels.
 // C++ tests and the vertex shader share it; include/skydrop/terrain/lod.h describes the scheme.
+#ifndef __cplusplus
+#include "shared/dialect.glsl"
+#endif
 
 // Level of detail at a distance from the eye, metres: 0 up to morph[0], l at morph[l], linear between, below 10.
 FN Real lodLambda(Real distanceM, Real morph[11]) {

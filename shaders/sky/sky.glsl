@@ -1,4 +1,5 @@
-// The sky with the sun's disc; below the horizon an endless plain of average land at sea level. After frame.glsl.
+// The sky with the sun's disc; below the horizon an endless plain of average land at sea level.
+#include "frame.glsl"
 
 // The largest radiance that a half float keeps with room for blending.
 const float kBrightest = 60000.0;

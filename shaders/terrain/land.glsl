@@ -1,4 +1,6 @@
-// Normals and colours of the land at any place. After terrain/noise.glsl and shared/land_material.glsl.
+// Normals and colours of the land at any place.
+#include "terrain/noise.glsl"
+#include "shared/land_material.glsl"
 
 layout(binding = 1) uniform sampler2DArray chunkNormals;
 layout(binding = 2) uniform usampler2D chunkTable;  // slots by level and place: 32 x 32 cells a level; 0xffff: none
@@ -154,5 +156,5 @@ vec3 landLight(vec3 relative, float sunShare) {
 
 vec3 landAsSeen(vec3 relative, ivec2 pixel) {
   vec3 light = landLight(relative, sunShareAt(pixel));
-  return mix(horizonRadiance(normalize(relative)), throughHaze(light, relative), leftOfLight(relative));
+  return mix(horizonRadiance(normalize(relative)), applyAerialPerspective(light, relative), leftOfLight(relative));
 }

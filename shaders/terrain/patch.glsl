@@ -1,5 +1,7 @@
 // The vertices of the patches of land (include/skydrop/terrain/terrain_frame.h): heights from the chunks' textures,
-// levels of detail from the distance. After frame.glsl and shared/terrain_lod.glsl.
+// levels of detail from the distance.
+#include "frame.glsl"
+#include "shared/terrain_lod.glsl"
 
 layout(location = 0) in ivec4 patchPlace;   // north-west corner in metres from the base: x, z; slot; level
 layout(location = 1) in ivec4 patchSource;  // its sample in the chunk: x, z; the chunk's level; coarser edges, 4 bits each

@@ -1,4 +1,6 @@
-// The sea: a level plane with small waves. After terrain/noise.glsl and shared/water.glsl.
+// The sea: a level plane with small waves.
+#include "terrain/noise.glsl"
+#include "shared/water.glsl"
 
 uniform float seaFloorM;  // depth of the floor where none is drawn
 
@@ -63,7 +65,7 @@ SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
                  sunGlitter(tilted, cosView, dot(halfway, toEye), waves.hidden));
 
   vec3 through = throughWater(depthM);
-  vec3 body = litByFrame(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), sunShare) * (1.0 - through);
+  vec3 body = shadeLambert(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), sunShare) * (1.0 - through);
   SeaLight light;
   light.own = min(sky * reflectance + glitter + body * (1.0 - reflectance), vec3(kBrightest));
   light.passed = through * (1.0 - reflectance);
@@ -99,8 +101,8 @@ SeaLight seaAsSeen(SeaSight sight) {
   float left = leftOfLight(relative);
   vec3 horizon = horizonRadiance(normalize(relative));
   if (sight.floorShare <= 0.0) light.passed = vec3(0.0);
-  vec3 hazeAlone = mix(horizon, throughHaze(vec3(0.0), relative), left);
-  vec3 withLight = mix(horizon, throughHaze(light.own, relative), left);
+  vec3 hazeAlone = mix(horizon, applyAerialPerspective(vec3(0.0), relative), left);
+  vec3 withLight = mix(horizon, applyAerialPerspective(light.own, relative), left);
   light.own = withLight - hazeAlone * light.passed;
   return light;
 }

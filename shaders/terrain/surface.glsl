@@ -1,4 +1,5 @@
-// Where a frame's land and sea are, for the programs that give them light. After frame.glsl.
+// Where a frame's land and sea are, for the programs that give them light.
+#include "frame.glsl"
 
 uniform vec3 eyeFromBase;  // x, z: metres from the base (a chunk corner near the eye); y: height above the sea
 uniform ivec2 baseChunk;   // of the base, level 0, wrapped to 20 bits with sign

@@ -1,4 +1,6 @@
-// The stored normal of a patch's vertex. After terrain/patch.glsl.
+// The stored normal of a patch's vertex.
+#include "terrain/patch.glsl"
+
 layout(binding = 1) uniform sampler2DArray chunkNormals;
 
 const int kNormalMargin = 8;  // as in land.glsl

@@ -116,26 +116,26 @@ double inPeriods(double metres, double period) {
 
 }  // namespace
 
-FoldedNoise foldNoise(const core::TextureData& shape, const core::TextureData& detail,
+PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::TextureData& detail,
                       const core::TextureData& weather) {
   requireNoise(shape, "shape", true);
   requireNoise(detail, "detail", true);
   requireNoise(weather, "weather", false);
-  FoldedNoise folded;
-  folded.shapeSide = shape.width;
-  folded.detailSide = detail.width;
-  folded.weatherSide = weather.width;
-  folded.base.resize(shape.texels.size() / 4);
-  for (std::size_t i = 0; i < folded.base.size(); ++i) folded.base[i] = f32::cloudBase(texelOf(shape, i));
-  folded.detail.resize(detail.texels.size() / 4);
-  for (std::size_t i = 0; i < folded.detail.size(); ++i)
-    folded.detail[i] = f32::cloudDetail(texelOf(detail, i));
-  folded.weather.resize(weather.texels.size() / 4);
-  for (std::size_t i = 0; i < folded.weather.size(); ++i) folded.weather[i] = glm::vec3(texelOf(weather, i));
-  return folded;
+  PackedCloudNoise packed;
+  packed.shapeSide = shape.width;
+  packed.detailSide = detail.width;
+  packed.weatherSide = weather.width;
+  packed.base.resize(shape.texels.size() / 4);
+  for (std::size_t i = 0; i < packed.base.size(); ++i) packed.base[i] = f32::cloudBase(texelOf(shape, i));
+  packed.detail.resize(detail.texels.size() / 4);
+  for (std::size_t i = 0; i < packed.detail.size(); ++i)
+    packed.detail[i] = f32::cloudDetail(texelOf(detail, i));
+  packed.weather.resize(weather.texels.size() / 4);
+  for (std::size_t i = 0; i < packed.weather.size(); ++i) packed.weather[i] = glm::vec3(texelOf(weather, i));
+  return packed;
 }
 
-CloudField::CloudField(std::shared_ptr<const FoldedNoise> noise, const CloudSettings& settings)
+CloudField::CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings)
     : noise_(std::move(noise)), settings_(settings) {}
 
 glm::dvec2 CloudField::drift(const CloudSettings& settings, double seconds) {

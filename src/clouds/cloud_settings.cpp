@@ -52,7 +52,7 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
          core::noteWhile([&s] { return s.resolution == MarchResolution::full; },
                          "Does nothing in full resolution: every pixel has a ray."),
          core::Range{0.005, 4});
-  number("seekSteps", s.seekSteps, "1", 1, 16, "Steps at a time through clear air; more may miss thin wisps.",
+  number("emptyStepMultiplier", s.emptyStepMultiplier, "1", 1, 16, "Steps at a time through clear air; more may miss thin wisps.",
          "stride");
   number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.",
          "step size, LOD");
@@ -60,11 +60,11 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
       "stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
       "Length of a step far from the eye, about, as a share of the distance; less finds smaller wisps there.",
       "step size, LOD", {}, core::Range{0.001, 0.1});
-  number("stepDepth", s.stepDepth, "1", 0.02, 5,
+  number("maxSegmentOpticalDepth", s.maxSegmentOpticalDepth, "1", 0.02, 5,
          "Most optical depth, about, that shares one look at the light, over four steps at most; less "
          "resolves light and shade in dense cloud.",
          "light samples");
-  number("leastTransmittance", s.leastTransmittance, "1", 1e-5, 0.1,
+  number("transmittanceCutoff", s.transmittanceCutoff, "1", 1e-5, 0.1,
          "A ray ends where no more than this comes through; less goes deeper into dense cloud.",
          "early exit, cutoff");
   visitor.integer("sunSamples", s.sunSamples,
@@ -74,7 +74,7 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
                    .help = "Samples of density on the way to the sun, closer together near the cloud that is "
                            "lit; more makes shade within clouds more exact.",
                    .aliases = "light samples, shadow samples"});
-  number("sunReachM", s.sunReachM, "m", 10, 2000,
+  number("sunMarchDistanceM", s.sunMarchDistanceM, "m", 10, 2000,
          "With the light grid: how far those samples reach before the grid takes over.", "light samples",
          needsGrid);
   visitor.flag("lightGrid", s.lightGrid,
@@ -89,6 +89,10 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
                {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
                 .takesEffect = core::TakesEffect::variant,
                 .aliases = "erosion"});
+  visitor.renamed("seekSteps", "emptyStepMultiplier");
+  visitor.renamed("stepDepth", "maxSegmentOpticalDepth");
+  visitor.renamed("leastTransmittance", "transmittanceCutoff");
+  visitor.renamed("sunReachM", "sunMarchDistanceM");
 }
 
 void describe(core::SettingsVisitor& visitor, CloudSettings& s) {

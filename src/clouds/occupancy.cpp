@@ -95,7 +95,7 @@ void maximaAcross(const Windows& windows, const float* lines, std::size_t length
 }
 
 // Largest base density of each cell, at (z * kRows + row) * kSide + x.
-std::vector<float> largestBase(const FoldedNoise& noise, const CloudSettings& settings) {
+std::vector<float> largestBase(const PackedCloudNoise& noise, const CloudSettings& settings) {
   const int side = noise.shapeSide;
   const auto n = static_cast<std::size_t>(side);
   const double period = shapePeriod(settings), texelsPerMetre = side / period;
@@ -115,7 +115,7 @@ std::vector<float> largestBase(const FoldedNoise& noise, const CloudSettings& se
 
 // Largest value of a quantity of the weather map in each column of cells, at z * kSide + x.
 template <class Quantity>
-std::vector<float> largestWeather(const FoldedNoise& noise, Quantity quantity) {
+std::vector<float> largestWeather(const PackedCloudNoise& noise, Quantity quantity) {
   const auto n = static_cast<std::size_t>(noise.weatherSide);
   const Windows windows =
       windowsOf(noise.weatherSide, kSide, -0.5, static_cast<double>(noise.weatherSide) / kSide);
@@ -248,7 +248,7 @@ void countMissing(const BitVolume& volume, std::vector<std::uint8_t>& distances)
   }
 }
 
-BitVolume occupiedCells(const FoldedNoise& noise, const CloudSettings& settings) {
+BitVolume occupiedCells(const PackedCloudNoise& noise, const CloudSettings& settings) {
   BitVolume occupied(std::size_t{kSide} * kRows, BitRow{});
   if (!(settings.coverage > 0 && settings.thickness > 0)) return occupied;
   const std::vector<float> base = largestBase(noise, settings);
@@ -276,7 +276,7 @@ BitVolume occupiedCells(const FoldedNoise& noise, const CloudSettings& settings)
 
 }  // namespace
 
-Occupancy::Occupancy(const FoldedNoise& noise, const CloudSettings& settings)
+Occupancy::Occupancy(const PackedCloudNoise& noise, const CloudSettings& settings)
     : settings_(settings), distances_(std::size_t{kSide} * kRows * kSide, 0) {
   BitVolume reached = occupiedCells(noise, settings);
   for (const BitRow& row : reached) {

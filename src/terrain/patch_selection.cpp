@@ -189,7 +189,7 @@ class Selector {
     draw.level = patch.level;
     draw.x = static_cast<std::int32_t>(box.lo.x - base_.x);
     draw.z = static_cast<std::int32_t>(box.lo.z - base_.y);
-    draw.slot = chunks_.at(chunk).slot;
+    draw.layer = chunks_.at(chunk).layer;
     draw.chunkLevel = chunk.level;
     draw.sampleX = static_cast<std::int32_t>(patch.x & mask) * (kPatchCells << step);
     draw.sampleZ = static_cast<std::int32_t>(patch.z & mask) * (kPatchCells << step);

@@ -1,4 +1,4 @@
-#include "app/cloud_noise.h"
+#include "app/session/cloud_noise.h"
 
 #include <gtest/gtest.h>
 

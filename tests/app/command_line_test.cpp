@@ -1,4 +1,4 @@
-#include "app/command_line.h"
+#include "app/cli/command_line_parser.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(CommandLine, everyFlagOfRenderArrives) {
                                   "--user-dir", "u", "--stats", "s.json", "--autopilot"})
                                .commandLine;
   EXPECT_EQ(line.verb, Verb::render);
-  EXPECT_EQ(line.backend, Backend::osmesa);
+  EXPECT_EQ(line.backend, render::gl::Backend::osmesa);
   EXPECT_EQ(line.size->width, 320);
   EXPECT_EQ(line.size->height, 180);
   EXPECT_EQ(line.out, "a-%d.png");

@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "app/settings.h"
-#include "app/window_memory.h"
+#include "app/settings/settings.h"
+#include "app/window/window_memory.h"
 #include "support/paths.h"
 #include "support/struct_fields.h"
 

@@ -1,4 +1,4 @@
-#include "app/flight_recorder.h"
+#include "app/session/flight_recorder.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "app/prepare.h"
-#include "app/user_settings.h"
+#include "app/session/run_config.h"
+#include "app/settings/user_settings.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "support/refusal.h"
@@ -32,7 +32,7 @@ CommandLine lineOf(const test::TemporaryFolder& folder) {
 }
 
 // A flight of so many steps with a moving stick, and a setting changed in its middle.
-void fly(Simulation& simulation, Run& run, int steps) {
+void fly(Simulation& simulation, RunConfig& run, int steps) {
   for (int i = 0; i < steps; ++i) {
     if (i == steps / 2) {
       core::setField(run.table, "aircraft.rollFactor=0.5");
@@ -279,21 +279,21 @@ TEST(FlightRecorder, aFullDiskEndsTheRecordAndNotTheFlight) {
 
 // A run of the scene with land, recorded or replayed, and what the menu and the player's file do to it.
 struct FixedSettings : testing::Test {
-  std::unique_ptr<app::Run> start(CommandLine line) {
+  std::unique_ptr<app::RunConfig> start(CommandLine line) {
     line.scene = line.replay ? std::nullopt : std::optional<std::string>("terrain");
     auto run = prepareRun(line);
     simulation.emplace(run->setup, run->settings, run->table);
     return run;
   }
   // Sets the value as the menu does; the reasons why it was taken back.
-  std::vector<std::string> choose(app::Run& run, const std::string& path, double value) {
+  std::vector<std::string> choose(app::RunConfig& run, const std::string& path, double value) {
     core::setField(run.table.at(path), value);
     std::vector<std::string> paths = {path};
     const std::vector<std::string> reasons = simulation->takeBackFixed(paths);
     if (!paths.empty()) simulation->applySettings(takeMenuChanges(run, paths));
     return reasons;
   }
-  std::vector<std::string> edit(app::Run& run, const std::string& settings) {
+  std::vector<std::string> edit(app::RunConfig& run, const std::string& settings) {
     std::filesystem::create_directories(folder.path() / "user");
     folder.write("user/settings.json", R"({"schema": 1, "settings": )" + settings + "}");
     std::vector<std::string> reasons;

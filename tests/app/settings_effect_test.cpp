@@ -15,15 +15,15 @@
 #include <string>
 #include <vector>
 
-#include "app/overlay.h"
-#include "app/player_input.h"
-#include "app/prepare.h"
+#include "app/input/player_input.h"
+#include "app/session/run_config.h"
+#include "app/window/overlay.h"
 #include "skydrop/audio/audio_manager.h"
 #include "skydrop/audio/sound_scene.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/core/job_pool.h"
 #include "skydrop/game/world.h"
-#include "skydrop/render/camera.h"
+#include "skydrop/render/frame/camera.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"

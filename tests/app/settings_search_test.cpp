@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/settings.h"
+#include "app/settings/settings.h"
 #include "skydrop/core/error.h"
 #include "support/refusal.h"
 #include "ui/row_filter.h"
@@ -73,7 +73,7 @@ TEST_F(SettingsSearch, anUnknownPathIsAnsweredWithTheRowsThatWereMeant) {
         std::pair("exposure", "are 'render.picture.exposureStops'"),
         std::pair("aircraft.rollspeed", "are 'aircraft.rollSpeed'"),
         std::pair("clouds.wind", "are 'clouds.windSpeed', 'clouds.windDirection'"),
-        std::pair("stepDepth", "are 'clouds.march.stepDepth'"),
+        std::pair("maxSegmentOpticalDepth", "are 'clouds.march.maxSegmentOpticalDepth'"),
         std::pair("gamepad.deadzone", "are 'input.gamepad.deadZone'")}) {
     EXPECT_THAT(refusal(wrong), HasSubstr(right));
   }

@@ -1,4 +1,4 @@
-#include "app/settings.h"
+#include "app/settings/settings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/parts.h"
-#include "app/prepare.h"
-#include "app/user_settings.h"
+#include "app/session/effect_table.h"
+#include "app/session/run_config.h"
+#include "app/settings/user_settings.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "support/as_nobody.h"
@@ -215,18 +215,18 @@ TEST(Settings, anEditedPlayerFileTakesEffectWhereItFits) {
 // A run whose player's file is in a folder of the test's.
 class UserSettingsTest : public testing::Test {
  protected:
-  std::unique_ptr<app::Run> start(const std::string& content = "") {
+  std::unique_ptr<app::RunConfig> start(const std::string& content = "") {
     if (!content.empty()) folder.write("settings.json", content);
     CommandLine line;
     line.verb = Verb::simulate;
     line.userDir = folder.path();
     return prepareRun(line);
   }
-  static void change(app::Run& run, const std::string& assignment) {
+  static void change(app::RunConfig& run, const std::string& assignment) {
     core::setField(run.table, assignment);
     takeMenuChanges(run, {assignment.substr(0, assignment.find('='))});
   }
-  static std::optional<std::string> save(app::Run& run) {
+  static std::optional<std::string> save(app::RunConfig& run) {
     return run.userSettings.save(run.playerTable, run.bindings);
   }
   nlohmann::json kept() const { return nlohmann::json::parse(core::readTextFile(file)); }

@@ -3,23 +3,23 @@
 #include <chrono>
 #include <glm/trigonometric.hpp>
 
-#include "app/bindings.h"
-#include "app/open_context.h"
+#include "app/input/bindings.h"
+#include "app/session/open_context.h"
 #include "support/shared_noise.h"
 
 namespace skydrop::bench {
 namespace {
 
-std::unique_ptr<app::Run> runOf(const BenchGame::Setup& setup) {
+std::unique_ptr<app::RunConfig> runOf(const BenchGame::Setup& setup) {
   app::CommandLine line;
   line.verb = app::Verb::render;
   line.scene = setup.scene;
-  std::unique_ptr<app::Run> run = app::prepareRun(line);
+  std::unique_ptr<app::RunConfig> run = app::prepareRun(line);
   if (setup.without) run->setup.scene.effects.erase(*setup.without);
   return run;
 }
 
-std::shared_ptr<const clouds::FoldedNoise> noiseFor(const scene::EffectSet& effects) {
+std::shared_ptr<const clouds::PackedCloudNoise> noiseFor(const scene::EffectSet& effects) {
   return effects.contains(scene::Effect::clouds) ? test::sharedNoise() : nullptr;
 }
 

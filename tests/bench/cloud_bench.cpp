@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/frame_times.h"
+#include "app/measure/frame_times.h"
 #include "bench/bench_game.h"
 #include "bench/cloud_study.h"
 #include "bench/expectation.h"

@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.h"
+#include "app/types/pose.h"
+#include "app/types/size.h"
 #include "bench/plain_march.h"
 #include "skydrop/clouds/cloud_settings.h"
-#include "skydrop/render/cloud_system.h"
-#include "skydrop/render/renderer.h"
+#include "skydrop/render/clouds/cloud_system.h"
+#include "skydrop/render/frame/renderer.h"
 
 namespace skydrop::bench {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/frame_times.h"
+#include "app/measure/frame_times.h"
 #include "bench/bench_game.h"
 #include "bench/expectation.h"
 

@@ -207,15 +207,15 @@ class CountingPass final : public Pass {
   CountingPass(const CloudSystem& system, const test::TemporaryFolder& folder,
                const clouds::CloudSettings& clouds)
       : system_(system), clouds_(clouds), file_(folder.write("count.comp", R"(
-#include "frame.glsl"
-#include "shared/cloud_medium.glsl"
-#include "shared/cloud_light.glsl"
-#include "clouds/uniforms.glsl"
 #include "clouds/field.glsl"
 #include "clouds/occupancy.glsl"
 #include "clouds/sun_depth.glsl"
-#include "clouds/view.glsl"
 #include "clouds/tiles.glsl"
+#include "clouds/uniforms.glsl"
+#include "clouds/view.glsl"
+#include "frame.glsl"
+#include "shared/cloud_light.glsl"
+#include "shared/cloud_medium.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Tiles { uvec4 groups; Task tasks[]; } tiles;
@@ -263,7 +263,7 @@ void main() {
 )")) {}
 
   std::string_view name() const override { return "counting"; }
-  Slot slot() const override { return Slot::clouds; }
+  RenderStage stage() const override { return RenderStage::clouds; }
   void draw(FrameContext& context) override {
     const unsigned tiles = system_.lastWork().tiles;
     const std::size_t rays = std::size_t{tiles} * 64;

@@ -64,10 +64,10 @@ TEST_F(CloudRowsGLTest, C04_extinctionWithoutBoundShowsTheSourceWhereTheRayEnter
 TEST_F(CloudRowsGLTest, C05_noiseOutOfRangeIsNoMoreThanAllCloud) {
   // Where textures hold 7 in place of 1 every bit is as with 1; with -3 there is no cloud anywhere.
   const auto noiseOf = [](float value) {
-    clouds::FoldedNoise noise = *test::plainNoise();
+    clouds::PackedCloudNoise noise = *test::plainNoise();
     std::ranges::fill(noise.base, value);
     std::ranges::fill(noise.weather, glm::vec3(value));
-    return std::make_shared<const clouds::FoldedNoise>(std::move(noise));
+    return std::make_shared<const clouds::PackedCloudNoise>(std::move(noise));
   };
   clouds_ = test::plainSettings();
   addClouds(noiseOf(1));
@@ -78,7 +78,7 @@ TEST_F(CloudRowsGLTest, C05_noiseOutOfRangeIsNoMoreThanAllCloud) {
   EXPECT_TRUE(cloudsFrom(inside()) == all);
   system_->apply(switchedOff());
   addClouds(noiseOf(-3));
-  EXPECT_EQ(system_->idleReason({snapshot_, inside(), features_}), "no cloud anywhere");
+  EXPECT_EQ(system_->skipReason({snapshot_, inside(), features_}), "no cloud anywhere");
 }
 
 TEST_F(CloudRowsGLTest, C06_moreCoverageIsNotLessCloud) {
@@ -120,8 +120,8 @@ TEST_F(CloudRowsGLTest, C12_C16_marchedLengthIsThatOfTheRayToTheSurface) {
   clouds_.extinction = 0.003;
   clouds_.march.stepM = 200;  // exact in such a medium
   clouds_.march.sunSamples = 1;
-  clouds_.march.stepDepth = 5;
-  clouds_.march.leastTransmittance = 1e-5;
+  clouds_.march.maxSegmentOpticalDepth = 5;
+  clouds_.march.transmittanceCutoff = 1e-5;
   plains_ = {{5200, {0.2f, 0.3f, 0.1f}}};
   addPlains();
   double worst = 0;
@@ -167,8 +167,8 @@ TEST_F(CloudRowsGLTest, C15_aStepInDepthIsAStepInLength) {
   clouds_.thickness = 6000;
   clouds_.extinction = 0.003;
   clouds_.march.stepM = 200;
-  clouds_.march.stepDepth = 5;
-  clouds_.march.leastTransmittance = 1e-5;
+  clouds_.march.maxSegmentOpticalDepth = 5;
+  clouds_.march.transmittanceCutoff = 1e-5;
   plains_ = {{5000, {0.2f, 0.3f, 0.1f}}};
   addPlains();
   renderer().add(

@@ -34,8 +34,8 @@ class DarkPlate final : public Pass {
         middle_(middle) {}
 
   std::string_view name() const override { return "plate"; }
-  Slot slot() const override { return Slot::terrain; }
-  std::optional<std::string> idleReason(const FrameInput&) const override {
+  RenderStage stage() const override { return RenderStage::terrain; }
+  std::optional<std::string> skipReason(const FrameInput&) const override {
     return isShown ? std::nullopt : std::optional<std::string>("put away");
   }
   void draw(FrameContext& context) override {
@@ -178,7 +178,7 @@ void main() {
 )")) {}
 
   std::string_view name() const override { return "poison"; }
-  Slot slot() const override { return Slot::hud; }
+  RenderStage stage() const override { return RenderStage::hud; }
   void draw(FrameContext& context) override {
     gl::ComputeShader& shader = context.shaders.computeShader(
         file_, isCarried ? std::vector<std::string>{"CARRIED"} : std::vector<std::string>{});

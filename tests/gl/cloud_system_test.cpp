@@ -1,5 +1,5 @@
 // The clouds' pass: when it has work, and what its frames promise.
-#include "skydrop/render/cloud_system.h"
+#include "skydrop/render/clouds/cloud_system.h"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ class CloudSystemGLTest : public test::FrameTest {
   }
   std::string idleReasonOf(const View& view) {
     system_->apply(clouds_);
-    return system_->idleReason({snapshot_, view, features_}).value_or("");
+    return system_->skipReason({snapshot_, view, features_}).value_or("");
   }
   View below() const { return pose({0, 600, 0}, 40, 12, 0, 160, 90); }
 
@@ -54,7 +54,7 @@ TEST_F(CloudSystemGLTest, C31_dispatchesNothingWhereNoCloudCanBeSeen) {
   // A clear sky, a layer outside the picture or faded, and the tier off: no dispatch at all, and a reason.
   const auto dispatches = [&](const View& view) {
     lightFrom(view);
-    const auto& passes = context().ledger().passes();
+    const auto& passes = context().resources().passes();
     const auto row = passes.find("clouds");
     return row == passes.end() ? 0 : row->second.dispatches;
   };

@@ -1,11 +1,11 @@
-#include "skydrop/render/imgui_pass.h"
+#include "skydrop/render/overlay/imgui_pass.h"
 
 #include <gmock/gmock.h>
 #include <imgui.h>
 
-#include "skydrop/render/renderer.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/renderer.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "support/frame_test.h"
 #include "support/image_compare.h"
 
@@ -82,7 +82,7 @@ TEST(Backends, imguiIsTheSameInEveryBit) {
   test::writeArtifact("imgui", first);
   for (const gl::Context* context : {egl.get(), osmesa.get()}) {
     EXPECT_EQ(context->debugErrors(), 0u);
-    EXPECT_EQ(context->ledger().liveObjects(), 0);
+    EXPECT_EQ(context->resources().liveObjects(), 0);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "skydrop/render/marker_pass.h"
+#include "skydrop/render/models/marker_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
 #include "support/frame_test.h"
 #include "support/light_probe.h"
 #include "support/plains_pass.h"

@@ -1,13 +1,13 @@
-#include "skydrop/render/renderer.h"
+#include "skydrop/render/frame/renderer.h"
 
 #include <gmock/gmock.h>
 
 #include <cstring>
 
 #include "skydrop/core/error.h"
-#include "skydrop/render/imgui_pass.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/overlay/imgui_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "support/frame_test.h"
 #include "support/image_compare.h"
 #include "support/plains_pass.h"
@@ -20,18 +20,18 @@ using test::FrameTest;
 // Notes when it runs; draws nothing.
 class NotingPass final : public Pass {
  public:
-  NotingPass(std::string name, Slot slot, std::vector<std::string>& log, std::string idle = {})
-      : name_(std::move(name)), slot_(slot), log_(log), idle_(std::move(idle)) {}
+  NotingPass(std::string name, RenderStage stage, std::vector<std::string>& log, std::string idle = {})
+      : name_(std::move(name)), stage_(stage), log_(log), idle_(std::move(idle)) {}
   std::string_view name() const override { return name_; }
-  Slot slot() const override { return slot_; }
-  std::optional<std::string> idleReason(const FrameInput&) const override {
+  RenderStage stage() const override { return stage_; }
+  std::optional<std::string> skipReason(const FrameInput&) const override {
     return idle_.empty() ? std::nullopt : std::optional(idle_);
   }
   void draw(FrameContext&) override { log_.push_back(name_); }
 
  private:
   std::string name_;
-  Slot slot_;
+  RenderStage stage_;
   std::vector<std::string>& log_;
   std::string idle_;
 };
@@ -40,12 +40,12 @@ TEST_F(FrameTest, passesRunByTheirSlots) {
   // However they were added; those that say why they have nothing to do are not asked, and the reason is
   // kept.
   std::vector<std::string> log;
-  renderer().add(std::make_unique<NotingPass>("menu", Slot::menu, log));
-  renderer().add(std::make_unique<NotingPass>("sky", Slot::sky, log));
-  renderer().add(std::make_unique<NotingPass>("terrain", Slot::terrain, log));
-  renderer().add(std::make_unique<NotingPass>("clouds", Slot::clouds, log, "no layer in view"));
-  renderer().add(std::make_unique<NotingPass>("models", Slot::models, log));
-  renderer().add(std::make_unique<NotingPass>("models2", Slot::models, log));
+  renderer().add(std::make_unique<NotingPass>("menu", RenderStage::menu, log));
+  renderer().add(std::make_unique<NotingPass>("sky", RenderStage::sky, log));
+  renderer().add(std::make_unique<NotingPass>("terrain", RenderStage::terrain, log));
+  renderer().add(std::make_unique<NotingPass>("clouds", RenderStage::clouds, log, "no layer in view"));
+  renderer().add(std::make_unique<NotingPass>("models", RenderStage::models, log));
+  renderer().add(std::make_unique<NotingPass>("models2", RenderStage::models, log));
   draw(pose({0, 0, 0}, 0, 0, 0));
   EXPECT_THAT(log, ::testing::ElementsAre("terrain", "sky", "models", "models2", "menu"));
   core::FrameStatistics statistics;
@@ -90,7 +90,7 @@ class BrokenPass final : public Pass {
  public:
   explicit BrokenPass(std::string fragment) : fragment_(std::move(fragment)) {}
   std::string_view name() const override { return "broken"; }
-  Slot slot() const override { return Slot::weatherEffects; }
+  RenderStage stage() const override { return RenderStage::weatherEffects; }
   void draw(FrameContext& context) override { context.shaders.shader("fullscreen.vert", fragment_).use(); }
 
  private:
@@ -107,7 +107,7 @@ TEST_F(FrameTest, brokenShaderIsThrownAndTheNextFrameIsWhole) {
   renderer().add(std::make_unique<ToneMapPass>(context()));
   EXPECT_THROW(draw(pose({0, 100, 0}, 0, 30, 0)), core::DataError);
   EXPECT_GT(renderer().readBack().pixel(160, 90)[2], 50) << "the sky is there";
-  EXPECT_EQ(context().ledger().passes().at("toneMap").draws, 1u);
+  EXPECT_EQ(context().resources().passes().at("toneMap").draws, 1u);
   core::FrameStatistics statistics;
   renderer().fillStatistics(statistics);
   EXPECT_THAT(statistics.passes[1].second.skipped, ::testing::HasSubstr("broken.frag"));
@@ -115,7 +115,7 @@ TEST_F(FrameTest, brokenShaderIsThrownAndTheNextFrameIsWhole) {
   renderer().reloadShaders();
   const core::Image image = draw(pose({0, 100, 0}, 0, 30, 0));
   EXPECT_GT(image.pixel(160, 90)[2], 50);
-  EXPECT_EQ(context().ledger().passes().at("toneMap").draws, 1u);
+  EXPECT_EQ(context().resources().passes().at("toneMap").draws, 1u);
 }
 
 TEST_F(FrameTest, viewsThatAreNotValidDrawNothing) {
@@ -123,7 +123,7 @@ TEST_F(FrameTest, viewsThatAreNotValidDrawNothing) {
   View view = pose({0, 0, 0}, 0, 0, 0);
   view.position.x = std::nan("");
   EXPECT_THROW(draw(view), core::RangeError);
-  EXPECT_EQ(context().ledger().total().draws, 0u);
+  EXPECT_EQ(context().resources().total().draws, 0u);
 }
 
 TEST_F(FrameTest, uniformBlockHasTheSameOffsetsOnBothSides) {
@@ -199,7 +199,7 @@ TEST_F(FrameTest, framesDoNotShowTheOneBefore) {
 class UntidyPass final : public Pass {
  public:
   std::string_view name() const override { return "untidy"; }
-  Slot slot() const override { return Slot::terrain; }
+  RenderStage stage() const override { return RenderStage::terrain; }
   void draw(FrameContext& context) override {
     const gl::Functions& gl = context.gl.api();
     gl.DepthFunc(GL_NEVER);

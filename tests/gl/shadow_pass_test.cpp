@@ -1,5 +1,5 @@
 // Shadows of aircraft and packages on level land, against where and how dark geometry wants them.
-#include "skydrop/render/shadow_pass.h"
+#include "skydrop/render/shadows/shadow_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "skydrop/core/assets.h"
-#include "skydrop/render/aircraft_pass.h"
-#include "skydrop/render/package_pass.h"
-#include "skydrop/render/sky_light.h"
-#include "skydrop/render/terrain_pass.h"
+#include "skydrop/render/frame/sky_light.h"
+#include "skydrop/render/models/aircraft_pass.h"
+#include "skydrop/render/models/package_pass.h"
+#include "skydrop/render/terrain/terrain_pass.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "support/frame_test.h"

@@ -24,15 +24,15 @@ class SharedGLTest : public test::GLTest {
   // Runs `body` for each of kCount rows: `vec4 a` is the row's input, `vec4 r` and `uvec4 u` its results.
   void run(const std::vector<glm::vec4>& input, const std::string& body) {
     ComputeShader shader(context(), folder_.write("run.comp", R"(
+#include "shared/atmosphere.glsl"
+#include "shared/cloud_light.glsl"
+#include "shared/cloud_medium.glsl"
+#include "shared/depth.glsl"
 #include "shared/dialect.glsl"
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"
-#include "shared/depth.glsl"
-#include "shared/atmosphere.glsl"
-#include "shared/tone_map.glsl"
 #include "shared/marker.glsl"
-#include "shared/cloud_medium.glsl"
-#include "shared/cloud_light.glsl"
+#include "shared/tone_map.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer In { vec4 rowsIn[]; };
 layout(std430, binding = 1) writeonly buffer Floats { vec4 rowsOut[]; };

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "skydrop/core/hash.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/terrain_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
+#include "skydrop/render/terrain/terrain_pass.h"
 #include "skydrop/terrain/chunk_grid.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
@@ -46,12 +46,12 @@ class TerrainBorderGLTest : public test::FrameTest {
   // Makes these chunks the ones that shaders find.
   void take(TerrainPass& pass, const std::vector<terrain::ChunkKey>& keys) {
     terrain::TerrainFrame frame;
-    frame.slotCount = 4;
+    frame.layerCount = 4;
     for (const terrain::ChunkKey& key : keys) {
-      const auto slot = static_cast<terrain::Slot>(frame.chunks.size());
+      const auto layer = static_cast<terrain::ArrayLayer>(frame.chunks.size());
       frame.uploads.push_back(
-          {slot, std::make_shared<terrain::ChunkData>(terrain::makeChunk(*source_, key))});
-      frame.chunks.push_back({key, slot});
+          {layer, std::make_shared<terrain::ChunkData>(terrain::makeChunk(*source_, key))});
+      frame.chunks.push_back({key, layer});
     }
     pass.take(frame);
   }

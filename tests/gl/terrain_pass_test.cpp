@@ -1,4 +1,4 @@
-#include "skydrop/render/terrain_pass.h"
+#include "skydrop/render/terrain/terrain_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "skydrop/core/shared.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "skydrop/terrain/chunk_grid.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
@@ -325,7 +325,7 @@ TEST_F(TerrainGLTest, theSeaLiesAtHeightZeroAndHidesItsFloor) {
    public:
     explicit DepthProbe(std::vector<float>& depth) : depth_(depth) {}
     std::string_view name() const override { return "probe"; }
-    Slot slot() const override { return Slot::clouds; }
+    RenderStage stage() const override { return RenderStage::clouds; }
     void draw(FrameContext& context) override {
       depth_.resize(static_cast<std::size_t>(context.sceneDepth.width() * context.sceneDepth.height()));
       context.sceneDepth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(depth_)));

@@ -130,12 +130,12 @@ TEST(Stability, C04_extinctionWithoutBoundTendsToTheSource) {
 }
 
 // The stretch of a ray in a closed box, by looking at the middle of every piece between crossings of planes.
-struct Stretch {
+struct LightSegment {
   double begin = 0, end = 0;
   bool isHit() const { return end > begin; }
 };
 
-Stretch searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& low,
+LightSegment searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& low,
                         const glm::dvec3& high) {
   std::vector<double> crossings{0};
   for (int axis = 0; axis < 3; ++axis) {
@@ -145,7 +145,7 @@ Stretch searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, c
     }
   }
   std::ranges::sort(crossings);
-  Stretch found;
+  LightSegment found;
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     const glm::dvec3 middle = origin + direction * ((crossings[i] + crossings[i + 1]) / 2);
     const bool isInside =
@@ -161,7 +161,7 @@ Stretch searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, c
 bool hitOf(const glm::vec3& origin, const glm::vec3& direction, const glm::vec3& low, const glm::vec3& high,
            float scale) {
   const f32::RaySpan span = f32::raySpanOfBox(origin, direction, low, high);
-  const Stretch exact =
+  const LightSegment exact =
       searchedStretch(glm::dvec3(origin), glm::dvec3(direction), glm::dvec3(low), glm::dvec3(high));
   const auto where = [&] {
     std::ostringstream text;

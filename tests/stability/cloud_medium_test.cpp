@@ -185,12 +185,12 @@ TEST(CloudMedium, erosionOnlyTakesAway) {
 TEST(CloudMedium, foreignNoiseOfAnotherShapeIsRefused) {
   const core::TextureData good = makeNoise(NoiseTexture::detail, 0),
                           map = makeNoise(NoiseTexture::weather, 0);
-  EXPECT_THROW(foldNoise(map, good, map), core::RangeError);
-  EXPECT_THROW(foldNoise(good, good, good), core::RangeError);
-  EXPECT_THROW(foldNoise(core::TextureData(core::TexelFormat::r8, 32, 32, 32), good, map), core::RangeError);
-  EXPECT_THROW(foldNoise(core::TextureData(core::TexelFormat::rgba8, 24, 24, 24), good, map),
+  EXPECT_THROW(packCloudNoise(map, good, map), core::RangeError);
+  EXPECT_THROW(packCloudNoise(good, good, good), core::RangeError);
+  EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::r8, 32, 32, 32), good, map), core::RangeError);
+  EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::rgba8, 24, 24, 24), good, map),
                core::RangeError);
-  EXPECT_THROW(foldNoise(core::TextureData(core::TexelFormat::rgba8, 32, 32, 16), good, map),
+  EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::rgba8, 32, 32, 16), good, map),
                core::RangeError);
 }
 

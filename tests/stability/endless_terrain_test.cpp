@@ -240,8 +240,8 @@ TEST(Stability, T11_theDefaultBudgetsHoldTheViewAndAreNeverExceeded) {
     const StreamingStatistics& now = terrain.statistics();
     EXPECT_EQ(now.overBudget, 0u);
     EXPECT_LE(now.bytes, kMostBytes);
-    EXPECT_LE(static_cast<std::size_t>(frame.slotCount) * kSampleBytes, kMostBytes);
-    for (const ResidentChunk& chunk : frame.chunks) EXPECT_LT(chunk.slot, frame.slotCount);
+    EXPECT_LE(static_cast<std::size_t>(frame.layerCount) * kSampleBytes, kMostBytes);
+    for (const ResidentChunk& chunk : frame.chunks) EXPECT_LT(chunk.layer, frame.layerCount);
   }
   EXPECT_GT(terrain.statistics().generated * kSampleBytes, kMostBytes) << "more than can be held at once";
   EXPECT_GT(terrain.statistics().bytes, kMostBytes / 2);

@@ -4,8 +4,8 @@
 #include <glm/trigonometric.hpp>
 #include <memory>
 
-#include "skydrop/render/camera.h"
-#include "skydrop/render/renderer.h"
+#include "skydrop/render/frame/camera.h"
+#include "skydrop/render/frame/renderer.h"
 #include "support/gl_test.h"
 
 namespace skydrop::test {

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string>
 
-#include "window/flown_game.h"
 #include "support/paths.h"
+#include "window/flown_game.h"
 
 namespace skydrop::test {
 namespace {

@@ -349,7 +349,7 @@ TEST(Program, noiseIsMadeOnceAndKept) {
 }
 
 TEST(Program, aSceneWithCloudsGetsTheirNoiseAndOthersDoNot) {
-  // What the cache has not is made and kept; a damaged file is said in one line; without clouds nothing is
+  // What the cache has not is made and kept; a damaged file is reported in one line; without clouds nothing is
   // looked for.
   const TemporaryFolder folder;
   const std::filesystem::path cache = folder.path() / "cache" / "skydrop";

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <string>
 
-#include "app/binding_editor.h"
-#include "app/parts.h"
-#include "app/settings.h"
+#include "app/input/binding_editor.h"
+#include "app/session/effect_table.h"
+#include "app/settings/settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/ui/menu.h"
 #include "support/process.h"

@@ -13,9 +13,9 @@
 
 namespace skydrop::clouds {
 
-// The noise textures as the medium reads them: channels that are only ever used together folded into one, as
+// The noise textures as the medium reads them: channels that are only ever used together packed into one, as
 // floats.
-struct FoldedNoise {
+struct PackedCloudNoise {
   int shapeSide = 0, detailSide = 0, weatherSide = 0;  // texels
   std::vector<float> base;                             // cloudBase() of the shape texture, x fastest
   std::vector<float> detail;                           // cloudDetail() of the detail texture
@@ -24,12 +24,12 @@ struct FoldedNoise {
 
 // rgba8 cubes and a square map, sides powers of two, as clouds::makeNoise() makes them; anything else (read
 // from a foreign file) throws core::RangeError.
-FoldedNoise foldNoise(const core::TextureData& shape, const core::TextureData& detail,
+PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::TextureData& detail,
                       const core::TextureData& weather);
 
 class CloudField {
  public:
-  CloudField(std::shared_ptr<const FoldedNoise> noise, const CloudSettings& settings);
+  CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings);
 
   void apply(const CloudSettings& settings) { settings_ = settings; }
   const CloudSettings& settings() const { return settings_; }
@@ -48,7 +48,7 @@ class CloudField {
   template <class Shared>
   typename Shared::Real densityAs(const glm::dvec3& position) const;
 
-  std::shared_ptr<const FoldedNoise> noise_;
+  std::shared_ptr<const PackedCloudNoise> noise_;
   CloudSettings settings_;
   glm::dvec2 drift_{0};
 };

@@ -25,11 +25,11 @@ struct MarchSettings {
   double tolerance = 0.3;     // most by which rays around a pixel may differ, before it gets one of its own
   double stepM = 16;          // length of a step near the eye
   double stepGrowth = 0.004;  // a step is about this share of its distance, at least half of it
-  double seekSteps = 6;       // at a time, through clear air
-  double stepDepth = 1;     // most optical depth that shares one evaluation of light
-  double leastTransmittance = 0.01;
+  double emptyStepMultiplier = 6;       // at a time, through clear air
+  double maxSegmentOpticalDepth = 1;     // most optical depth that shares one evaluation of light
+  double transmittanceCutoff = 0.01;
   std::int64_t sunSamples = 24;  // of density on the way to the sun
-  double sunReachM = 200;        // length of that way, with the light grid; without: all of it
+  double sunMarchDistanceM = 200;        // length of that way, with the light grid; without: all of it
   bool lightGrid = false;        // the rest of the way is looked up
   double lightCellM = 80;        // of the grid near the eye
   bool detail = true;            // detail wears the edges; off: its mean does

@@ -20,7 +20,7 @@ class Occupancy {
 
   // 10 ms for the default settings, 14 ms at most; conservative for lookups in 32 bits and for filters that
   // know 1/256 of a texel.
-  Occupancy(const FoldedNoise& noise, const CloudSettings& settings);
+  Occupancy(const PackedCloudNoise& noise, const CloudSettings& settings);
 
   bool isEmpty() const { return occupied_ == 0; }
   double occupiedShare() const { return static_cast<double>(occupied_) / (kSide * kSide * kRows); }

@@ -72,6 +72,12 @@ class SettingsVisitor {
   virtual void enterGroup(std::string_view name, std::string_view help) = 0;
   virtual void leaveGroup() = 0;
 
+  // A field of this group, or below it ("layers.0.base"), that earlier versions called `formerly`: files, logs and
+  // --set that have the old name still mean it. Where a file has both, the new name counts.
+  virtual void renamed(std::string_view formerly, std::string_view now) {
+    static_cast<void>(formerly), static_cast<void>(now);
+  }
+
   // An enumeration, written by name: names[i] belongs to static_cast<Enum>(i).
   template <class Enum>
   void choice(std::string_view name, Enum& value, std::span<const std::string_view> names,

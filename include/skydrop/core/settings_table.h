@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skydrop/core/settings.h"
@@ -60,7 +61,9 @@ class SettingsTable {
 
   const std::vector<Field>& fields() const { return fields_; }
   const std::vector<GroupInfo>& groups() const { return groups_; }
-  // Null when there is none.
+  // Whether fields lie below this path, or did in an earlier version.
+  bool isGroup(std::string_view path) const;
+  // By its path, or by one that it had in an earlier version. Null when there is none.
   const Field* find(std::string_view path) const;
   // find(), or RangeError: "unknown setting 'x'", with the nearest known paths as a hint.
   const Field& at(std::string_view path) const;
@@ -77,6 +80,7 @@ class SettingsTable {
 
   std::vector<Field> fields_;
   std::vector<GroupInfo> groups_;
+  std::vector<std::pair<std::string, std::string>> renamed_;  // former path, path
 };
 
 // The door: throws RangeError naming path, value and range, and changes nothing, unless the value is finite,

@@ -41,7 +41,7 @@ class EndlessTerrain {
   EndlessTerrain(const EndlessTerrain&) = delete;
   EndlessTerrain& operator=(const EndlessTerrain&) = delete;
 
-  // Takes the settings over at once; a changed number of slots or queue length voids everything on the GPU's
+  // Takes the settings over at once; a changed number of layers or queue length voids everything on the GPU's
   // side or in the queue, and the next frames send it again.
   void apply(const TerrainStreamingSettings& settings);
 

@@ -52,7 +52,7 @@ struct MenuContent {
   std::span<const MenuSection> sections;
   const core::FrameStatistics* statistics =
       nullptr;                  // shown as what accuracy costs in time; null: no section
-  std::string_view error = {};  // what is broken now (app/faults.h); empty: nothing is
+  std::string_view error = {};  // what is broken now (app/window/faults.h); empty: nothing is
   MenuTools tools = {};
   const BindingsContent* bindings = nullptr;  // null: no section
 };
@@ -68,7 +68,7 @@ struct MenuResult {
   bool closed = false;                    // the cross was clicked
   std::vector<std::string> changedPaths;  // set in this frame, each once
   std::optional<PresetRequest> preset;
-  BindingWish binding;
+  BindingRequest binding;
 };
 
 // Rows of one frame: where the mouse finds them.
