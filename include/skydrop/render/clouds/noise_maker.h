@@ -9,9 +9,11 @@
 
 namespace skydrop::render {
 
-// On the context's thread. What it makes differs from clouds::makeNoise() by at most one 8-bit step.
+// On the context's thread; owns its buffer until it goes. What it makes differs from clouds::makeNoise() by
+// at most one 8-bit step. Calls: make() until done(), then read().
 class NoiseMaker {
  public:
+  // The seed is that of clouds::makeNoise(). Throws core::DataError when the shader does not compile.
   NoiseMaker(gl::Context& context, clouds::NoiseTexture texture, std::uint32_t seed);
 
   // Dispatches the next `slices` (all that are left when there are fewer) and waits for them. On a software
@@ -20,8 +22,11 @@ class NoiseMaker {
   bool done() const { return made_ == clouds::noiseLayout(texture_).slices(); }
   double progress() const;  // 0 to 1
 
-  core::TextureData read() const;                // once it is done
-  void read(std::span<std::byte> texels) const;  // so many bytes from the first slice on
+  // The whole texture, once it is done(). Waits for the GPU.
+  core::TextureData read() const;
+  // Its first texels.size() bytes, which must have been made: slices along z, rows along y, RGBA8 or RG8 as
+  // clouds::noiseLayout() says.
+  void read(std::span<std::byte> texels) const;
 
  private:
   clouds::NoiseTexture texture_;

@@ -1,3 +1,6 @@
+// Models on the GPU and how they stand in a frame. Lengths in metres in the model's own frame (right +x, up
+// +y, nose -z). On the context's thread; a Model owns its GL objects and must go before its context, a
+// ModelPose refers to its Model and must go before it.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -23,6 +26,7 @@ class ModelPose {
   // Turns a node, and what hangs on it, about an axis of its own frame (unit), on top of its place in the
   // file. Nodes that the model does not have are ignored: a model may come without flaps.
   void turn(std::string_view node, const glm::vec3& axis, float angleRad);
+  // These two hide what hangs on the hidden nodes too. An unknown node is ignored.
   void hide(std::string_view node);
   void showOnly(std::string_view node);
 
@@ -47,7 +51,7 @@ class Model {
   static constexpr int kMaxTextures = 4;  // of a kind; more are refused
   static constexpr GLuint kFreeUnit = 2 * kMaxTextures;
 
-  Model() = default;
+  Model() = default;  // empty: draws nothing, has no nodes
   // Throws core::DataError for a material with too many textures; `label` names it and the GL objects.
   Model(gl::Context& context, const ModelData& data, std::string_view label);
 
