@@ -1,4 +1,4 @@
-// The clouds' medium at a place relative to the eye. DETAIL: edges are worn by the detail texture, else by its mean.
+// The clouds' medium at a place relative to the eye. DETAIL: edges are eroded by the detail texture, else by its mean.
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
 #include "clouds/uniforms.glsl"

@@ -50,7 +50,7 @@ FN Real cloudShapeDensity(CloudMedium medium, Real heightFraction, Vec4 weather,
   return coveredDensity(body * cloudProfile(heightFraction, weather.z + medium.typeShift), coverage);
 }
 
-// Detail wears the edges: wisps near the base, billows above. `detail` is cloudDetail().
+// Detail erodes the edges: wisps near the base, billows above. `detail` is cloudDetail().
 FN Real erodedDensity(CloudMedium medium, Real heightFraction, Real density, Real detail) {
   Real wear = mix(detail, Real(1.0) - detail, saturate(heightFraction * Real(10.0)));
   return remapClamped(density, medium.erosion * wear, Real(1.0), Real(0.0), Real(1.0));

@@ -23,7 +23,7 @@ class PlayerAircraft {
   // One step, number `step`: reset, waiting after a crash, or flight.
   void advance(const Controls& controls, std::uint64_t step);
 
-  // Anew at a pose, at cruise throttle; a pose inside the ground is raised. Throws core::RangeError, and
+  // Again at a pose, at cruise throttle; a pose inside the ground is raised. Throws core::RangeError, and
   // changes nothing, unless finite.
   void place(const StartPose& pose, std::uint64_t step);
   void apply(const flight::AirplaneSettings& settings) { airplane_.apply(settings); }

@@ -333,7 +333,7 @@ void ConfigurationMenu::Parts::drawTools(const MenuContent& content, MenuResult&
   }
 }
 
-// A new window size places the menu anew, so that it is never left outside.
+// A new window size places the menu again, so that it is never left outside.
 void ConfigurationMenu::Parts::placeWindow(const Interface& context) {
   const float line = context.text().pixels;
   const auto width = static_cast<float>(context.width()), height = static_cast<float>(context.height());

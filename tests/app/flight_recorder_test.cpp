@@ -102,8 +102,8 @@ TEST(FlightRecorder, aFlightReplaysThroughEveryCheckpointWhateverBecameOfItsScen
 }
 
 TEST(FlightRecorder, aTamperedLogNamesTheFirstCheckpointThatDiffers) {
-  // A step more in the third second or at the end, another setting on the way or at the start: each is found at
-  // the first checkpoint behind it.
+  // A step more in the third second or at the end, another setting on the way or at the start: each is found
+  // at the first checkpoint behind it.
   const auto divergence = [](const std::string& what, const std::string& with) {
     const test::TemporaryFolder folder;
     const std::string log = record(folder, folder.write("a.json", kScene));
@@ -193,9 +193,9 @@ TEST(FlightRecorder, aLogOfSchema1IsComparedAtItsEndAndCanBeRecordedAnew) {
   CommandLine line = lineOf(folder);
   line.record = folder.path() / "new.log";
   EXPECT_EQ(replay(good, line).divergence, "");
-  const game::InputLog anew = game::readInputLog(*line.record);
-  EXPECT_EQ(anew.runs, flown.runs);
-  EXPECT_EQ(anew.changes, flown.changes);
+  const game::InputLog again = game::readInputLog(*line.record);
+  EXPECT_EQ(again.runs, flown.runs);
+  EXPECT_EQ(again.changes, flown.changes);
   EXPECT_EQ(replay(folder, line.record->string()).divergence, "");
   const std::string bad = folder.write("bad.log", schema1(flown.checkpoints.back().hash + 1));
   EXPECT_NE(replay(folder, bad).divergence.find("step 605 "), std::string::npos);
@@ -307,8 +307,9 @@ struct FixedSettings : testing::Test {
 };
 
 TEST_F(FixedSettings, theLandOfARecordingStaysWhateverChangesIt) {
-  // By the menu and by the player's file the change is refused with its reason, what else was changed is taken;
-  // a quality that is picked moves no land. Nothing of a refused choice of the menu is kept for the player.
+  // By the menu and by the player's file the change is refused with its reason, what else was changed is
+  // taken; a quality that is picked moves no land. Nothing of a refused choice of the menu is kept for the
+  // player.
   CommandLine line = lineOf(folder);
   line.record = folder.path() / "flight.log";
   const auto run = start(line);
@@ -337,8 +338,8 @@ TEST_F(FixedSettings, theLandOfARecordingStaysWhateverChangesIt) {
 }
 
 TEST_F(FixedSettings, aReplayKeepsTheRecordedSettingsWhateverChangesThem) {
-  // Also those that the log itself changed on the way: an edit of the player's file or a picked quality brings
-  // neither the player's values nor those of the start back.
+  // Also those that the log itself changed on the way: an edit of the player's file or a picked quality
+  // brings neither the player's values nor those of the start back.
   const std::string log = record(folder, folder.write("a.json", kScene));
   CommandLine line = lineOf(folder);
   line.replay = log;

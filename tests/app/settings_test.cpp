@@ -291,7 +291,7 @@ TEST_F(UserSettingsTest, aFileBrokenWhileFlyingIsKeptAsideForTheLastGoodOne) {
   const std::string broken = R"({"schema": 1, "settings": {"aircraft": {"mass": 1100},}})";
   folder.write("settings.json", broken);
   const auto untouched = save(*run);
-  ASSERT_TRUE(untouched) << "it is said";
+  ASSERT_TRUE(untouched) << "it is reported";
   EXPECT_EQ(core::readTextFile(file), broken) << "but nothing was to be written";
   int pitchSpeed = 20;
   for (const char* aside : {"settings.json.bad", "settings.json.bad2", "settings.json.bad3"}) {
@@ -352,8 +352,8 @@ TEST_F(UserSettingsTest, aFileThatMayNotBeReadIsLeftAlone) {
 }
 
 TEST_F(UserSettingsTest, boundKeysComeBack) {
-  // They stand beside the settings. Entries of other versions stay, and so do those of the player's that are not
-  // understood.
+  // They stand beside the settings. Entries of other versions stay, and so do those of the player's that are
+  // not understood.
   const auto run = start();
   run->bindings.bind(Action::drop, keyInput('W'));
   save(*run);

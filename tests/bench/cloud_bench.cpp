@@ -53,7 +53,7 @@ void checkPromise(const TierPromise& promise, const CloudView& view, double time
 
 struct TierRow {
   Cost whole,
-      later;  // with every update that a frame may need, the light grids filled anew; the frame after it
+      later;  // with every update that a frame may need, the light grids filled again; the frame after it
   double error = 0;
 };
 

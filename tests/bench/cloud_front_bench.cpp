@@ -1,5 +1,5 @@
-// What each knob of the march buys: the tier high with one of them changed, error against time. Runs only by
-// name.
+// What each parameter of the march buys: the tier high with one of them changed, error against time. Runs
+// only by name.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -40,7 +40,7 @@ constexpr Change kChanges[] = {
 };
 
 struct FrontRow {
-  Cost whole, later;  // the light grids filled anew, if there are any; and not
+  Cost whole, later;  // the light grids filled again, if there are any; and not
   double error = 0;
 };
 

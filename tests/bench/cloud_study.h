@@ -62,7 +62,7 @@ class CloudStudy {
 
   // For the next frames.
   void use(const clouds::CloudSettings& settings);
-  // The next frame fills its light grids anew, if it has any.
+  // The next frame fills its light grids again, if it has any.
   void forgetLight();
 
   Cost draw(const CloudView& view);

@@ -258,7 +258,7 @@ TEST_F(ModelPassGLTest, panelIsSeenFromInsideTheCabinOnly) {
 }
 
 TEST_F(ModelPassGLTest, aircraftOutOfViewIsNotDrawn) {
-  // Behind the eye, beside the picture, 500 km away, absent: no draw, and the reason is said.
+  // Behind the eye, beside the picture, 500 km away, absent: no draw, and the reason is reported.
   for (const View& view :
        {pose({30, 800, 0}, 0, 0, 0), pose({0, 800, 30}, 0, 0, 0), pose({-500000, 800, 0}, 0, 0, 0)}) {
     draw(view);

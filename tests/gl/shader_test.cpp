@@ -208,7 +208,7 @@ TEST_F(ShaderGLTest, changedFilesAreReloadedAndBrokenOnesKeepTheLastProgram) {
   EXPECT_THAT(broken.errors[0], HasSubstr("value.glsl: line 1:"));
   EXPECT_EQ(run<1>(shader)[0], 1.0f);
   EXPECT_TRUE(cache.reloadChanged().errors.empty());
-  EXPECT_EQ(cache.standingError(), broken.errors[0]) << "it stands, though it is said once";
+  EXPECT_EQ(cache.standingError(), broken.errors[0]) << "it stands, though it is reported once";
 
   folder_.write("value.glsl", "float value() { return 3.0; }\n");
   EXPECT_EQ(cache.reloadChanged().programs, 1);

@@ -454,7 +454,7 @@ TEST(Stability, T23_heightsLieInTheirRangeAndFewAreLimited) {
 }
 
 TEST(Stability, T23_heightsStayInRangeForAnySettings) {
-  // With every knob at its ends the soft limit still holds: no sample at the ends of the range.
+  // With every parameter at its ends the soft limit still holds: no sample at the ends of the range.
   TerrainSettings wild;
   wild.seaDepth = 240;
   wild.plainHeight = 600;

@@ -131,7 +131,7 @@ TEST(IncludeRule, arrowsBetweenRoomsPointOneWay) {
     std::size_t seen = 0;
     for (const Include& include : includesOf(module)) {
       const std::string from = roomOf(fs::relative(include.file, root), module);
-      EXPECT_TRUE(rooms.contains(from)) << include.file << " stands in no room";
+      EXPECT_TRUE(rooms.contains(from)) << include.file << " is in no room";
       const std::string& what = include.what;
       if (!what.starts_with(module + "/") && !what.starts_with("skydrop/" + module + "/")) continue;
       const std::string to = roomOf(what, module);
@@ -144,7 +144,7 @@ TEST(IncludeRule, arrowsBetweenRoomsPointOneWay) {
 }
 
 TEST(IncludeRule, onlyRenderNamesOpenGL) {
-  // OpenGL, EGL and GLFW headers stand in render; app's window code may name GLFW.
+  // OpenGL, EGL and GLFW headers are included in render; app's window code may name GLFW.
   const std::regex graphics(R"(^(GL|EGL|GLES\d?)/|glcorearb)");
   for (const auto& [module, names] : allowedIncludes()) {
     for (const Include& include : includesOf(module)) {

@@ -118,7 +118,7 @@ TEST_F(LastGoodState, aBrokenSceneLeavesTheFlightAndARepairedOneReplacesIt) {
 }
 
 TEST_F(LastGoodState, aSceneWhosePartsAreBrokenLeavesTheFlight) {
-  // The scene reads well, but what it needs anew does not: a shader that was not in use before, the model.
+  // The scene reads well, but what it needs again does not: a shader that was not in use before, the model.
   fly();
   const fs::path scene = data() / "assets/scenes/terrain.json";
   const std::string good = contentOf(scene);

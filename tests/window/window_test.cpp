@@ -381,7 +381,7 @@ json readJson(const std::filesystem::path& path) {
 }
 
 TEST(Window, keysDoWhatThePlayersFileSays) {
-  // Bound anew: the new key acts, the old one does not. What the file does not name stays.
+  // Bound again: the new key acts, the old one does not. What the file does not name stays.
   SKIP_WITHOUT_DISPLAY();
   FlownGame flown({}, R"({"schema": 1, "bindings": {"camera": ["V"], "thrust": ["J", "KP_ADD"]}})");
   flown.press("c");

@@ -1,4 +1,4 @@
-// The knobs of a cloud layer: the thesis's seven weather parameters in SI units, and what an artist needs
+// Parameters of a cloud layer: the thesis's seven weather parameters in SI units, and what an artist needs
 // besides; and how exactly the layer is drawn.
 #pragma once
 
@@ -32,7 +32,7 @@ struct MarchSettings {
   double sunMarchDistanceM = 200;        // length of that way, with the light grid; without: all of it
   bool lightGrid = false;        // the rest of the way is looked up
   double lightCellM = 80;        // of the grid near the eye
-  bool detail = true;            // detail wears the edges; off: its mean does
+  bool detail = true;            // detail erodes the edges; off: its mean does
 };
 
 struct CloudSettings {

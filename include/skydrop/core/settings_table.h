@@ -1,6 +1,6 @@
 // A described settings struct (settings.h) as a flat table of fields, reached by path: "aircraft.rollFactor",
 // "layers.0.base". JSON, --set, the menu and accuracy studies all work on this table, so that a range or a
-// name stands in one place. The table refers to the struct: it must not outlive it, nor the struct move.
+// name is defined in one place. The table refers to the struct: it must not outlive it, nor the struct move.
 // One thread at a time.
 #pragma once
 

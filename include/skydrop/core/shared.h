@@ -1,6 +1,6 @@
 // The C++ face of shaders/shared: the same pure functions in float (core::shared::f32) and double
 // (core::shared::f64). This header lists the files in the order in which they need each other; GLSL entry
-// points include the ones they use in the same order, after shared/dialect.glsl. Units and ranges stand in
+// points include the ones they use in the same order, after shared/dialect.glsl. Units and ranges are in
 // those files.
 #pragma once
 

@@ -68,7 +68,7 @@ class World {
   // The states after the last step and after the one before it.
   const Snapshot& now() const;
   const Snapshot& before() const;
-  // Between the two: alpha 0 is before(), 1 is now(), clamped. Where something was placed anew it is at
+  // Between the two: alpha 0 is before(), 1 is now(), clamped. Where something was placed again it is at
   // now().
   Snapshot interpolated(double alpha) const;
 
@@ -85,7 +85,7 @@ class World {
   void apply(const flight::PackageSettings& settings);
   void apply(const GameSettings& settings);
 
-  // Places the aircraft, if there is one, anew (a pose from the command line or a test). Throws
+  // Places the aircraft, if there is one, again (a pose from the command line or a test). Throws
   // core::RangeError, and changes nothing, unless finite.
   void placeAircraft(const StartPose& pose);
 

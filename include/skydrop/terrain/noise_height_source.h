@@ -1,5 +1,5 @@
 // Endless land from hashed gradient noise (docs/terrain-noise.md is the picture, terrain_settings.h the
-// knobs).
+// parameters).
 #pragma once
 
 #include <cstdint>

@@ -81,7 +81,7 @@ int render(const CommandLine& line) {
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
   for (const std::string& note : run->replayNotes) warn(note);
-  std::optional<CloudNoise> cloudNoise;  // got ready while the rest is
+  std::optional<CloudNoise> cloudNoise;  // prepared while the rest is
   if (scene::requiredEffects(run->setup.scene).contains(scene::Effect::clouds))
     cloudNoise.emplace(NoiseStore(cacheFolder()), CloudNoise::Maker::processor);
   const Size size = line.size.value_or(kDefaultSize);

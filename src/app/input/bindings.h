@@ -19,7 +19,7 @@ namespace skydrop::app {
 // As many as a row of the menu shows.
 inline constexpr std::size_t kMaxInputs = 4;
 
-// Two rules hold at all times. An input stands in one binding at most. And the player always gets back:
+// Two rules hold at all times. An input belongs to one binding at most. And the player always gets back:
 // Escape opens the small menu and does nothing else, and the configuration menu has at least one key.
 class Bindings {
  public:

@@ -1,5 +1,5 @@
-// Which gamepad is flown with, among those that come and go. What is said about them is said once. Main
-// thread.
+// Which gamepad is flown with, among those that come and go. What is reported about them is reported once.
+// Main thread.
 #pragma once
 
 #include <optional>

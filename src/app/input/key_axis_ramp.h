@@ -1,5 +1,5 @@
 // A pair of keys as one lever: keys are on or off, a hand is not. Pressed, the lever leaves the centre
-// slowly, gathers way and arrives gently; released, it comes back faster. So a tap is a nudge, and a held key
+// eases in and out; released, it comes back faster. So a tap is a nudge, and a held key
 // is a full deflection that neither the aircraft nor its control surfaces jump to.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The measured frame times of a run and what is said of them. Takes at most 80 KiB however long it runs.
+// The measured frame times of a run and what is reported of them. Takes at most 80 KiB however long it runs.
 #pragma once
 
 #include <array>

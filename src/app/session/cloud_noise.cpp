@@ -72,7 +72,7 @@ void CloudNoise::makePart(render::gl::Context& context) {
 void CloudNoise::run(std::stop_token stop) {
   try {
     std::array<core::TextureData, clouds::kNoiseTextures.size()> textures;
-    bool keeps = true;  // a cache that refuses one texture refuses all: that is said once
+    bool keeps = true;  // a cache that refuses one texture refuses all: that is reported once
     for (std::size_t i = 0; i < textures.size(); ++i) {
       const NoiseTexture texture = clouds::kNoiseTextures[i];
       StoredNoise found = store_.find(texture, kSeed);

@@ -1,4 +1,4 @@
-// The noise that the clouds of a scene are made of, got ready beside the main thread: from the cache, or made
+// The noise that the clouds of a scene are made of, prepared beside the main thread: from the cache, or made
 // and put there. What the processor would have to make for a second, a graphics card makes in a few frames.
 #pragma once
 

@@ -30,7 +30,7 @@ std::string NoiseStore::keep(clouds::NoiseTexture texture, std::uint32_t seed,
     clouds::saveNoise(folder_, texture, seed, made);
     return {};
   } catch (const core::DataError& error) {
-    return std::string(error.what()) + ": the noise is made anew at every start";
+    return std::string(error.what()) + ": the noise is made again at every start";
   }
 }
 

@@ -92,8 +92,8 @@ void keepFixed(const RunConfig& run, const core::SettingsTable& next) {
 
 // All settings, layer upon layer; `player` applies the player's own. All or nothing: throws core::DataError.
 void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, When when) {
-  // Which files lie at the bottom is said by the layers above them: first the quality, then, with its preset
-  // among these layers, the tier of the clouds.
+  // Which files lie at the bottom is reported by the layers above them: first the quality, then, with its
+  // preset among these layers, the tier of the clouds.
   const auto wishOver = [&](const Layer& bottom) {
     Settings wish;
     const core::SettingsTable wishTable(wish);

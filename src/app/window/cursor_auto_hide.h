@@ -1,4 +1,4 @@
-// Hides the mouse pointer while it only stands in the picture: a pilot looks at the land, not at an arrow.
+// Hides the mouse pointer while it rests in the picture: a pilot looks at the land, not at an arrow.
 #pragma once
 
 namespace skydrop::app {

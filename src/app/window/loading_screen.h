@@ -1,4 +1,4 @@
-// The picture while land, models and shaders are got ready: shown before anything else is built, so it draws
+// The picture while land, models and shaders are prepared: shown before anything else is built, so it draws
 // with a renderer of its own that has nothing but the interface. Main thread.
 #pragma once
 

@@ -42,7 +42,7 @@ OverlayResult Overlay::build(const OverlayFrame& frame) {
   if (drawsHud_ && hudShown) {
     ui::HudData data = ui::makeHudData(frame.snapshot);
     data.keys = keys_;
-    if (escapeOpen) data.paused = false;  // the small menu stands in that place and says so itself
+    if (escapeOpen) data.paused = false;  // the small menu covers that place and says so itself
     const std::vector<ui::HelpRow> none;
     const auto menu = menuOpen ? std::optional(menu_.place()) : std::nullopt;
     ui::drawHud(interface_, data, ui::layoutHud(interface_, data, helpOpen ? help_ : none, menu));

@@ -150,7 +150,8 @@ void WindowGame::dropUnusedClouds() {
   if (!simulation_ || !simulation_->effects().contains(Effect::clouds)) cloudNoise_.reset();
 }
 
-// Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player quit.
+// Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player
+// quit.
 WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
   beginClouds();
   Flight next;
@@ -592,7 +593,7 @@ void WindowGame::reloadSceneFile() {
   if (run_->recorder) return tellOfRefusals({"The scene stays as it was while a flight is recorded"});
   reloadScene(*run_, line_);
   buildScene();
-  notices_.add("The scene was loaded anew");
+  notices_.add("The scene was reloaded");
 }
 
 void WindowGame::reloadPlayerFile() {
@@ -606,7 +607,7 @@ void WindowGame::reloadPlayerFile() {
   } else {
     faults_.clear(part::kPlayersValues);
   }
-  notices_.add("The settings were loaded anew");
+  notices_.add("The settings were reloaded");
 }
 
 // What the player should know now, and find again in the terminal.
@@ -688,7 +689,7 @@ void WindowGame::finish(std::exception_ptr failure) {
   if (failure) std::rethrow_exception(failure);
 }
 
-// What cannot be written is said once and waits for the next time; the game goes on.
+// What cannot be written is reported once and waits for the next time; the game goes on.
 void WindowGame::keepChoices() {
   if (!run_->userFolder) return;
   bool kept = true;

@@ -43,14 +43,14 @@ class WindowGame {
   explicit WindowGame(const CommandLine& line);
   ~WindowGame();
 
-  // Returns when the window was closed, the player quit or a signal asked to end; then the statistics, the end of
-  // the recording and the player's settings are written. So they are before it throws what ended the flight
-  // early. The exit code: 1 where the recording is incomplete.
+  // Returns when the window was closed, the player quit or a signal asked to end; then the statistics, the
+  // end of the recording and the player's settings are written. So they are before it throws what ended the
+  // flight early. The exit code: 1 where the recording is incomplete.
   int run();
 
  private:
   void tellOfSoftware();
-  // What is made anew for another scene or another land.
+  // What is made again for another scene or another land.
   struct Flight {
     std::unique_ptr<Simulation> simulation;
     std::unique_ptr<SceneRenderer> sceneRenderer;

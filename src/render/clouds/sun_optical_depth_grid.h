@@ -44,7 +44,7 @@ class SunOpticalDepthGrid {
   const SunOpticalDepthGridLayout& layout() const { return layout_; }
   const gl::Texture& depths() const { return depths_; }
 
-  // Fills it anew where layout or medium differ from what it holds. The field's textures have to be bound.
+  // Fills it again where layout or medium differ from what it holds. The field's textures have to be bound.
   void update(gl::Context& context, gl::ShaderCache& shaders, const SunOpticalDepthGridLayout& layout,
               const clouds::CloudSettings& settings, double meanDetail);
   void forget() { layout_ = {}; }  // the medium changed

@@ -1,4 +1,4 @@
-// A model file as assimp gets it: read and judged here, and written anew with nothing but what was judged.
+// A model file as assimp gets it: read and judged here, and written again with nothing but what was judged.
 //
 // A check and a library that both read the same bytes can read them differently (a member that comes twice,
 // an index with a leading zero), and assimp 5.2.5 drops, repairs and guesses silently, follows a node that is

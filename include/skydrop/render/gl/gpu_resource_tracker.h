@@ -44,7 +44,7 @@ class GpuResourceTracker {
   void clearPasses() { counts_.clear(); }
 
   // A uniform that was set under a name that occurs nowhere in the program's source: a typing error, because
-  // a name that a variant compiles out still stands in the text. Tests demand zero.
+  // a name that a variant compiles out is still in the text. Tests demand zero.
   void unknownUniform(std::string_view program, std::string_view uniform);
   std::uint64_t unknownUniforms() const { return unknownUniforms_; }
   const std::string& lastUnknownUniform() const { return lastUnknownUniform_; }

@@ -1,5 +1,5 @@
-// Models on the GPU and how they stand in a frame. Lengths in metres in the model's own frame (right +x, up
-// +y, nose -z). On the context's thread; a Model owns its GL objects and must go before its context, a
+// Models on the GPU and how they are posed in a frame. Lengths in metres in the model's own frame (right +x,
+// up +y, nose -z). On the context's thread; a Model owns its GL objects and must go before its context, a
 // ModelPose refers to its Model and must go before it.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace skydrop::render {
 
 class Model;
 
-// How the parts of a model stand in one frame. Starts at rest with everything shown.
+// How the parts of a model are posed in one frame. Starts at rest with everything shown.
 class ModelPose {
  public:
   explicit ModelPose(const Model& model);
