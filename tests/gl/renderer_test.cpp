@@ -56,6 +56,61 @@ TEST_F(FrameTest, passesRunByTheirSlots) {
   EXPECT_EQ(statistics.passes[0].second.skipped, "");
 }
 
+// Stands for what an earlier pass makes for later ones.
+struct Footprint {
+  int depth = 0;
+};
+
+class FootprintPass final : public Pass {
+ public:
+  explicit FootprintPass(const bool& idle) : idle_(idle) {}
+  std::string_view name() const override { return "footprint"; }
+  RenderStage stage() const override { return RenderStage::shadows; }
+  std::optional<std::string> skipReason(const FrameInput&) const override {
+    return idle_ ? std::optional<std::string>("idle") : std::nullopt;
+  }
+  void draw(FrameContext& context) override {
+    ++footprint_.depth;
+    context.resources.publish(footprint_);
+  }
+
+ private:
+  const bool& idle_;
+  Footprint footprint_;
+};
+
+// Notes the depth of the frame's footprint, -1 without one.
+class FootprintReader final : public Pass {
+ public:
+  FootprintReader(RenderStage stage, std::vector<int>& depths) : stage_(stage), depths_(depths) {}
+  std::string_view name() const override { return "reader"; }
+  RenderStage stage() const override { return stage_; }
+  void draw(FrameContext& context) override {
+    const Footprint* footprint = context.resources.find<Footprint>();
+    depths_.push_back(footprint ? footprint->depth : -1);
+  }
+
+ private:
+  RenderStage stage_;
+  std::vector<int>& depths_;
+};
+
+TEST_F(FrameTest, resourcesAreFoundByLaterPassesOfTheSameFrameAlone) {
+  // Two frames with a publishing pass, whose resource two stages after it find; then one in which the pass
+  // has nothing to do: what it published before is gone.
+  bool idle = false;
+  std::vector<int> terrain, clouds;
+  renderer().add(std::make_unique<FootprintReader>(RenderStage::clouds, clouds));
+  renderer().add(std::make_unique<FootprintReader>(RenderStage::terrain, terrain));
+  renderer().add(std::make_unique<FootprintPass>(idle));
+  for (const bool isIdle : {false, false, true}) {
+    idle = isIdle;
+    draw(pose({0, 0, 0}, 0, 0, 0));
+  }
+  EXPECT_THAT(terrain, ::testing::ElementsAre(1, 2, -1));
+  EXPECT_EQ(clouds, terrain);
+}
+
 TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
   // Two passes, one draw each; the targets of 320x180 are 8 + 4 + 4 bytes a pixel.
   renderer().add(std::make_unique<SkyPass>(context()));

@@ -6,6 +6,7 @@
 
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/renderer.h"
+#include "skydrop/render/models/model_layer.h"
 #include "support/gl_test.h"
 
 namespace skydrop::test {
@@ -14,7 +15,9 @@ class FrameTest : public GLTest {
  protected:
   void SetUp() override {
     GLTest::SetUp();
-    if (!IsSkipped()) renderer_ = std::make_unique<render::Renderer>(context(), settings_, false);
+    if (IsSkipped()) return;
+    renderer_ = std::make_unique<render::Renderer>(context(), settings_, false);
+    renderer_->setLayer(std::make_unique<render::ModelLayer>());
   }
   void TearDown() override {
     GLTest::TearDown();

@@ -5,6 +5,7 @@
 
 #include "app/session/effect_table.h"
 #include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/models/model_layer.h"
 
 namespace skydrop::app {
 namespace {
@@ -16,6 +17,7 @@ using scene::Effect;
 SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings)
     : setup_(setup), settings_(settings), renderer_(context, settings.render, setup.measuring) {
   camera_.setMode(settings.view.camera);
+  renderer_.setLayer(std::make_unique<render::ModelLayer>());
   for (const EffectDescriptor& row : effectTable()) {
     if (row.addPasses && setup_.effects.contains(row.effect)) row.addPasses(*this);
   }

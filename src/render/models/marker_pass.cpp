@@ -11,6 +11,7 @@
 
 #include "render/frame/visibility.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/render/frame/cloud_transmittance.h"
 
 namespace skydrop::render {
 namespace {
@@ -113,10 +114,10 @@ void MarkerPass::draw(FrameContext& context) {
   const glm::dvec3 signal = signalRadiance(context.light);
   const glm::dvec3 densest = mark.foot + glm::dvec3(0, shared::kBeamHeight / 3, 0);
   std::vector<std::string> defines;
-  if (context.cloudTransmittance.light) {
+  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
     defines.emplace_back("CLOUD_TRANSMITTANCE");
-    context.cloudTransmittance.light->bind(kCloudLightUnit);
-    context.cloudTransmittance.distances->bind(kCloudDistancesUnit);
+    clouds->light->bind(kCloudLightUnit);
+    clouds->distances->bind(kCloudDistancesUnit);
   }
   const auto drawPart = [&](const char* fragment, const Box& box, const glm::dvec3& radiance) {
     if (!isPotentiallyVisible(context.frame.view, box)) return;
