@@ -224,7 +224,7 @@ TEST_F(FrameTest, T18_halfAMetreIsResolvedTenKilometresAway) {
     Renderer renderer(context(), settings_, false);
     renderer.add(std::make_unique<test::PlainsPass>(context(), folder, plains));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    renderer.draw({snapshot_, pose({0, 10000.5, 0}, 0, -90, 0), {}});
+    renderer.draw({.view = pose({0, 10000.5, 0}, 0, -90, 0)});
     const core::Image image = renderer.readBack();
     int wrong = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -243,8 +243,8 @@ TEST_F(FrameTest, framesDoNotShowTheOneBefore) {
     renderer.add(std::make_unique<test::PlainsPass>(context(), folder, plains));
     renderer.add(std::make_unique<SkyPass>(context()));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    if (afterLand) renderer.draw({snapshot_, pose({0, 50, 0}, 0, -90, 0), {}});
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, 60, 0), {}});
+    if (afterLand) renderer.draw({.view = pose({0, 50, 0}, 0, -90, 0)});
+    renderer.draw({.view = pose({0, 50, 0}, 0, 60, 0)});
     return renderer.readBack().rgba;
   };
   EXPECT_EQ(lookUp(true), lookUp(false));
@@ -278,8 +278,8 @@ TEST_F(FrameTest, passesMayLeaveAnyStateBehind) {
     if (untidy) renderer.add(std::make_unique<UntidyPass>());
     renderer.add(std::make_unique<SkyPass>(context()));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, -20, 0), {}});
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, 20, 0), {}});
+    renderer.draw({.view = pose({0, 50, 0}, 0, -20, 0)});
+    renderer.draw({.view = pose({0, 50, 0}, 0, 20, 0)});
     return renderer.readBack().rgba;
   };
   EXPECT_EQ(drawTwice(true), drawTwice(false));

@@ -33,9 +33,11 @@ class FrameTest : public GLTest {
     camera.setPose(position, glm::radians(yaw), glm::radians(pitch), glm::radians(roll));
     return camera.view(snapshot_, settings_.camera, width, height);
   }
-  core::Image draw(const render::View& view) {
+  // Of the game as snapshot_ has it.
+  core::Image draw(const render::View& view) { return draw(render::gameFrame(snapshot_, view, features_)); }
+  core::Image draw(const render::FrameInput& input) {
     renderer_->apply(settings_);
-    renderer_->draw({snapshot_, view, features_});
+    renderer_->draw(input);
     return renderer_->readBack();
   }
 

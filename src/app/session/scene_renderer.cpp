@@ -95,7 +95,7 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
       landPass_->take(land_->update(volume));
     }
   }
-  renderer_.draw({snapshot, view, frameFeatures(setup_.effects)});
+  renderer_.draw(render::gameFrame(snapshot, view, frameFeatures(setup_.effects)));
 }
 
 void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
@@ -113,7 +113,7 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
   const auto drawFrom = [&] {
     const render::View view = camera.view(everything, settings_.render.camera, size.width, size.height);
     if (land_) landPass_->take(land_->update(render::viewVolume(view)));
-    renderer_.draw({everything, view, frameFeatures(setup_.effects)});
+    renderer_.draw(render::gameFrame(everything, view, frameFeatures(setup_.effects)));
   };
   drawFrom();
   // Straight down: clouds above are out of view, and what they would veil is drawn by other programs.

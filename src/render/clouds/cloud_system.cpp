@@ -84,7 +84,7 @@ std::vector<std::string> definesOf(const FrameContext& context, const clouds::Cl
 }
 
 glm::dvec3 inField(const clouds::CloudSettings& settings, const FrameInput& frame) {
-  const glm::dvec2 drift = clouds::CloudField::drift(settings, frame.snapshot.simulatedSeconds);
+  const glm::dvec2 drift = clouds::CloudField::drift(settings, frame.simulatedSeconds);
   return frame.view.position - glm::dvec3(drift.x, 0, drift.y);
 }
 

@@ -91,7 +91,7 @@ void Renderer::draw(const FrameInput& asked) {
   const SkyLight light = skyLight(settings_, asked.view.position.y);
   FrameInput input = asked;
   input.toSun = light.toSun;
-  const FrameUniforms uniforms = frameUniforms(input.view, light, input.snapshot.simulatedSeconds);
+  const FrameUniforms uniforms = frameUniforms(input.view, light, input.simulatedSeconds);
   const std::vector<std::string> defines = definesOf(input.features);
 
   gl::GpuResourceTracker& resources = context_.resources();

@@ -11,6 +11,7 @@
 
 #include "render/frame/visibility.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/game/snapshot.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
 
 namespace skydrop::render {
@@ -93,8 +94,8 @@ glm::dvec3 signalRadiance(const SkyLight& light) {
 }
 
 std::optional<std::string> MarkerPass::skipReason(const FrameInput& frame) const {
-  if (!frame.snapshot.target.present) return "no target";
-  const Mark mark = markOf(frame.view, frame.snapshot.target);
+  if (!frame.game || !frame.game->target.present) return "no target";
+  const Mark mark = markOf(frame.view, frame.game->target);
   if (mark.tooFar) return "target too far away";
   if (!isPotentiallyVisible(frame.view, mark.ring) && !isPotentiallyVisible(frame.view, mark.beam)) return "target out of view";
   return std::nullopt;
@@ -102,7 +103,7 @@ std::optional<std::string> MarkerPass::skipReason(const FrameInput& frame) const
 
 void MarkerPass::draw(FrameContext& context) {
   const gl::Functions& gl = context.gl.api();
-  const game::TargetSnapshot& target = context.frame.snapshot.target;
+  const game::TargetSnapshot& target = context.frame.game->target;
   const Mark mark = markOf(context.frame.view, target);
   // The inner faces of a box cover each pixel that sees into it exactly once, also from inside.
   gl.Enable(GL_CULL_FACE);

@@ -12,14 +12,14 @@ CastShadow shadowOf(const ShadowCaster& caster, const View& view, const glm::dve
 
 }  // namespace
 
-std::vector<ShadowCaster> ShadowPass::castersIn(const game::Snapshot& snapshot) const {
+std::vector<ShadowCaster> ShadowPass::castersIn(const FrameInput& frame) const {
   std::vector<ShadowCaster> casters;
-  for (const ShadowSource& source : sources_) source(snapshot, casters);
+  for (const ShadowSource& source : sources_) source(frame, casters);
   return casters;
 }
 
 std::optional<std::string> ShadowPass::skipReason(const FrameInput& frame) const {
-  const std::vector<ShadowCaster> casters = castersIn(frame.snapshot);
+  const std::vector<ShadowCaster> casters = castersIn(frame);
   if (casters.empty()) return "nothing that casts a shadow";
   if (frame.toSun.y <= 0) return "the sun is below the horizon";
   const auto falls = [&](const ShadowCaster& c) {
@@ -31,7 +31,7 @@ std::optional<std::string> ShadowPass::skipReason(const FrameInput& frame) const
 
 void ShadowPass::draw(FrameContext& context) {
   const View& view = context.frame.view;
-  std::vector<ShadowCaster> casters = castersIn(context.frame.snapshot);
+  std::vector<ShadowCaster> casters = castersIn(context.frame);
   std::erase_if(casters, [&](const ShadowCaster& c) {
     return !maySeeVolume(view, shadowOf(c, view, context.frame.toSun));
   });

@@ -7,27 +7,17 @@
 #include <string>
 #include <string_view>
 
-#include "skydrop/game/snapshot.h"
-#include "skydrop/render/frame/frame_features.h"
+#include "skydrop/render/frame/frame_input.h"
 #include "skydrop/render/frame/frame_resources.h"
 #include "skydrop/render/frame/frame_uniforms.h"
 #include "skydrop/render/frame/pixel_box.h"
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/render/frame/render_stage.h"
-#include "skydrop/render/frame/view.h"
 #include "skydrop/render/gl/context.h"
 #include "skydrop/render/gl/frame_buffer.h"
 #include "skydrop/render/gl/shader_cache.h"
 
 namespace skydrop::render {
-
-// What a frame is a pure function of. Values: nothing in here changes while it is drawn.
-struct FrameInput {
-  const game::Snapshot& snapshot;
-  View view;
-  FrameFeatures features;
-  glm::dvec3 toSun{0, 1, 0};  // unit; the renderer puts its settings' sun here
-};
 
 // What a pass draws with. References are valid during draw() only.
 struct FrameContext {

@@ -6,8 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "skydrop/game/snapshot.h"
-#include "skydrop/render/frame/view.h"
+#include "skydrop/render/frame/frame_input.h"
 #include "skydrop/render/models/model.h"
 
 namespace skydrop::render {
@@ -24,8 +23,8 @@ struct ShadowCaster {
   std::function<void(const View&, const DrawPart&)> parts;
 };
 
-// Adds what there is at a moment. It must stay callable as long as the pass that asks lives; what a caster
+// Adds what there is in a frame. It must stay callable as long as the pass that asks lives; what a caster
 // refers to must outlive the frame.
-using ShadowSource = std::function<void(const game::Snapshot&, std::vector<ShadowCaster>&)>;
+using ShadowSource = std::function<void(const FrameInput&, std::vector<ShadowCaster>&)>;
 
 }  // namespace skydrop::render

@@ -22,7 +22,7 @@ class ShadowPass final : public Pass {
   void draw(FrameContext& context) override;
 
  private:
-  std::vector<ShadowCaster> castersIn(const game::Snapshot& snapshot) const;
+  std::vector<ShadowCaster> castersIn(const FrameInput& frame) const;
 
   std::vector<ShadowSource> sources_;
   CastShadows shadows_;
