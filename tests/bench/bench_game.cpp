@@ -29,25 +29,25 @@ BenchGame::BenchGame(const Setup& setup)
     : run_(runOf(setup)),
       context_(app::openContext(std::nullopt, kFrameSize)),
       simulation_(run_->setup, run_->settings, run_->table),
-      stage_(*context_,
+      sceneRenderer_(*context_,
              {simulation_.effects(), simulation_.ground(), std::nullopt, setup.measuring,
               noiseFor(simulation_.effects())},
              run_->settings),
       overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::Bindings())) {
-  stage_.addOverlay();
-  stage_.warmUp(simulation_.world().now(), kFrameSize);
-  stage_.camera().setMode(render::CameraMode::free);
+  sceneRenderer_.addOverlay();
+  sceneRenderer_.warmUp(simulation_.world().now(), kFrameSize);
+  sceneRenderer_.camera().setMode(render::CameraMode::free);
 }
 
 double BenchGame::draw(const app::Pose& pose) {
   context_->makeCurrent();  // several games may take turns
   const auto begin = std::chrono::steady_clock::now();
-  stage_.camera().setPose(pose.position, glm::radians(pose.yawDegrees), glm::radians(pose.pitchDegrees),
+  sceneRenderer_.camera().setPose(pose.position, glm::radians(pose.yawDegrees), glm::radians(pose.pitchDegrees),
                           glm::radians(pose.rollDegrees));
   const game::Snapshot& snapshot = simulation_.world().now();
-  if (overlay_.build({snapshot, kFrameSize, 1.0 / 60, run_->table}).fontsChanged) stage_.uploadFonts();
-  stage_.draw(snapshot, kFrameSize, app::Streaming::asItComes);
-  stage_.renderer().finish();
+  if (overlay_.build({snapshot, kFrameSize, 1.0 / 60, run_->table}).fontsChanged) sceneRenderer_.uploadFonts();
+  sceneRenderer_.draw(snapshot, kFrameSize, app::Streaming::asItComes);
+  sceneRenderer_.renderer().finish();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 

@@ -116,8 +116,7 @@ void CloudStudy::forgetLight() {
 
 void CloudStudy::drawFrame(const CloudView& view, bool plain) {
   if (plain_) plain_->asked = plain;
-  const game::Snapshot snapshot;
-  renderer_.draw({snapshot, viewOf(view, size_), {.haze = true}});
+  renderer_.draw({.view = viewOf(view, size_), .features = {.haze = true}});
   renderer_.finish();
 }
 

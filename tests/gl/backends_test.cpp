@@ -106,13 +106,12 @@ std::vector<glm::vec4> drawClouds(gl::Context& context, bool lightGrid) {
   renderer.add(std::make_unique<SkyPass>(context));
   renderer.add(std::make_unique<CloudSystem>(context, test::sharedNoise(), clouds));
   renderer.add(std::make_unique<test::LightProbe>(light));
-  game::Snapshot snapshot;
   View view;
   view.position = {0, 600, 0};
   view.worldToView = glm::transpose(glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(15.0), {1, 0, 0})));
   view.width = kWidth;
   view.height = kHeight;
-  renderer.draw({snapshot, view, FrameFeatures{true}});
+  renderer.draw({.view = view, .features = {.haze = true}});
   return light;
 }
 

@@ -78,7 +78,7 @@ TEST_F(CloudRowsGLTest, C05_noiseOutOfRangeIsNoMoreThanAllCloud) {
   EXPECT_TRUE(cloudsFrom(inside()) == all);
   system_->apply(switchedOff());
   addClouds(noiseOf(-3));
-  EXPECT_EQ(system_->skipReason({snapshot_, inside(), features_}), "no cloud anywhere");
+  EXPECT_EQ(system_->skipReason(gameFrame(snapshot_, inside(), features_)), "no cloud anywhere");
 }
 
 TEST_F(CloudRowsGLTest, C06_moreCoverageIsNotLessCloud) {

@@ -25,7 +25,7 @@ class ShadeOfASquare final : public Pass {
     shader.use();
     shader.setVec3("corner", relativeToEye(context.frame.view, corner_));
     shader.setFloat("spacing", spacing_);
-    context.cloudShadowMap.bind(shader);
+    context.resources.get<CloudShadowMap>().bind(shader);
     context.gl.api().Disable(GL_DEPTH_TEST);
     triangle_.draw();
   }

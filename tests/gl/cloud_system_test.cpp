@@ -31,7 +31,7 @@ class CloudSystemGLTest : public test::FrameTest {
   }
   std::string idleReasonOf(const View& view) {
     system_->apply(clouds_);
-    return system_->skipReason({snapshot_, view, features_}).value_or("");
+    return system_->skipReason(gameFrame(snapshot_, view, features_)).value_or("");
   }
   View below() const { return pose({0, 600, 0}, 40, 12, 0, 160, 90); }
 

@@ -63,10 +63,9 @@ core::Image drawMenu(gl::Context& context) {
   renderer.add(std::make_unique<ToneMapPass>(context));
   renderer.add(std::make_unique<ImGuiPass>(context));
   ImGuiScope::build(320, 180);
-  const game::Snapshot snapshot;
   Camera camera;
   camera.setPose({0, 500, 0}, 1, 0.2, 0);
-  renderer.draw({snapshot, camera.view(snapshot, {}, 320, 180), {true}});
+  renderer.draw({.view = camera.view({}, {}, 320, 180), .features = {.haze = true}});
   return renderer.readBack();
 }
 

@@ -56,6 +56,61 @@ TEST_F(FrameTest, passesRunByTheirSlots) {
   EXPECT_EQ(statistics.passes[0].second.skipped, "");
 }
 
+// Stands for what an earlier pass makes for later ones.
+struct Footprint {
+  int depth = 0;
+};
+
+class FootprintPass final : public Pass {
+ public:
+  explicit FootprintPass(const bool& idle) : idle_(idle) {}
+  std::string_view name() const override { return "footprint"; }
+  RenderStage stage() const override { return RenderStage::shadows; }
+  std::optional<std::string> skipReason(const FrameInput&) const override {
+    return idle_ ? std::optional<std::string>("idle") : std::nullopt;
+  }
+  void draw(FrameContext& context) override {
+    ++footprint_.depth;
+    context.resources.publish(footprint_);
+  }
+
+ private:
+  const bool& idle_;
+  Footprint footprint_;
+};
+
+// Notes the depth of the frame's footprint, -1 without one.
+class FootprintReader final : public Pass {
+ public:
+  FootprintReader(RenderStage stage, std::vector<int>& depths) : stage_(stage), depths_(depths) {}
+  std::string_view name() const override { return "reader"; }
+  RenderStage stage() const override { return stage_; }
+  void draw(FrameContext& context) override {
+    const Footprint* footprint = context.resources.find<Footprint>();
+    depths_.push_back(footprint ? footprint->depth : -1);
+  }
+
+ private:
+  RenderStage stage_;
+  std::vector<int>& depths_;
+};
+
+TEST_F(FrameTest, resourcesAreFoundByLaterPassesOfTheSameFrameAlone) {
+  // Two frames with a publishing pass, whose resource two stages after it find; then one in which the pass
+  // has nothing to do: what it published before is gone.
+  bool idle = false;
+  std::vector<int> terrain, clouds;
+  renderer().add(std::make_unique<FootprintReader>(RenderStage::clouds, clouds));
+  renderer().add(std::make_unique<FootprintReader>(RenderStage::terrain, terrain));
+  renderer().add(std::make_unique<FootprintPass>(idle));
+  for (const bool isIdle : {false, false, true}) {
+    idle = isIdle;
+    draw(pose({0, 0, 0}, 0, 0, 0));
+  }
+  EXPECT_THAT(terrain, ::testing::ElementsAre(1, 2, -1));
+  EXPECT_EQ(clouds, terrain);
+}
+
 TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
   // Two passes, one draw each; the targets of 320x180 are 8 + 4 + 4 bytes a pixel.
   renderer().add(std::make_unique<SkyPass>(context()));
@@ -169,7 +224,7 @@ TEST_F(FrameTest, T18_halfAMetreIsResolvedTenKilometresAway) {
     Renderer renderer(context(), settings_, false);
     renderer.add(std::make_unique<test::PlainsPass>(context(), folder, plains));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    renderer.draw({snapshot_, pose({0, 10000.5, 0}, 0, -90, 0), {}});
+    renderer.draw({.view = pose({0, 10000.5, 0}, 0, -90, 0)});
     const core::Image image = renderer.readBack();
     int wrong = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -188,8 +243,8 @@ TEST_F(FrameTest, framesDoNotShowTheOneBefore) {
     renderer.add(std::make_unique<test::PlainsPass>(context(), folder, plains));
     renderer.add(std::make_unique<SkyPass>(context()));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    if (afterLand) renderer.draw({snapshot_, pose({0, 50, 0}, 0, -90, 0), {}});
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, 60, 0), {}});
+    if (afterLand) renderer.draw({.view = pose({0, 50, 0}, 0, -90, 0)});
+    renderer.draw({.view = pose({0, 50, 0}, 0, 60, 0)});
     return renderer.readBack().rgba;
   };
   EXPECT_EQ(lookUp(true), lookUp(false));
@@ -223,8 +278,8 @@ TEST_F(FrameTest, passesMayLeaveAnyStateBehind) {
     if (untidy) renderer.add(std::make_unique<UntidyPass>());
     renderer.add(std::make_unique<SkyPass>(context()));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, -20, 0), {}});
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, 20, 0), {}});
+    renderer.draw({.view = pose({0, 50, 0}, 0, -20, 0)});
+    renderer.draw({.view = pose({0, 50, 0}, 0, 20, 0)});
     return renderer.readBack().rgba;
   };
   EXPECT_EQ(drawTwice(true), drawTwice(false));

@@ -49,7 +49,7 @@ class ShadowGLTest : public test::FrameTest {
     data.meshes = {{"cover", sphereMesh(kCoverM, 96, 48), 0}};
     data.materials = {{"plain", {}, {}}};
     cover_ = std::make_shared<const Model>(context(), data, "cover");
-    this->shadows().add([this](const game::Snapshot&, std::vector<ShadowCaster>& casters) {
+    this->shadows().add([this](const FrameInput&, std::vector<ShadowCaster>& casters) {
       if (!coverAt_) return;
       const auto parts = [model = cover_, at = *coverAt_](const View& view, const DrawPart& draw) {
         draw(*model, bodyMatrix(view, at, glm::dquat(1, 0, 0, 0)), ModelPose(*model));
@@ -67,7 +67,7 @@ class ShadowGLTest : public test::FrameTest {
     data.meshes = {{"ball", sphereMesh(radius, 96, 48), 0}};
     data.materials = {{"plain", {}, {}}};
     const auto model = std::make_shared<const Model>(context(), data, "ball");
-    shadows().add([=, this](const game::Snapshot&, std::vector<ShadowCaster>& casters) {
+    shadows().add([=, this](const FrameInput&, std::vector<ShadowCaster>& casters) {
       if (!castsShadows_) return;
       const auto parts = [=](const View& view, const DrawPart& draw) {
         draw(*model, bodyMatrix(view, middle, glm::dquat(1, 0, 0, 0)), ModelPose(*model));

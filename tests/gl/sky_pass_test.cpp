@@ -172,7 +172,7 @@ TEST_F(SkyGLTest, hazeIsThatOfTheAirBetween) {
       renderer.add(std::make_unique<HazePass>(context(), folder, distance));
       renderer.add(std::make_unique<LightProbe>(light_));
       const View view = pose({0, height, 0}, 60, 0, 0);
-      renderer.draw({snapshot_, view, {true}});
+      renderer.draw({.view = view, .features = {.haze = true}});
       const SkyLight light = skyLight(settings_, height);
       const glm::dvec3 taken =
           1.0 - glm::exp(-core::shared::f64::opticalDepthBetween(light.air, height, height, distance));

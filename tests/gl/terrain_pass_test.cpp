@@ -108,7 +108,7 @@ class DepthFrames {
   }
   std::vector<float> draw(const View& view) {
     land_.settle(view);
-    renderer_.draw({snapshot_, view, {}});
+    renderer_.draw({.view = view});
     const gl::Texture& depth = land_.pass().landDepth();
     std::vector<float> values(static_cast<std::size_t>(depth.width() * depth.height()));
     depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(values)));
@@ -116,7 +116,6 @@ class DepthFrames {
   }
 
  private:
-  game::Snapshot snapshot_;
   Renderer renderer_;
   Land land_;
 };

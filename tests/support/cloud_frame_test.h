@@ -80,7 +80,7 @@ class CloudFrameTest : public FrameTest {
   // A ray a texel, bottom row first: radiance, and what comes through. The frame must have clouds in view.
   std::vector<glm::vec4> cloudsFrom(const render::View& view) {
     sceneFrom(view);
-    EXPECT_FALSE(system_->skipReason({snapshot_, view, features_}));
+    EXPECT_FALSE(system_->skipReason(render::gameFrame(snapshot_, view, features_)));
     const render::gl::Texture& light = system_->light();
     std::vector<glm::vec4> texels(static_cast<std::size_t>(light.width() * light.height()));
     light.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(texels)));

@@ -5,6 +5,7 @@
 
 #include "app/session/effect_table.h"
 #include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/models/model_layer.h"
 
 namespace skydrop::app {
 namespace {
@@ -16,6 +17,7 @@ using scene::Effect;
 SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings)
     : setup_(setup), settings_(settings), renderer_(context, settings.render, setup.measuring) {
   camera_.setMode(settings.view.camera);
+  renderer_.setLayer(std::make_unique<render::ModelLayer>());
   for (const EffectDescriptor& row : effectTable()) {
     if (row.addPasses && setup_.effects.contains(row.effect)) row.addPasses(*this);
   }
@@ -93,7 +95,7 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
       landPass_->take(land_->update(volume));
     }
   }
-  renderer_.draw({snapshot, view, frameFeatures(setup_.effects)});
+  renderer_.draw(render::gameFrame(snapshot, view, frameFeatures(setup_.effects)));
 }
 
 void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
@@ -111,7 +113,7 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
   const auto drawFrom = [&] {
     const render::View view = camera.view(everything, settings_.render.camera, size.width, size.height);
     if (land_) landPass_->take(land_->update(render::viewVolume(view)));
-    renderer_.draw({everything, view, frameFeatures(setup_.effects)});
+    renderer_.draw(render::gameFrame(everything, view, frameFeatures(setup_.effects)));
   };
   drawFrom();
   // Straight down: clouds above are out of view, and what they would veil is drawn by other programs.

@@ -20,11 +20,10 @@ void LoadingScreen::show(ui::LoadingProgress progress) {
   progress.share = share_ = std::max(share_, progress.share);
   const Size size = window_.size();
   if (overlay_.buildLoading(size, progress, window_.interfaceScale())) pass_->uploadFonts();
-  const game::Snapshot nothing;
   render::View view;
   view.width = size.width;
   view.height = size.height;
-  renderer_.draw({nothing, view, {}});
+  renderer_.draw({.view = view});
   renderer_.present(size.width, size.height);
   window_.swap();
   pacer_.wait(kFramesASecond);

@@ -84,7 +84,7 @@ std::vector<std::string> definesOf(const FrameContext& context, const clouds::Cl
 }
 
 glm::dvec3 inField(const clouds::CloudSettings& settings, const FrameInput& frame) {
-  const glm::dvec2 drift = clouds::CloudField::drift(settings, frame.snapshot.simulatedSeconds);
+  const glm::dvec2 drift = clouds::CloudField::drift(settings, frame.simulatedSeconds);
   return frame.view.position - glm::dvec3(drift.x, 0, drift.y);
 }
 
@@ -149,7 +149,7 @@ std::optional<std::string> CloudSystem::noShadowBecause(const FrameInput& frame)
   return std::nullopt;
 }
 
-void CloudSystem::castShade(FrameContext& context) {
+CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
   volumes_->bind();
   const glm::dvec3 eye = inField(settings_, context.frame);
   // What shades the land around the eye stands where the sun's rays to that land pass the base.
@@ -163,8 +163,7 @@ void CloudSystem::castShade(FrameContext& context) {
   };
   const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadeRadiusM);
   const CloudShadowMap::Map coarse = map(*coarseShadowMap_, kCoarseShadowMapM, settings_.fadeDistance);
-  context.cloudShadowMap.set(fine, coarse, settings_.cloudHeight - context.frame.view.position.y,
-                         settings_.thickness);
+  return {fine, coarse, settings_.cloudHeight - context.frame.view.position.y, settings_.thickness};
 }
 
 void CloudSystem::marchMultiDispatch() {
@@ -197,7 +196,8 @@ void CloudSystem::draw(FrameContext& context) {
   classify(context, defines);
   march(context, defines);
   compose(context, defines);
-  context.cloudTransmittance = {&light_, &distances_};
+  transmittance_ = {&light_, &distances_};
+  context.resources.publish(transmittance_);
   context_.api().MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

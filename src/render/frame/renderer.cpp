@@ -10,7 +10,6 @@ namespace {
 
 constexpr gl::FrameBufferFormat kSceneFormat{GL_RGBA16F, GL_DEPTH_COMPONENT32F};
 constexpr gl::FrameBufferFormat kOutputFormat{GL_RGBA8, 0};
-const std::string kModelLayer = "modelLayer";  // its row in the statistics
 
 // Of the newest `count`.
 double median(const std::vector<double>& all, std::size_t count) {
@@ -38,6 +37,11 @@ void Renderer::add(std::unique_ptr<Pass> pass) {
   passes_.insert(after, std::move(pass));
 }
 
+void Renderer::setLayer(std::unique_ptr<StageLayer> layer) {
+  assert(!layer || layer->stage() <= RenderStage::models);
+  layer_ = std::move(layer);
+}
+
 void Renderer::resize(int width, int height) {
   if (scene_ && scene_.width() == width && scene_.height() == height) return;
   if (!scene_) {
@@ -60,23 +64,24 @@ void Renderer::bindTarget(RenderStage stage) {
   target.bind(gl::FrameBuffer::Clear::no);
 }
 
-bool Renderer::beginModels(const FrameInput& input) {
-  if (!settings_.smoothModels) return false;
+bool Renderer::beginLayer(const FrameInput& input) {
   PixelBox all;
   for (const std::unique_ptr<Pass>& pass : passes_) {
-    if (pass->stage() == RenderStage::models && !pass->skipReason(input)) all = unite(all, pass->extent(input));
+    if (pass->stage() == layer_->stage() && !pass->skipReason(input)) all = unite(all, pass->extent(input));
   }
-  if (all.empty()) return false;
-  if (modelLayer_.begin(context_, all, input.view.width, input.view.height)) return true;
-  skipped_.insert_or_assign(kModelLayer, "the models cover too many pixels");
-  return false;
+  if (const std::optional<std::string> reason = layer_->skipReason(settings_, all)) {
+    skipped_.insert_or_assign(std::string(layer_->name()), *reason);
+    return false;
+  }
+  layer_->begin(context_, input.view, all);
+  return true;
 }
 
-void Renderer::composeModels(std::exception_ptr& failure) {
-  skipped_.erase(kModelLayer);
-  bindTarget(RenderStage::models);
+void Renderer::composeLayer(std::exception_ptr& failure) {
+  skipped_.erase(std::string(layer_->name()));
+  bindTarget(layer_->stage());
   context_.setDefaultState();
-  tried(kModelLayer, failure, [&] { modelLayer_.compose(context_, shaders_); });
+  tried(layer_->name(), failure, [&] { layer_->compose(context_, shaders_); });
 }
 
 void Renderer::draw(const FrameInput& asked) {
@@ -86,7 +91,7 @@ void Renderer::draw(const FrameInput& asked) {
   const SkyLight light = skyLight(settings_, asked.view.position.y);
   FrameInput input = asked;
   input.toSun = light.toSun;
-  const FrameUniforms uniforms = frameUniforms(input.view, light, input.snapshot.simulatedSeconds);
+  const FrameUniforms uniforms = frameUniforms(input.view, light, input.simulatedSeconds);
   const std::vector<std::string> defines = definesOf(input.features);
 
   gl::GpuResourceTracker& resources = context_.resources();
@@ -97,9 +102,7 @@ void Renderer::draw(const FrameInput& asked) {
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kFrameUniformsBinding);
   scene_.clear();
   output_.clear();
-  shadows_.clear();
-  cloudShadowMap_.clear();
-  CloudTransmittance veil;
+  FrameResources made;
   FrameContext frame{context_,
                      shaders_,
                      input,
@@ -107,13 +110,11 @@ void Renderer::draw(const FrameInput& asked) {
                      uniforms,
                      settings_,
                      defines,
-                     shadows_,
-                     cloudShadowMap_,
-                     veil,
+                     made,
                      scene_.colorTexture(),
                      scene_.depthTexture()};
   skipped_.clear();
-  skipped_.emplace(kModelLayer, settings_.smoothModels ? "no model in view" : "switched off");
+  if (layer_) skipped_.emplace(layer_->name(), layer_->skipReason(settings_, {}).value_or(""));
   bool layered = false;  // the layer is the target
   std::exception_ptr failure;
   for (const std::unique_ptr<Pass>& pass : passes_) {
@@ -121,16 +122,16 @@ void Renderer::draw(const FrameInput& asked) {
       skipped_.emplace(pass->name(), *reason);
       continue;
     }
-    if (layered && pass->stage() > RenderStage::models) {
-      composeModels(failure);
+    if (layered && pass->stage() > layer_->stage()) {
+      composeLayer(failure);
       layered = false;
     }
-    if (!layered && pass->stage() == RenderStage::models) layered = beginModels(input);
+    if (!layered && layer_ && pass->stage() == layer_->stage()) layered = beginLayer(input);
     if (!layered) bindTarget(pass->stage());
     context_.setDefaultState();
     tried(pass->name(), failure, [&] { pass->draw(frame); });
   }
-  if (layered) composeModels(failure);
+  if (layered) composeLayer(failure);
   if (failure) std::rethrow_exception(failure);
 }
 
@@ -211,12 +212,12 @@ void Renderer::fillStatistics(core::FrameStatistics& statistics, std::size_t fra
     if (const auto reason = skipped_.find(name); reason != skipped_.end()) row.skipped = reason->second;
     statistics.passes.emplace_back(name, row);
   };
-  bool hasModels = false;
+  bool hasLayered = false;
   for (const std::unique_ptr<Pass>& pass : passes_) {
     addRow(std::string(pass->name()));
-    hasModels = hasModels || pass->stage() == RenderStage::models;
+    hasLayered = hasLayered || (layer_ && pass->stage() == layer_->stage());
   }
-  if (hasModels) addRow(kModelLayer);
+  if (hasLayered) addRow(std::string(layer_->name()));
   statistics.gl.textures = resources.live(gl::ObjectKind::texture);
   statistics.gl.buffers = resources.live(gl::ObjectKind::buffer);
   statistics.gl.programs = resources.live(gl::ObjectKind::program);

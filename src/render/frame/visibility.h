@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "skydrop/render/frame/pixel_box.h"
 #include "skydrop/render/frame/view.h"
-#include "skydrop/render/models/model_layer.h"
 
 namespace skydrop::render {
 

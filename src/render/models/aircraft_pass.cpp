@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "render/frame/visibility.h"
+#include "skydrop/game/snapshot.h"
 
 namespace skydrop::render {
 namespace {
@@ -21,14 +22,14 @@ constexpr double kPlanAreaM2 = 26;  // seen from above: wings, tail and fuselage
 constexpr glm::dvec3 kCabinLow{-0.57, -0.6, -1.3}, kCabinHigh{0.57, 1.05, 1.5};
 
 bool isInsideCabin(const FrameInput& frame) {
-  const game::AircraftSnapshot& aircraft = frame.snapshot.aircraft;
+  const game::AircraftSnapshot& aircraft = frame.game->aircraft;
   const glm::dvec3 eye = glm::conjugate(aircraft.orientation) * (frame.view.position - aircraft.position);
   return glm::all(glm::greaterThan(eye, kCabinLow)) && glm::all(glm::lessThan(eye, kCabinHigh));
 }
 
 std::optional<std::string> whyNot(const FrameInput& frame, const Model& model) {
-  if (!frame.snapshot.aircraft.present) return "no aircraft";
-  if (!isPotentiallyVisible(frame.view, frame.snapshot.aircraft.position, static_cast<double>(model.radius())))
+  if (!frame.game || !frame.game->aircraft.present) return "no aircraft";
+  if (!isPotentiallyVisible(frame.view, frame.game->aircraft.position, static_cast<double>(model.radius())))
     return "the aircraft is out of view";
   return std::nullopt;
 }
@@ -80,14 +81,14 @@ std::optional<std::string> AircraftPass::skipReason(const FrameInput& frame) con
 }
 
 PixelBox AircraftPass::extent(const FrameInput& frame) const {
-  const game::AircraftSnapshot& aircraft = frame.snapshot.aircraft;
+  const game::AircraftSnapshot& aircraft = frame.game->aircraft;
   const glm::dvec3 margin(kMovedM);
   return pixelsOf(frame.view, bodyMatrix(frame.view, aircraft.position, aircraft.orientation),
                   glm::dvec3(model_->low()) - margin, glm::dvec3(model_->high()) + margin);
 }
 
 void AircraftPass::draw(FrameContext& context) {
-  const game::AircraftSnapshot& aircraft = context.frame.snapshot.aircraft;
+  const game::AircraftSnapshot& aircraft = context.frame.game->aircraft;
   ModelPose pose = poseOf(aircraft, *model_, detailAt(context.frame.view, aircraft));
   pose.hide("propeller_disc");
   if (!aircraft.crashed) pose.hide("propeller");
@@ -98,9 +99,9 @@ void AircraftPass::draw(FrameContext& context) {
 }
 
 ShadowSource aircraftShadow(std::shared_ptr<const Model> model) {
-  return [model = std::move(model)](const game::Snapshot& snapshot, std::vector<ShadowCaster>& casters) {
-    const game::AircraftSnapshot& aircraft = snapshot.aircraft;
-    if (!aircraft.present) return;
+  return [model = std::move(model)](const FrameInput& frame, std::vector<ShadowCaster>& casters) {
+    if (!frame.game || !frame.game->aircraft.present) return;
+    const game::AircraftSnapshot& aircraft = frame.game->aircraft;
     const auto parts = [&aircraft, model](const View& view, const DrawPart& draw) {
       ModelPose pose = poseOf(aircraft, *model, Detail::coarse);
       pose.hide("propeller_disc");
@@ -113,12 +114,12 @@ ShadowSource aircraftShadow(std::shared_ptr<const Model> model) {
 }
 
 std::optional<std::string> PropellerPass::skipReason(const FrameInput& frame) const {
-  if (frame.snapshot.aircraft.crashed) return "the engine has stopped";
+  if (frame.game && frame.game->aircraft.crashed) return "the engine has stopped";
   return whyNot(frame, *model_);
 }
 
 void PropellerPass::draw(FrameContext& context) {
-  const game::AircraftSnapshot& aircraft = context.frame.snapshot.aircraft;
+  const game::AircraftSnapshot& aircraft = context.frame.game->aircraft;
   ModelPose pose = poseOf(aircraft, *model_, Detail::fine);
   pose.showOnly("propeller_disc");
   const gl::Functions& api = context.gl.api();

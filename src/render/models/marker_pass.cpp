@@ -11,6 +11,8 @@
 
 #include "render/frame/visibility.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/game/snapshot.h"
+#include "skydrop/render/frame/cloud_transmittance.h"
 
 namespace skydrop::render {
 namespace {
@@ -92,8 +94,8 @@ glm::dvec3 signalRadiance(const SkyLight& light) {
 }
 
 std::optional<std::string> MarkerPass::skipReason(const FrameInput& frame) const {
-  if (!frame.snapshot.target.present) return "no target";
-  const Mark mark = markOf(frame.view, frame.snapshot.target);
+  if (!frame.game || !frame.game->target.present) return "no target";
+  const Mark mark = markOf(frame.view, frame.game->target);
   if (mark.tooFar) return "target too far away";
   if (!isPotentiallyVisible(frame.view, mark.ring) && !isPotentiallyVisible(frame.view, mark.beam)) return "target out of view";
   return std::nullopt;
@@ -101,7 +103,7 @@ std::optional<std::string> MarkerPass::skipReason(const FrameInput& frame) const
 
 void MarkerPass::draw(FrameContext& context) {
   const gl::Functions& gl = context.gl.api();
-  const game::TargetSnapshot& target = context.frame.snapshot.target;
+  const game::TargetSnapshot& target = context.frame.game->target;
   const Mark mark = markOf(context.frame.view, target);
   // The inner faces of a box cover each pixel that sees into it exactly once, also from inside.
   gl.Enable(GL_CULL_FACE);
@@ -113,10 +115,10 @@ void MarkerPass::draw(FrameContext& context) {
   const glm::dvec3 signal = signalRadiance(context.light);
   const glm::dvec3 densest = mark.foot + glm::dvec3(0, shared::kBeamHeight / 3, 0);
   std::vector<std::string> defines;
-  if (context.cloudTransmittance.light) {
+  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
     defines.emplace_back("CLOUD_TRANSMITTANCE");
-    context.cloudTransmittance.light->bind(kCloudLightUnit);
-    context.cloudTransmittance.distances->bind(kCloudDistancesUnit);
+    clouds->light->bind(kCloudLightUnit);
+    clouds->distances->bind(kCloudDistancesUnit);
   }
   const auto drawPart = [&](const char* fragment, const Box& box, const glm::dvec3& radiance) {
     if (!isPotentiallyVisible(context.frame.view, box)) return;

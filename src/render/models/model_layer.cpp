@@ -14,17 +14,23 @@ int roundedUp(int size) { return (size + kGrowth - 1) / kGrowth * kGrowth; }
 
 }  // namespace
 
-PixelBox unite(const PixelBox& a, const PixelBox& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.lowX, b.lowX), std::min(a.lowY, b.lowY), std::max(a.highX, b.highX),
-          std::max(a.highY, b.highY)};
+int ModelLayer::widthFor(const PixelBox& box) const {
+  return std::max(target_ ? target_.width() : 0, roundedUp(box.width()));
 }
 
-bool ModelLayer::begin(gl::Context& context, const PixelBox& box, int pictureWidth, int pictureHeight) {
-  const int width = std::max(target_ ? target_.width() : 0, roundedUp(box.width()));
-  const int height = std::max(target_ ? target_.height() : 0, roundedUp(box.height()));
-  if (width * height > kMostPixels) return false;
+int ModelLayer::heightFor(const PixelBox& box) const {
+  return std::max(target_ ? target_.height() : 0, roundedUp(box.height()));
+}
+
+std::optional<std::string> ModelLayer::skipReason(const RenderSettings& settings, const PixelBox& box) const {
+  if (!settings.smoothModels) return "switched off";
+  if (box.empty()) return "no model in view";
+  if (widthFor(box) * heightFor(box) > kMostPixels) return "the models cover too many pixels";
+  return std::nullopt;
+}
+
+void ModelLayer::begin(gl::Context& context, const View& view, const PixelBox& box) {
+  const int width = widthFor(box), height = heightFor(box);
   if (!target_) {
     target_ = gl::FrameBuffer(context, width, height, kFormat, "models");
     triangle_.emplace(context);
@@ -32,8 +38,7 @@ bool ModelLayer::begin(gl::Context& context, const PixelBox& box, int pictureWid
   target_.resize(width, height);
   box_ = box;
   target_.bind(gl::FrameBuffer::Clear::yes);
-  context.api().Viewport(-box.lowX, -box.lowY, pictureWidth, pictureHeight);
-  return true;
+  context.api().Viewport(-box.lowX, -box.lowY, view.width, view.height);
 }
 
 void ModelLayer::compose(gl::Context& context, gl::ShaderCache& shaders) {

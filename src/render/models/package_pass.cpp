@@ -6,6 +6,7 @@
 
 #include "render/frame/visibility.h"
 #include "skydrop/core/assets.h"
+#include "skydrop/game/snapshot.h"
 
 namespace skydrop::render {
 namespace {
@@ -80,9 +81,10 @@ PackageModels::PackageModels(gl::Context& context)
     : crate(load(context, "package.glb")), parachute(load(context, "parachute.glb")) {}
 
 ShadowSource packageShadows(std::shared_ptr<const PackageModels> models) {
-  return [models = std::move(models)](const game::Snapshot& snapshot, std::vector<ShadowCaster>& casters) {
-    for (const game::PackageSnapshot& package : snapshot.packages) {
-      const auto parts = [models, &package, wind = snapshot.wind](const View& view, const DrawPart& draw) {
+  return [models = std::move(models)](const FrameInput& frame, std::vector<ShadowCaster>& casters) {
+    if (!frame.game) return;
+    for (const game::PackageSnapshot& package : frame.game->packages) {
+      const auto parts = [models, &package, wind = frame.game->wind](const View& view, const DrawPart& draw) {
         drawCrate(*models, package, view, draw);
         drawParachute(*models, package, wind, view, draw);
       };
@@ -93,8 +95,8 @@ ShadowSource packageShadows(std::shared_ptr<const PackageModels> models) {
 }
 
 std::optional<std::string> PackagePass::skipReason(const FrameInput& frame) const {
-  const auto& packages = frame.snapshot.packages;
-  if (packages.empty()) return "no package has been dropped";
+  if (!frame.game || frame.game->packages.empty()) return "no package has been dropped";
+  const auto& packages = frame.game->packages;
   if (std::none_of(packages.begin(), packages.end(), [&](const auto& p) { return isSeen(frame, p); })) {
     return "no package in view";
   }
@@ -104,7 +106,7 @@ std::optional<std::string> PackagePass::skipReason(const FrameInput& frame) cons
 PixelBox PackagePass::extent(const FrameInput& frame) const {
   PixelBox all;
   const glm::dvec3 half(kSeenRadiusM);
-  for (const game::PackageSnapshot& package : frame.snapshot.packages) {
+  for (const game::PackageSnapshot& package : frame.game->packages) {
     if (!isSeen(frame, package)) continue;
     const glm::mat4 toEye = bodyMatrix(frame.view, package.position, glm::dquat(1, 0, 0, 0));
     all = unite(all, pixelsOf(frame.view, toEye, -half, half));
@@ -122,10 +124,10 @@ void PackagePass::draw(FrameContext& context) {
     };
   };
   context.gl.api().Enable(GL_CULL_FACE);
-  for (const game::PackageSnapshot& package : context.frame.snapshot.packages) {
+  for (const game::PackageSnapshot& package : context.frame.game->packages) {
     if (!isSeen(context.frame, package)) continue;
     drawCrate(*models_, package, view, with(context.defines));
-    drawParachute(*models_, package, context.frame.snapshot.wind, view, with(cloth));
+    drawParachute(*models_, package, context.frame.game->wind, view, with(cloth));
   }
 }
 

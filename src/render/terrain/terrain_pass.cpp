@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "skydrop/render/clouds/cloud_shadow_map.h"
+#include "skydrop/render/shadows/cast_shadows.h"
 #include "skydrop/terrain/chunk_grid.h"
 
 namespace skydrop::render {
@@ -143,14 +145,14 @@ void TerrainPass::drawDepth(FrameContext& context) {
   context_.api().ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), view, GL_TRIANGLES);
   context_.api().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (!context.cloudShadowMap.empty()) drawCloudShadowMap(context);
-  if (!context.shadows.empty()) drawShadows(context);
+  if (const auto* shadowMap = context.resources.find<CloudShadowMap>()) drawCloudShadows(context, *shadowMap);
+  if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
   surface_.unBind();
 }
 
 // Before the land is lit, so that it is lit once, and only pixels that may be in shadow ask for shadows:
 // those where the inner faces of a shadow's volume lie behind the land. What the shadows leave is multiplied.
-void TerrainPass::drawShadows(FrameContext& context) {
+void TerrainPass::drawShadows(FrameContext& context, const CastShadows& shadows) {
   const gl::Functions& api = context_.api();
   gl::Shader& shader = context.shaders.shader("shadow/volume.vert", "terrain/sun_share.frag");
   shader.use();
@@ -162,15 +164,15 @@ void TerrainPass::drawShadows(FrameContext& context) {
   api.Enable(GL_BLEND);
   api.BlendFunc(GL_ZERO, GL_SRC_COLOR);
   api.TextureBarrier();  // the depth is target and texture at once, to be read alone
-  context.shadows.drawVolumes(shader);
+  shadows.drawVolumes(shader);
   context_.setDefaultState();
 }
 
-void TerrainPass::drawCloudShadowMap(FrameContext& context) {
+void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap) {
   gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/cloud_share.frag");
   shader.use();
   setSurface(shader, context.frame.view);
-  context.cloudShadowMap.bind(shader);
+  shadowMap.bind(shader);
   context_.api().DepthMask(GL_FALSE);
   context_.api().Disable(GL_DEPTH_TEST);
   context_.api().TextureBarrier();

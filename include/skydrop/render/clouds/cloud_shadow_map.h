@@ -1,6 +1,7 @@
 // What clouds leave of the sun on land and sea: the optical depth of the whole layer along each sun ray, in a
-// fine grid near the eye and a coarse one out to where clouds have faded. Of one frame: filled by
-// CloudShadowPass, read by whoever lights a surface below the layer (shaders/clouds/shadow_map.glsl).
+// fine grid near the eye and a coarse one out to where clouds have faded. A resource of the frame
+// (FrameResources), published by CloudShadowPass, read by whoever lights a surface below the layer
+// (shaders/clouds/shadow_map.glsl).
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ namespace skydrop::render {
 
 class CloudShadowMap {
  public:
-  // A texture, kept alive by whoever fills this, and rows that carry a place relative to the eye (and 1) to
+  // A texture, kept alive by the cloud system, and rows that carry a place relative to the eye (and 1) to
   // its coordinates. It holds at least the rays that meet sea level this far from below the eye.
   struct Map {
     const gl::Texture* depths = nullptr;
@@ -22,14 +23,11 @@ class CloudShadowMap {
     double radiusM = 0;
   };
 
-  bool empty() const { return fine_.depths == nullptr; }
-  void clear() { fine_ = coarse_ = {}; }
+  // Nothing to bind.
+  CloudShadowMap() = default;
   // baseM: of the layer, above the eye.
-  void set(const Map& fine, const Map& coarse, double baseM, double thicknessM) {
-    fine_ = fine;
-    coarse_ = coarse;
-    layer_ = glm::vec2(baseM, 1 / thicknessM);
-  }
+  CloudShadowMap(const Map& fine, const Map& coarse, double baseM, double thicknessM)
+      : fine_(fine), coarse_(coarse), layer_(baseM, 1 / thicknessM) {}
 
   // Textures and uniforms for a program that includes shaders/clouds/shadow_map.glsl.
   void bind(gl::Shader& shader) const;

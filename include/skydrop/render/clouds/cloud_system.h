@@ -9,6 +9,8 @@
 
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/render/clouds/cloud_shadow_map.h"
+#include "skydrop/render/frame/cloud_transmittance.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/gl/buffer.h"
 
@@ -31,8 +33,9 @@ class CloudSystem final : public Pass {
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
   void draw(FrameContext& context) override;
 
-  // Fills FrameContext::cloudShadowMap; why there is nothing to fill it with.
-  void castShade(FrameContext& context);
+  // What the clouds leave of the sun in this frame; its textures are kept until the next. Only where
+  // noShadowBecause() gives no reason why there are no shadows.
+  CloudShadowMap shadowMap(FrameContext& context);
   std::optional<std::string> noShadowBecause(const FrameInput& frame) const;
 
   // What the last frame marched: 0 where it was idle. Waits for the GPU.
@@ -61,10 +64,11 @@ class CloudSystem final : public Pass {
   std::unique_ptr<SunOpticalDepthGrid> near_, far_, fineShadowMap_, coarseShadowMap_;
   gl::Buffer uniforms_, tiles_, edges_;
   gl::Texture light_, distances_;
+  CloudTransmittance transmittance_;       // published by draw()
   gl::Texture carriedLight_, carriedWay_;  // of marches in parts
 };
 
-// The shadows of the clouds, for surfaces that are lit after it. The system must outlive it.
+// Publishes the CloudShadowMap, for surfaces that are lit after it. The system must outlive it.
 class CloudShadowPass final : public Pass {
  public:
   explicit CloudShadowPass(CloudSystem& system) : system_(system) {}
@@ -74,10 +78,14 @@ class CloudShadowPass final : public Pass {
   std::optional<std::string> skipReason(const FrameInput& frame) const override {
     return system_.noShadowBecause(frame);
   }
-  void draw(FrameContext& context) override { system_.castShade(context); }
+  void draw(FrameContext& context) override {
+    map_ = system_.shadowMap(context);
+    context.resources.publish(map_);
+  }
 
  private:
   CloudSystem& system_;
+  CloudShadowMap map_;
 };
 
 }  // namespace skydrop::render

@@ -7,42 +7,17 @@
 #include <string>
 #include <string_view>
 
-#include "skydrop/game/snapshot.h"
-#include "skydrop/render/clouds/cloud_shadow_map.h"
-#include "skydrop/render/frame/frame_features.h"
+#include "skydrop/render/frame/frame_input.h"
+#include "skydrop/render/frame/frame_resources.h"
 #include "skydrop/render/frame/frame_uniforms.h"
+#include "skydrop/render/frame/pixel_box.h"
 #include "skydrop/render/frame/render_settings.h"
-#include "skydrop/render/frame/view.h"
+#include "skydrop/render/frame/render_stage.h"
 #include "skydrop/render/gl/context.h"
 #include "skydrop/render/gl/frame_buffer.h"
 #include "skydrop/render/gl/shader_cache.h"
-#include "skydrop/render/models/model_layer.h"
-#include "skydrop/render/shadows/cast_shadows.h"
 
 namespace skydrop::render {
-
-// The order of a frame. What is bound when draw() is called:
-//   shadows                  as the next: what is drawn goes to maps of its own (FrameContext::shadows)
-//   terrain, sky, models     the scene: linear light (RGBA16F) and reversed depth (D32F), both written;
-//                            models may be drawn into a layer (ModelLayer) and not ask for gl_FragCoord
-//   clouds, translucents,    the scene's colour alone: depth can be read as a texture
-//   weatherEffects           (FrameContext::sceneDepth)
-//   toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
-enum class RenderStage { shadows, terrain, sky, models, clouds, translucents, weatherEffects, toneMap, hud, menu };
-
-// What a frame is a pure function of. Values: nothing in here changes while it is drawn.
-struct FrameInput {
-  const game::Snapshot& snapshot;
-  View view;
-  FrameFeatures features;
-  glm::dvec3 toSun{0, 1, 0};  // unit; the renderer puts its settings' sun here
-};
-
-// The clouds of a frame as they were seen: for whatever is drawn after them and may lie behind. Null without.
-struct CloudTransmittance {
-  const gl::Texture* light = nullptr;      // a: the share of light behind that comes through
-  const gl::Texture* distances = nullptr;  // x: where the clouds are, metres from the eye
-};
 
 // What a pass draws with. References are valid during draw() only.
 struct FrameContext {
@@ -53,9 +28,7 @@ struct FrameContext {
   const FrameUniforms& uniforms;  // bound as block 0 (shaders/frame.glsl)
   const RenderSettings& settings;
   std::span<const std::string> defines;  // of the frame's features, for the cache
-  CastShadows& shadows;                  // on land; filled in stage shadows
-  CloudShadowMap& cloudShadowMap;                // likewise
-  CloudTransmittance& cloudTransmittance;                  // filled in stage clouds
+  FrameResources& resources;             // what earlier passes made for later ones
   const gl::Texture& sceneColor;  // RGBA16F; to be read from stage toneMap on (stage clouds: as an image)
   const gl::Texture& sceneDepth;  // D32F; to be read from stage clouds on, without filtering
 };
@@ -69,7 +42,7 @@ class Pass {
   virtual RenderStage stage() const = 0;
   // Why it has nothing to do in this frame; nullopt: it has. Not asked to draw if it gives a reason.
   virtual std::optional<std::string> skipReason(const FrameInput&) const { return std::nullopt; }
-  // RenderStage models: the pixels that it may touch.
+  // The pixels that it may touch. Asked of passes whose stage has a layer (Renderer::setLayer).
   virtual PixelBox extent(const FrameInput& frame) const {
     return {0, 0, frame.view.width, frame.view.height};
   }

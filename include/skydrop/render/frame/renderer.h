@@ -13,6 +13,7 @@
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
 #include "skydrop/render/frame/pass.h"
+#include "skydrop/render/frame/stage_layer.h"
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/gl/pass_timer.h"
 
@@ -30,6 +31,9 @@ class Renderer {
 
   // Passes run by stage, and in the order of adding within one.
   void add(std::unique_ptr<Pass> pass);
+  // Of the passes of its stage, from the next frame on, in place of any that was set before. Without one they
+  // are drawn into the scene itself.
+  void setLayer(std::unique_ptr<StageLayer> layer);
 
   void apply(const RenderSettings& settings) { settings_ = settings; }
   const RenderSettings& settings() const { return settings_; }
@@ -54,8 +58,8 @@ class Renderer {
 
   // The newest frames whose times are kept: an hour of play must not grow without bound.
   static constexpr std::size_t kKeptTimes = 4096;
-  // Passes, GL objects, renderer, clock. `ms` of a pass is the median over the newest `frames` frames drawn since
-  // the last clearTimes(); the caller fills the rest.
+  // Passes, GL objects, renderer, clock. `ms` of a pass is the median over the newest `frames` frames drawn
+  // since the last clearTimes(); the caller fills the rest.
   void fillStatistics(core::FrameStatistics& statistics, std::size_t frames = kKeptTimes);
   void clearTimes();
   // Waits until the GPU has done everything it was asked for.
@@ -64,9 +68,9 @@ class Renderer {
  private:
   void resize(int width, int height);
   void bindTarget(RenderStage stage);
-  // Whether the models of this frame go into the layer, which is then the target.
-  bool beginModels(const FrameInput& input);
-  void composeModels(std::exception_ptr& failure);
+  // Whether the passes of the layer's stage go into it in this frame; it is then the target.
+  bool beginLayer(const FrameInput& input);
+  void composeLayer(std::exception_ptr& failure);
   void measured(std::string_view name, const std::function<void()>& draw);
   // measured(), but what the pass throws of core::DataError is kept in `failure`, unless there is one.
   void tried(std::string_view name, std::exception_ptr& failure, const std::function<void()>& draw);
@@ -77,11 +81,9 @@ class Renderer {
   gl::ShaderCache shaders_;
   gl::PassTimer timer_;
   gl::Buffer uniforms_;
-  CastShadows shadows_;
-  CloudShadowMap cloudShadowMap_;
-  ModelLayer modelLayer_;
   gl::FrameBuffer scene_, sceneColorOnly_, output_;
   std::vector<std::unique_ptr<Pass>> passes_;
+  std::unique_ptr<StageLayer> layer_;
   std::map<std::string, std::string, std::less<>> skipped_;
   std::map<std::string, std::vector<double>, std::less<>> times_;
 };

@@ -4,7 +4,7 @@
 
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/models/model.h"
-#include "skydrop/render/shadows/shadow_pass.h"
+#include "skydrop/render/models/shadow_source.h"
 
 namespace skydrop::render {
 

@@ -13,7 +13,7 @@ glm::dvec3 signalRadiance(const SkyLight& light);
 
 // Both parts are drawn as boxes whose pixels look at the scene's depth: one of the ring computes how far from
 // the target its piece of ground is, one of the beam how far its ray runs through the light before it meets
-// the ground. Clouds in front of either hide it (FrameContext::cloudTransmittance). The ring also lies on a model that
+// the ground. Clouds in front of either hide it (CloudTransmittance). The ring also lies on a model that
 // flies where it is.
 class MarkerPass final : public Pass {
  public:

@@ -6,33 +6,29 @@
 #include <optional>
 
 #include "skydrop/render/frame/fullscreen_triangle.h"
+#include "skydrop/render/frame/stage_layer.h"
 #include "skydrop/render/gl/frame_buffer.h"
-#include "skydrop/render/gl/shader_cache.h"
 
 namespace skydrop::render {
 
-// Pixels from the lower left corner, [low, high).
-struct PixelBox {
-  int lowX = 0, lowY = 0, highX = 0, highY = 0;
-
-  int width() const { return highX - lowX; }
-  int height() const { return highY - lowY; }
-  bool empty() const { return width() <= 0 || height() <= 0; }
-};
-PixelBox unite(const PixelBox& a, const PixelBox& b);
-
-class ModelLayer {
+// Holds no GL object before the first frame that shows a model. Skipped where RenderSettings::smoothModels is
+// off, where no model is in view, and where the models cover so much that it would have to grow beyond
+// kMostPixels.
+class ModelLayer final : public StageLayer {
  public:
-  // Makes the layer the target for what lies within `box`; positions and viewport are those of the whole
-  // picture, so shaders must not ask for gl_FragCoord. False if the box is larger than the layer may grow
-  // (kMostPixels): the models are then to be drawn into the scene itself.
-  bool begin(gl::Context& context, const PixelBox& box, int pictureWidth, int pictureHeight);
-  // Lays it over the scene, whose buffer with colour and depth is bound.
-  void compose(gl::Context& context, gl::ShaderCache& shaders);
-
   static constexpr int kMostPixels = 1 << 20;  // 48 MiB
 
+  std::string_view name() const override { return "modelLayer"; }
+  RenderStage stage() const override { return RenderStage::models; }
+  std::optional<std::string> skipReason(const RenderSettings& settings, const PixelBox& box) const override;
+  void begin(gl::Context& context, const View& view, const PixelBox& box) override;
+  void compose(gl::Context& context, gl::ShaderCache& shaders) override;
+
  private:
+  // At least as large as it was.
+  int widthFor(const PixelBox& box) const;
+  int heightFor(const PixelBox& box) const;
+
   gl::FrameBuffer target_;
   std::optional<FullscreenTriangle> triangle_;
   PixelBox box_;

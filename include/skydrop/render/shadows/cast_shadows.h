@@ -44,8 +44,8 @@ bool maySeeVolume(const View& view, const CastShadow& shadow);
 // Eye-relative positions to the clip space of the shadow's map.
 glm::mat4 toShadowMap(const CastShadow& shadow);
 
-// The shadows of one frame and their maps. Owned by the renderer, filled by ShadowPass, read by whoever
-// lights land. Without shadows it holds no GL object.
+// The shadows of one frame and their maps: a resource of the frame (FrameResources), owned and published by
+// ShadowPass, read by whoever lights land. Without shadows it holds no GL object.
 class CastShadows {
  public:
   static constexpr std::size_t kMost = 4;     // in one frame

@@ -14,9 +14,13 @@
 
 namespace skydrop::render {
 
+class CastShadows;
+class CloudShadowMap;
+
 // The view as EndlessTerrain wants it.
 terrain::ViewVolume viewVolume(const View& view);
 
+// Shadows are those that CastShadows and CloudShadowMap of the frame hold, where they are published.
 class TerrainPass final : public Pass {
  public:
   explicit TerrainPass(gl::Context& context);
@@ -48,8 +52,8 @@ class TerrainPass final : public Pass {
   void setSurface(gl::Shader& shader, const View& view) const;
   void setLand(gl::Shader& shader, const View& view) const;
   void drawDepth(FrameContext& context);
-  void drawShadows(FrameContext& context);
-  void drawCloudShadowMap(FrameContext& context);
+  void drawShadows(FrameContext& context, const CastShadows& shadows);
+  void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
   void drawSea(FrameContext& context);
   void drawLines(FrameContext& context);
 
