@@ -19,8 +19,9 @@ std::unique_ptr<app::RunConfig> runOf(const BenchGame::Setup& setup) {
   return run;
 }
 
-std::shared_ptr<const clouds::PackedCloudNoise> noiseFor(const scene::EffectSet& effects) {
-  return effects.contains(scene::Effect::clouds) ? test::sharedNoise() : nullptr;
+app::PreparedResources preparedFor(const scene::EffectSet& effects) {
+  return effects.contains(scene::Effect::clouds) ? app::PreparedResources(test::sharedNoise())
+                                                 : app::PreparedResources();
 }
 
 }  // namespace
@@ -30,9 +31,9 @@ BenchGame::BenchGame(const Setup& setup)
       context_(app::openContext(std::nullopt, kFrameSize)),
       simulation_(run_->setup, run_->settings, run_->table),
       sceneRenderer_(*context_,
-             {simulation_.effects(), simulation_.ground(), std::nullopt, setup.measuring,
-              noiseFor(simulation_.effects())},
-             run_->settings),
+                     {simulation_.effects(), simulation_.ground(), std::nullopt, setup.measuring,
+                      preparedFor(simulation_.effects())},
+                     run_->settings),
       overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::Bindings())) {
   sceneRenderer_.addOverlay();
   sceneRenderer_.warmUp(simulation_.world().now(), kFrameSize);
@@ -42,10 +43,11 @@ BenchGame::BenchGame(const Setup& setup)
 double BenchGame::draw(const app::Pose& pose) {
   context_->makeCurrent();  // several games may take turns
   const auto begin = std::chrono::steady_clock::now();
-  sceneRenderer_.camera().setPose(pose.position, glm::radians(pose.yawDegrees), glm::radians(pose.pitchDegrees),
-                          glm::radians(pose.rollDegrees));
+  sceneRenderer_.camera().setPose(pose.position, glm::radians(pose.yawDegrees),
+                                  glm::radians(pose.pitchDegrees), glm::radians(pose.rollDegrees));
   const game::Snapshot& snapshot = simulation_.world().now();
-  if (overlay_.build({snapshot, kFrameSize, 1.0 / 60, run_->table}).fontsChanged) sceneRenderer_.uploadFonts();
+  const app::OverlayResult built = overlay_.build({snapshot, kFrameSize, 1.0 / 60, run_->table});
+  if (built.fontsChanged) sceneRenderer_.uploadFonts();
   sceneRenderer_.draw(snapshot, kFrameSize, app::Streaming::asItComes);
   sceneRenderer_.renderer().finish();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

@@ -21,7 +21,8 @@ class SceneRendererGLTest : public test::GLTest, public testing::WithParamInterf
 
   static SceneRenderer::Setup setupOf(const Simulation& simulation) {
     const bool hasClouds = simulation.effects().contains(scene::Effect::clouds);
-    return {simulation.effects(), simulation.ground(), 1, false, hasClouds ? test::sharedNoise() : nullptr};
+    return {simulation.effects(), simulation.ground(), 1, false,
+            hasClouds ? PreparedResources(test::sharedNoise()) : PreparedResources()};
   }
 };
 

@@ -91,7 +91,8 @@ class PictureRowsEffectGLTest : public test::GLTest {
     line.set = {"clouds.tier=low", "clouds.march.resolution=full"};  // quick, and the clouds fill the frames
     run_ = prepareRun(line);
     simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
-    const SceneRenderer::Setup setup{simulation_->effects(), simulation_->ground(), 2, false, test::sharedNoise()};
+    const SceneRenderer::Setup setup{simulation_->effects(), simulation_->ground(), 2, false,
+                                     PreparedResources(test::sharedNoise())};
     sceneRenderer_ = std::make_unique<SceneRenderer>(context(), setup, run_->settings);
     sceneRenderer_->camera().setMode(render::CameraMode::free);
     sceneRenderer_->renderer().add(std::make_unique<test::LightProbe>(light_));

@@ -12,9 +12,9 @@
 #include "app/measure/frame_times.h"
 #include "app/measure/statistics_json.h"
 #include "app/measure/stopwatch.h"
-#include "app/session/cloud_noise.h"
 #include "app/session/end_flight.h"
 #include "app/session/open_context.h"
+#include "app/session/preparations.h"
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
 #include "app/session/start_camera.h"
@@ -81,21 +81,20 @@ int render(const CommandLine& line) {
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
   for (const std::string& note : run->replayNotes) warn(note);
-  std::optional<CloudNoise> cloudNoise;  // prepared while the rest is
-  if (scene::requiredEffects(run->setup.scene).contains(scene::Effect::clouds))
-    cloudNoise.emplace(NoiseStore(cacheFolder()), CloudNoise::Maker::processor);
+  Preparations preparations;  // beside the rest
+  preparations.begin(scene::requiredEffects(run->setup.scene), Preparation::Maker::processor);
   const Size size = line.size.value_or(kDefaultSize);
   const auto context = openContext(line.backend, size);
   Simulation simulation(run->setup, run->settings, run->table);
   // While land is made this thread waits: its processor makes land too.
   const int workers = line.workers.value_or(core::JobPool::defaultWorkerCount() + 1);
-  SceneRenderer sceneRenderer(*context,
-              {simulation.effects(), simulation.ground(), workers, stats.has_value(),
-               cloudNoise ? cloudNoise->wait() : nullptr},
-              run->settings);
-  if (cloudNoise) {
-    for (const std::string& message : cloudNoise->takeMessages()) warn(message);
-  }
+  preparations.waitUntilReady();
+  const scene::EffectSet& effects = simulation.effects();
+  SceneRenderer sceneRenderer(
+      *context,
+      {effects, simulation.ground(), workers, stats.has_value(), preparations.results(effects)},
+      run->settings);
+  for (const std::string& message : preparations.takeMessages()) warn(message);
   if (line.pose) {
     placeCamera(sceneRenderer.camera(), *line.pose, *simulation.ground());
     if (const auto warning = underSurface(sceneRenderer.camera(), *simulation.ground()); warning && sceneRenderer.land())

@@ -15,24 +15,22 @@
 #include <vector>
 
 #include "app/session/noise_store.h"
+#include "app/session/preparation.h"
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/render/clouds/noise_maker.h"
 
 namespace skydrop::app {
 
 // Main thread. The thread that it starts ends with it, within the time of a slice (20 ms).
-class CloudNoise {
+class CloudNoise final : public Preparation {
  public:
   // One set of textures for all scenes: skies differ by their settings and by where one flies, not by noise
   // that would have to be made for each.
   static constexpr std::uint32_t kSeed = 0;
 
-  // Who makes what is not in the cache. A software renderer would hold its window up with every part.
-  enum class Maker { processor, graphics };
-
-  // Begins at once.
+  // Begins at once. maker: of what is not in the cache.
   CloudNoise(NoiseStore store, Maker maker);
-  ~CloudNoise();
+  ~CloudNoise() override;
   CloudNoise(const CloudNoise&) = delete;
   CloudNoise& operator=(const CloudNoise&) = delete;
 
@@ -41,15 +39,15 @@ class CloudNoise {
   // Waits for it. For Maker::processor; with a graphics card the caller goes on and calls makePart().
   std::shared_ptr<const clouds::PackedCloudNoise> wait() const;
 
-  // How much of it is done, 0 .. 1.
-  double progress() const;
-
-  // With Maker::graphics, once a frame until it is there, on the context's thread: makes an eighth of the
-  // texture that is wanted, if any is. Throws core::DataError (shader).
-  void makePart(render::gl::Context& context);
-
-  // What to warn of since the last call, a line each: a damaged file, a cache that cannot be written.
-  std::vector<std::string> takeMessages();
+  std::string_view title() const override { return "Making the clouds"; }
+  double progress() const override;
+  bool isReady() const override { return get() != nullptr; }
+  void waitUntilReady() const override { wait(); }
+  // An eighth of the texture that is wanted, if any is.
+  void makePart(render::gl::Context& context) override;
+  void putResult(PreparedResources& resources) const override { resources.put(get()); }
+  // A damaged file, a cache that cannot be written.
+  std::vector<std::string> takeMessages() override;
 
  private:
   void run(std::stop_token stop);

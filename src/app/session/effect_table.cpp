@@ -1,16 +1,26 @@
 #include "app/session/effect_table.h"
 
+#include "app/session/cloud_effect.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
 #include "skydrop/render/models/marker_pass.h"
 #include "skydrop/render/models/package_pass.h"
+#include "skydrop/render/shadows/shadow_pass.h"
 #include "skydrop/render/sky/sky_pass.h"
 
 namespace skydrop::app {
 namespace {
 
 using scene::Effect;
+
+// Something whose shadow falls on land; without land nothing is done.
+void castShadow(SceneRenderer& sceneRenderer, render::ShadowSource source) {
+  if (!sceneRenderer.setup().effects.contains(Effect::terrain)) return;
+  render::Renderer& renderer = sceneRenderer.renderer();
+  if (!renderer.find<render::ShadowPass>()) renderer.add(std::make_unique<render::ShadowPass>());
+  renderer.find<render::ShadowPass>()->add(std::move(source));
+}
 
 void addSky(SceneRenderer& sceneRenderer) {
   sceneRenderer.renderer().add(std::make_unique<render::SkyPass>(sceneRenderer.renderer().context()));
@@ -22,20 +32,27 @@ void addAircraft(SceneRenderer& sceneRenderer) {
       renderer.context(), render::importModel(core::assetPath("models/airplane.glb")), "airplane");
   renderer.add(std::make_unique<render::AircraftPass>(model));
   renderer.add(std::make_unique<render::PropellerPass>(model));
-  sceneRenderer.castShadow(render::aircraftShadow(model));
+  castShadow(sceneRenderer, render::aircraftShadow(model));
 }
 
 void addTargets(SceneRenderer& sceneRenderer) {
   render::Renderer& renderer = sceneRenderer.renderer();
   const auto models = std::make_shared<const render::PackageModels>(renderer.context());
   renderer.add(std::make_unique<render::PackagePass>(models));
-  sceneRenderer.castShadow(render::packageShadows(models));
+  castShadow(sceneRenderer, render::packageShadows(models));
   renderer.add(std::make_unique<render::MarkerPass>(renderer.context()));
 }
 
-void addLand(SceneRenderer& sceneRenderer) { sceneRenderer.addLand(); }
+void addLand(SceneRenderer& sceneRenderer) {
+  const SceneRenderer::Setup& setup = sceneRenderer.setup();
+  const int workers = setup.workers.value_or(core::JobPool::defaultWorkerCount());
+  sceneRenderer.stream(std::make_unique<LandStreaming>(sceneRenderer.renderer(), setup.ground, workers,
+                                                       sceneRenderer.settings().streaming));
+}
 
-void addClouds(SceneRenderer& sceneRenderer) { sceneRenderer.addClouds(); }
+void applyLand(SceneRenderer& sceneRenderer, const Settings& settings) {
+  sceneRenderer.streaming()->apply(settings.streaming);
+}
 
 void addHaze(render::FrameFeatures& features) { features.haze = true; }
 
@@ -43,22 +60,27 @@ void addHaze(render::FrameFeatures& features) { features.haze = true; }
 
 const std::vector<EffectDescriptor>& effectTable() {
   static const std::vector<EffectDescriptor> all = {
-      {Effect::aircraft, addAircraft, nullptr, {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
-      {Effect::targets, addTargets, nullptr, {{"game", "Game"}, {"package", "Package"}}},
-      {Effect::clouds,
-       addClouds,
-       nullptr,
-       {{"clouds", "Weather"}, {"clouds.march", "Cloud quality"}}},
-      {Effect::terrain,
-       addLand,
-       nullptr,
-       {{"render.land", "Views of the land"},
-        {"streaming", "Terrain LOD"},
-        {"terrain", "Shape of the land"}}},
-      {Effect::sky, addSky, nullptr, {{"render.sun", "Sun"}}},
-      {Effect::haze, nullptr, addHaze, {{"render.atmosphere", "Air"}}},
-      {Effect::sound, nullptr, nullptr, {{"audio", "Sound"}}},
-      {Effect::hud, nullptr, nullptr, {}},
+      {.effect = Effect::aircraft,
+       .addPasses = addAircraft,
+       .menuSections = {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
+      {.effect = Effect::targets,
+       .addPasses = addTargets,
+       .menuSections = {{"game", "Game"}, {"package", "Package"}}},
+      {.effect = Effect::clouds,
+       .addPasses = addClouds,
+       .apply = applyClouds,
+       .prepare = prepareClouds,
+       .menuSections = {{"clouds", "Weather"}, {"clouds.march", "Cloud quality"}}},
+      {.effect = Effect::terrain,
+       .addPasses = addLand,
+       .apply = applyLand,
+       .menuSections = {{"render.land", "Views of the land"},
+                        {"streaming", "Terrain LOD"},
+                        {"terrain", "Shape of the land"}}},
+      {.effect = Effect::sky, .addPasses = addSky, .menuSections = {{"render.sun", "Sun"}}},
+      {.effect = Effect::haze, .addFeatures = addHaze, .menuSections = {{"render.atmosphere", "Air"}}},
+      {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
+      {.effect = Effect::hud},
   };
   return all;
 }

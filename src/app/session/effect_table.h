@@ -1,28 +1,41 @@
 // The one table that says what each effect needs. Nothing else decides what runs: what no effect of the scene
-// names is not constructed.
+// names is not constructed. Which effects need others is the scene's business (scene::requiredEffects),
+// because the simulation must know it too.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "app/session/preparation.h"
 #include "skydrop/render/frame/frame_features.h"
-#include "skydrop/render/frame/renderer.h"
 #include "skydrop/scene/effect.h"
 #include "skydrop/ui/menu.h"
 
 namespace skydrop::app {
 
+struct Settings;
 class SceneRenderer;
 
 struct EffectDescriptor {
   scene::Effect effect;
-  void (*addPasses)(SceneRenderer& sceneRenderer);                      // null: draws nothing of its own
-  void (*addFeatures)(render::FrameFeatures& features);  // null: shared shaders need not know
-  std::vector<ui::MenuSection> menuSections;             // settings that matter only with this effect
+  // Once, when a scene with the effect is built. Null: draws nothing of its own. May throw core::DataError
+  // (shader, model).
+  void (*addPasses)(SceneRenderer& sceneRenderer) = nullptr;
+  // Null: shared shaders need not know.
+  void (*addFeatures)(render::FrameFeatures& features) = nullptr;
+  // While flying, before the next frame, whenever settings have changed. Null: its passes take no settings
+  // but FrameContext::settings.
+  void (*apply)(SceneRenderer& sceneRenderer, const Settings& settings) = nullptr;
+  // Starts what must be ready before addPasses, beside everything else. Null: nothing.
+  std::unique_ptr<Preparation> (*prepare)(Preparation::Maker maker) = nullptr;
+  // Settings that matter only with this effect.
+  std::vector<ui::MenuSection> menuSections = {};
 };
 
 const std::vector<EffectDescriptor>& effectTable();
 
-// Sections of the menu: those of the scene's effects in the order of the table, then those that every scene has.
+// Sections of the menu: those of the scene's effects in the order of the table, then those that every scene
+// has.
 std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects);
 
 render::FrameFeatures frameFeatures(const scene::EffectSet& effects);

@@ -8,11 +8,6 @@
 #include "skydrop/render/models/model_layer.h"
 
 namespace skydrop::app {
-namespace {
-
-using scene::Effect;
-
-}  // namespace
 
 SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings)
     : setup_(setup), settings_(settings), renderer_(context, settings.render, setup.measuring) {
@@ -33,39 +28,14 @@ void SceneRenderer::apply(const Settings& settings) {
   }
   settings_ = settings;
   renderer_.apply(settings_.render);
-  if (land_) land_->apply(settings_.streaming);
-  if (clouds_) clouds_->apply(settings_.clouds);
+  for (const EffectDescriptor& row : effectTable()) {
+    if (row.apply && setup_.effects.contains(row.effect)) row.apply(*this, settings_);
+  }
 }
 
 void SceneRenderer::freeCamera() {
   if (lastView_) camera_.standAt(*lastView_);
   camera_.setMode(render::CameraMode::free);
-}
-
-void SceneRenderer::addLand() {
-  workers_ = std::make_unique<core::JobPool>(setup_.workers.value_or(core::JobPool::defaultWorkerCount()));
-  land_ = std::make_unique<terrain::EndlessTerrain>(setup_.ground, *workers_, settings_.streaming);
-  auto pass = std::make_unique<render::TerrainPass>(renderer_.context());
-  landPass_ = pass.get();
-  renderer_.add(std::move(pass));
-}
-
-void SceneRenderer::addClouds() {
-  auto pass = std::make_unique<render::CloudSystem>(renderer_.context(), setup_.cloudNoise, settings_.clouds);
-  clouds_ = pass.get();
-  if (setup_.effects.contains(Effect::terrain))
-    renderer_.add(std::make_unique<render::CloudShadowPass>(*clouds_));
-  renderer_.add(std::move(pass));
-}
-
-void SceneRenderer::castShadow(render::ShadowSource source) {
-  if (!setup_.effects.contains(Effect::terrain)) return;
-  if (!shadowPass_) {
-    auto pass = std::make_unique<render::ShadowPass>();
-    shadowPass_ = pass.get();
-    renderer_.add(std::move(pass));
-  }
-  shadowPass_->add(std::move(source));
 }
 
 void SceneRenderer::addOverlay() {
@@ -77,7 +47,7 @@ void SceneRenderer::addOverlay() {
 void SceneRenderer::uploadFonts() { overlay_->uploadFonts(); }
 
 render::View SceneRenderer::view(const game::Snapshot& snapshot, Size size) const {
-  const terrain::HeightSource* ground = land_ ? setup_.ground.get() : nullptr;
+  const terrain::HeightSource* ground = land_ ? &land_->ground() : nullptr;
   return camera_.view(snapshot, settings_.render.camera, size.width, size.height, ground);
 }
 
@@ -86,13 +56,12 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
   lastView_ = view;
   settleMs_ = 0;
   if (land_) {
-    const terrain::ViewVolume volume = render::viewVolume(view);
     if (streaming == Streaming::settled) {
       const auto begin = std::chrono::steady_clock::now();
-      landPass_->take(land_->settle(volume));
+      land_->settle(view);
       settleMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     } else {
-      landPass_->take(land_->update(volume));
+      land_->update(view);
     }
   }
   renderer_.draw(render::gameFrame(snapshot, view, frameFeatures(setup_.effects)));
@@ -112,7 +81,7 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
   everything.target = {.present = true, .position = eye + glm::dvec3(300, -60, 0), .radius = 50};
   const auto drawFrom = [&] {
     const render::View view = camera.view(everything, settings_.render.camera, size.width, size.height);
-    if (land_) landPass_->take(land_->update(render::viewVolume(view)));
+    if (land_) land_->update(view);
     renderer_.draw(render::gameFrame(everything, view, frameFeatures(setup_.effects)));
   };
   drawFrom();
@@ -131,9 +100,9 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
 SceneRenderer::LandProgress SceneRenderer::load(const game::Snapshot& snapshot, Size size) {
   if (!land_) return {};
   const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height);
-  const terrain::TerrainFrame& frame = land_->update(render::viewVolume(view));
-  landPass_->take(frame);
-  return {frame.chunks.size(), land_->statistics().chunksWanted, land_->isSettled()};
+  const terrain::TerrainFrame& frame = land_->update(view);
+  const terrain::EndlessTerrain& terrain = land_->terrain();
+  return {frame.chunks.size(), terrain.statistics().chunksWanted, terrain.isSettled()};
 }
 
 std::vector<std::string> SceneRenderer::takeMessages() {
@@ -148,16 +117,7 @@ std::vector<std::string> SceneRenderer::takeMessages() {
 void SceneRenderer::writeTo(core::FrameStatistics& statistics, std::size_t frames) {
   renderer_.fillStatistics(statistics, frames);
   statistics.threads = 1;
-  if (!land_) return;
-  const terrain::StreamingStatistics& land = land_->statistics();
-  statistics.threads += setup_.workers.value_or(core::JobPool::defaultWorkerCount());
-  statistics.terrain.chunksDrawn = static_cast<std::int64_t>(land.chunksDrawn);
-  statistics.terrain.triangles = static_cast<std::int64_t>(land.triangles);
-  statistics.terrain.generated = static_cast<std::int64_t>(land.generated);
-  statistics.terrain.cacheHits = static_cast<std::int64_t>(land.cacheHits);
-  statistics.terrain.queue = static_cast<std::int64_t>(land.queue);
-  statistics.terrain.bytes = static_cast<std::int64_t>(land.bytes);
-  statistics.terrain.coarsened = static_cast<std::int64_t>(land.coarsened + land.overBudget);
+  if (land_) land_->writeTo(statistics);
 }
 
 }  // namespace skydrop::app

@@ -6,21 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "app/session/land_streaming.h"
+#include "app/session/prepared_resources.h"
 #include "app/settings/settings.h"
 #include "app/types/size.h"
-#include "skydrop/clouds/cloud_field.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
-#include "skydrop/core/job_pool.h"
 #include "skydrop/game/snapshot.h"
-#include "skydrop/render/clouds/cloud_system.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/renderer.h"
 #include "skydrop/render/overlay/imgui_pass.h"
-#include "skydrop/render/shadows/shadow_pass.h"
-#include "skydrop/render/terrain/terrain_pass.h"
 #include "skydrop/scene/effect.h"
-#include "skydrop/terrain/endless_terrain.h"
 
 namespace skydrop::app {
 
@@ -34,10 +30,11 @@ class SceneRenderer {
     std::shared_ptr<const terrain::HeightSource> ground;
     std::optional<int> workers;
     bool measuring = false;  // times are asked for: a software renderer may be slowed down for them
-    std::shared_ptr<const clouds::PackedCloudNoise> cloudNoise = nullptr;  // with clouds only
+    PreparedResources prepared = {};  // what the effects prepared (Preparations::results)
   };
 
-  // The context must outlive the sceneRenderer. Throws core::DataError (shader, model).
+  // Adds the passes of the effects (effect_table.h). The context must outlive it. Throws core::DataError
+  // (shader, model).
   SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings);
   ~SceneRenderer();
 
@@ -45,15 +42,18 @@ class SceneRenderer {
   // Lets the free camera begin where the last frame was seen from.
   void freeCamera();
   render::Renderer& renderer() { return renderer_; }
-  const terrain::EndlessTerrain* land() const { return land_.get(); }  // null without terrain
+  // Null without terrain.
+  const terrain::EndlessTerrain* land() const { return land_ ? &land_->terrain() : nullptr; }
+
+  // For the functions of the effect table.
+  const Setup& setup() const { return setup_; }
+  const Settings& settings() const { return settings_; }
+  // Makes this the land that frames wait for and cameras keep above.
+  void stream(std::unique_ptr<LandStreaming> land) { land_ = std::move(land); }
+  LandStreaming* streaming() { return land_.get(); }  // null before stream()
 
   // Takes the settings over for the next frame.
   void apply(const Settings& settings);
-
-  void addLand();
-  void addClouds();
-  // Something whose shadow falls on land; without land nothing is done.
-  void castShadow(render::ShadowSource source);
 
   // From now on draws what Dear ImGui has built; the interface's context must exist.
   void addOverlay();
@@ -99,12 +99,8 @@ class SceneRenderer {
   render::Renderer renderer_;
   render::Camera camera_;
   std::optional<render::View> lastView_;
-  std::unique_ptr<core::JobPool> workers_;         // with terrain only
-  std::unique_ptr<terrain::EndlessTerrain> land_;  // with terrain only
-  render::TerrainPass* landPass_ = nullptr;        // the renderer's; with terrain only
-  render::ShadowPass* shadowPass_ = nullptr;       // the renderer's; with land and something that casts
-  render::CloudSystem* clouds_ = nullptr;          // the renderer's; with clouds only
-  render::ImGuiPass* overlay_ = nullptr;           // the renderer's
+  std::unique_ptr<LandStreaming> land_;   // with terrain only
+  render::ImGuiPass* overlay_ = nullptr;  // the renderer's
   double settleMs_ = 0;
 };
 

@@ -28,8 +28,10 @@ StudyResult cloudStudy(const StudyProgress& progress) {
   const CloudTier shipped = run->settings.clouds.tier;
   const auto context = openContext(std::nullopt, kSize);
   Simulation simulation(run->setup, run->settings, run->table);
-  SceneRenderer sceneRenderer(*context, {simulation.effects(), simulation.ground(), std::nullopt, false, noise.wait()},
-              run->settings);
+  SceneRenderer sceneRenderer(*context,
+                              {simulation.effects(), simulation.ground(), std::nullopt, false,
+                               PreparedResources(noise.wait())},
+                              run->settings);
   sceneRenderer.camera().setMode(render::CameraMode::free);
   sceneRenderer.camera().setPose({0, 600, 0}, glm::radians(40.0), glm::radians(12.0), 0);
   const game::Snapshot& snapshot = simulation.world().now();

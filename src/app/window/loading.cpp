@@ -7,7 +7,7 @@
 namespace skydrop::app {
 namespace {
 
-constexpr double kShareOfClouds = 0.25;  // of the bar
+constexpr double kShareOfPreparations = 0.25;  // of the bar
 
 }  // namespace
 
@@ -16,13 +16,13 @@ Loading::Loading(GameWindow& window, Overlay& overlay, std::function<bool()> goe
   screen_.show({"Getting ready", 0});
 }
 
-bool Loading::makeClouds(CloudNoise& noise) {
-  while (!noise.get()) {
+bool Loading::prepare(Preparations& preparations) {
+  while (const Preparation* pending = preparations.pending()) {
     if (!goesOn_()) return false;
-    noise.makePart(window_.context());
-    const double progress = noise.progress();
-    screen_.show({"Making the clouds: " + std::to_string(std::lround(100 * progress)) + " %",
-                  kShareOfClouds * progress});
+    preparations.makeParts(window_.context());
+    screen_.show({std::string(pending->title()) + ": " +
+                      std::to_string(std::lround(100 * pending->progress())) + " %",
+                  kShareOfPreparations * preparations.progress()});
   }
   return true;
 }

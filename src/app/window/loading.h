@@ -1,9 +1,9 @@
-// Getting a scene ready behind the loading picture: first the clouds' noise, then shaders and land.
+// Getting a scene ready behind the loading picture: first what its effects prepare, then shaders and land.
 #pragma once
 
 #include <functional>
 
-#include "app/session/cloud_noise.h"
+#include "app/session/preparations.h"
 #include "app/session/scene_renderer.h"
 #include "app/window/loading_screen.h"
 
@@ -15,8 +15,8 @@ class Loading {
   // events; false: the player has quit.
   Loading(GameWindow& window, Overlay& overlay, std::function<bool()> goesOn);
 
-  // Returns when the noise is there; false when the player quit before.
-  bool makeClouds(CloudNoise& noise);
+  // Returns when all of them are ready; false when the player quit before. Throws what ended one early.
+  bool prepare(Preparations& preparations);
   // Returns when all the land is there that the snapshot's view shows, or when the player quit.
   void makeLand(SceneRenderer& sceneRenderer, const game::Snapshot& start);
 

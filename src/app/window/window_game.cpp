@@ -97,7 +97,7 @@ WindowGame::WindowGame(const CommandLine& line)
       screenshots_(screenshotFolder(*run_)) {
   if (window_.context().isSoftware()) useSoftwareRenderer(*run_);
   if (line_.pose) run_->settings.view.camera = render::CameraMode::free;
-  beginClouds();
+  beginPreparations();
   std::vector<std::string> warnings;
   if (run_->warning) tell(part::kPlayersValues, *run_->warning);
   if (const auto warning = folderRefusal(*run_)) tell(part::kChoices, *warning);
@@ -138,36 +138,27 @@ void WindowGame::tellOfSoftware() {
   }
 }
 
-// The noise of the clouds, beside everything else; it stays for as long as scenes call for it.
-void WindowGame::beginClouds() {
-  if (cloudNoise_ || !scene::requiredEffects(run_->setup.scene).contains(Effect::clouds)) return;
-  using Maker = CloudNoise::Maker;
-  cloudNoise_.emplace(NoiseStore(cacheFolder()),
+// Beside everything else.
+void WindowGame::beginPreparations() {
+  using Maker = Preparation::Maker;
+  preparations_.begin(scene::requiredEffects(run_->setup.scene),
                       window_.context().isSoftware() ? Maker::processor : Maker::graphics);
 }
 
-void WindowGame::dropUnusedClouds() {
-  if (!simulation_ || !simulation_->effects().contains(Effect::clouds)) cloudNoise_.reset();
-}
-
-// Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player
-// quit.
+// Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player quit.
 WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
-  beginClouds();
+  beginPreparations();
   Flight next;
   Loading loading(window_, *overlay_, [&] {
     handleEventsWhileLoading(lostFocus);
     return !ends();
   });
-  if (cloudNoise_) {
-    if (!loading.makeClouds(*cloudNoise_)) return next;
-    for (const std::string& message : cloudNoise_->takeMessages()) warn(message);
-  }
+  if (!loading.prepare(preparations_)) return next;
+  for (const std::string& message : preparations_.takeMessages()) warn(message);
   next.simulation = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
   const scene::EffectSet& effects = next.simulation->effects();
-  const bool hasClouds = effects.contains(Effect::clouds);
   const SceneRenderer::Setup setup{effects, next.simulation->ground(), line_.workers, stats_.has_value(),
-                           hasClouds ? cloudNoise_->get() : nullptr};
+                                   preparations_.results(effects)};
   next.sceneRenderer = std::make_unique<SceneRenderer>(window_.context(), setup, run_->settings);
   if (sceneRenderer_) {
     next.sceneRenderer->camera() = sceneRenderer_->camera();
@@ -208,7 +199,7 @@ void WindowGame::buildScene() {
   } catch (...) {
     failure = std::current_exception();
   }
-  dropUnusedClouds();
+  preparations_.keepOnly(simulation_ ? simulation_->effects() : scene::EffectSet());
   if (lostFocus) paused_ = true;
   if (sceneRenderer_) sceneRenderer_->uploadFonts();  // the loading picture had its own
   programsLoaded_ = window_.context().resources().live(render::gl::ObjectKind::program);

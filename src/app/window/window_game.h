@@ -16,8 +16,8 @@
 #include "app/input/imgui_input.h"
 #include "app/input/player_controls.h"
 #include "app/measure/frame_times.h"
-#include "app/session/cloud_noise.h"
 #include "app/session/player_camera.h"
+#include "app/session/preparations.h"
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
 #include "app/types/command_line.h"
@@ -58,8 +58,7 @@ class WindowGame {
   };
   Flight loadFlight(bool& lostFocus);
   void buildScene();
-  void beginClouds();
-  void dropUnusedClouds();
+  void beginPreparations();
   void handleEventsWhileLoading(bool& lostFocus);
   bool ends();
   void fly();
@@ -105,7 +104,7 @@ class WindowGame {
   std::unique_ptr<RunConfig> run_;
   std::optional<core::OutputFile> stats_;  // --stats; opened before the window
   GameWindow window_;
-  std::optional<CloudNoise> cloudNoise_;  // with clouds only
+  Preparations preparations_;  // of what the scene calls for; kept while scenes go on to call for it
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Overlay> overlay_;  // before the sceneRenderer, whose pass draws its fonts
   std::unique_ptr<SceneRenderer> sceneRenderer_;

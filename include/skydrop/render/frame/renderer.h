@@ -31,6 +31,14 @@ class Renderer {
 
   // Passes run by stage, and in the order of adding within one.
   void add(std::unique_ptr<Pass> pass);
+  // The first pass of this class in the order of the frame; null without one. The renderer owns it.
+  template <class T>
+  T* find() const {
+    for (const std::unique_ptr<Pass>& pass : passes_) {
+      if (T* found = dynamic_cast<T*>(pass.get())) return found;
+    }
+    return nullptr;
+  }
   // Of the passes of its stage, from the next frame on, in place of any that was set before. Without one they
   // are drawn into the scene itself.
   void setLayer(std::unique_ptr<StageLayer> layer);
