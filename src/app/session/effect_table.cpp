@@ -48,7 +48,7 @@ const std::vector<EffectDescriptor>& effectTable() {
       {Effect::clouds,
        addClouds,
        nullptr,
-       {{"clouds", "Weather"}, {"clouds.march", "Cloud quality"}}},
+       {{"clouds", "Weather", false, {"wind"}}, {"clouds.march", "Cloud quality"}}},
       {Effect::terrain,
        addLand,
        nullptr,

@@ -32,7 +32,7 @@ void SceneRenderer::apply(const Settings& settings) {
   settings_ = settings;
   renderer_.apply(settings_.render);
   if (land_) land_->apply(settings_.streaming);
-  if (clouds_) clouds_->apply(settings_.clouds);
+  if (clouds_) clouds_->apply(settings_.clouds, settings_.wind);
 }
 
 void SceneRenderer::freeCamera() {
@@ -49,7 +49,8 @@ void SceneRenderer::addLand() {
 }
 
 void SceneRenderer::addClouds() {
-  auto pass = std::make_unique<render::CloudSystem>(renderer_.context(), setup_.cloudNoise, settings_.clouds);
+  auto pass = std::make_unique<render::CloudSystem>(renderer_.context(), setup_.cloudNoise, settings_.clouds,
+                                                    settings_.wind);
   clouds_ = pass.get();
   if (setup_.effects.contains(Effect::terrain))
     renderer_.add(std::make_unique<render::CloudShadowPass>(*clouds_));
