@@ -59,7 +59,7 @@ LightSegment gatherLightSegment(inout March march, CellRay ray, vec3 direction, 
       continue;
     }
     // In clear air a stride of several steps, judged by its end: the shape before erosion is too thick to slip through.
-    float pace = step * mix(1.0, clouds.sight.w, march.clear);
+    float pace = step * mix(1.0, clouds.march.y, march.clear);
     float length = min(pace, span.end - march.at);
     float middle = march.at + length * mix(0.5, 1.0, march.clear);
     vec3 place = direction * middle;

@@ -5,7 +5,7 @@
 #include "shared/guards.glsl"
 #endif
 
-// How noise becomes density. Ranges stand with clouds::CloudSettings.
+// How noise becomes density; ranges are described with clouds::CloudLayerSettings.
 struct CloudMedium {
   Real threshold;  // least base density that is drawn, [0, 0.95]
   Real coverage;   // of the whole layer, [0, 1]: scales the weather map's
@@ -42,12 +42,21 @@ FN Real coveredDensity(Real density, Real coverage) {
   return remapClamped(density, Real(1.0) - coverage, Real(1.0), Real(0.0), Real(1.0)) * coverage;
 }
 
+// What the weather map's coverage comes to in a medium.
+FN Real localCoverage(CloudMedium medium, Real mapped) { return saturate(mapped * Real(2.0) * medium.coverage); }
+
+// Density before erosion from a base density, a profile and a local coverage: never falls as any of the three grows, so
+// bounds of them give a bound of it (clouds::Occupancy).
+FN Real profiledDensity(CloudMedium medium, Real base, Real profile, Real coverage) {
+  Real body = saturate((base - medium.threshold) / (Real(1.0) - medium.threshold));
+  return coveredDensity(body * profile, coverage);
+}
+
 // Density before erosion: an upper bound of cloudDensity() whatever the detail, and all that a coarse sample needs.
 // `base` is cloudBase(), `weather` the weather map's channels.
 FN Real cloudShapeDensity(CloudMedium medium, Real heightFraction, Vec4 weather, Real base) {
-  Real coverage = saturate(weather.x * Real(2.0) * medium.coverage);
-  Real body = saturate((base - medium.threshold) / (Real(1.0) - medium.threshold));
-  return coveredDensity(body * cloudProfile(heightFraction, weather.z + medium.typeShift), coverage);
+  Real profile = cloudProfile(heightFraction, weather.z + medium.typeShift);
+  return profiledDensity(medium, base, profile, localCoverage(medium, weather.x));
 }
 
 // Detail erodes the edges: wisps near the base, billows above. `detail` is cloudDetail().

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
-#include <numbers>
 #include <string>
 
 #include "skydrop/core/error.h"
@@ -135,36 +134,32 @@ PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::Text
   return packed;
 }
 
-CloudField::CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings)
-    : noise_(std::move(noise)), settings_(settings) {}
-
-glm::dvec2 CloudField::drift(const CloudSettings& settings, double seconds) {
-  const double from = settings.windDirection * std::numbers::pi / 180;  // compass: 0 = -z, 90 = +x
-  return glm::dvec2(-std::sin(from), std::cos(from)) * (settings.windSpeed * seconds);
-}
+CloudField::CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
+                       std::size_t layer)
+    : noise_(std::move(noise)), layer_(settings.layers.at(layer)), fadeDistance_(settings.fadeDistance) {}
 
 template <class Shared>
 typename Shared::Real CloudField::densityAs(const glm::dvec3& position) const {
   using Real = typename Shared::Real;
   using Vec2 = typename Shared::Vec2;
   using Vec3 = typename Shared::Vec3;
-  const double height = (position.y - settings_.cloudHeight) / settings_.thickness;
+  const double height = (position.y - layer_.cloudHeight) / layer_.thickness;
   if (!(height > 0 && height < 1)) return 0;
   const glm::dvec3 carried = position - glm::dvec3(drift_.x, 0, drift_.y);
   const auto placeIn = [&](double period) {
     return Vec3(inPeriods(carried.x, period), inPeriods(carried.y, period), inPeriods(carried.z, period));
   };
   const typename Shared::Medium medium{
-      static_cast<Real>(settings_.densityThreshold), static_cast<Real>(settings_.coverage),
-      static_cast<Real>(settings_.typeShift), static_cast<Real>(settings_.erosion)};
-  const Vec3 inMap = placeIn(weatherPeriod(settings_));
+      static_cast<Real>(layer_.densityThreshold), static_cast<Real>(layer_.coverage),
+      static_cast<Real>(layer_.typeShift), static_cast<Real>(layer_.erosion)};
+  const Vec3 inMap = placeIn(weatherPeriod(layer_, fadeDistance_));
   const Real shape =
       Shared::shapeDensity(medium, static_cast<Real>(height),
                            mapAt<Shared>(noise_->weather, noise_->weatherSide, Vec2(inMap.x, inMap.z)),
-                           volumeAt<Real>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(settings_))));
+                           volumeAt<Real>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(layer_))));
   if (!(shape > 0)) return 0;  // most places: the detail is not even fetched
   return Shared::eroded(medium, static_cast<Real>(height), shape,
-                        volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(settings_))));
+                        volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(layer_))));
 }
 
 double CloudField::density(const glm::dvec3& position) const { return densityAs<InDouble>(position); }

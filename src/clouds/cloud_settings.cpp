@@ -15,12 +15,88 @@ namespace {
 constexpr double kShapePeriodAtOne = 2400, kDetailPeriodAtOne = 8000, kWeatherPeriodAtOne = 1000;
 
 // The period in force, and why it is not the one that the scale asks for.
-std::string weatherNote(const CloudSettings& s) {
+std::string weatherNote(const CloudLayerSettings& layer, double fadeDistance) {
   char text[128];
-  const bool isBound = kWeatherPeriodAtOne / s.weatherScale < 2 * s.fadeDistance;
-  std::snprintf(text, sizeof text, "The map repeats after %.1f km%s.", weatherPeriod(s) / 1000,
+  const bool isBound = kWeatherPeriodAtOne / layer.weatherScale < 2 * fadeDistance;
+  const double km = weatherPeriod(layer, fadeDistance) / 1000;
+  std::snprintf(text, sizeof text, "The map repeats after %.1f km%s.", km,
                 isBound ? ": twice the fade distance, whatever more is asked for" : "");
   return text;
+}
+
+// The rows of one layer; `all` has what their notes depend on besides.
+void describeLayer(core::SettingsVisitor& visitor, CloudLayerSettings& s, const CloudSettings& all) {
+  struct Row {
+    std::string_view help;
+    std::string_view aliases = {};
+    bool logarithmic = false;
+    std::optional<core::Range> slider = std::nullopt;
+    core::FieldNote note = {};
+  };
+  const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
+                          const Row& row) {
+    visitor.number(name, value,
+                   {.unit = unit,
+                    .min = min,
+                    .max = max,
+                    .help = row.help,
+                    .logarithmic = row.logarithmic,
+                    .slider = row.slider,
+                    .aliases = row.aliases,
+                    .note = row.note});
+  };
+  number("densityThreshold", s.densityThreshold, "1", 0, 0.95,
+         {.help = "Least density of the noise that is drawn; more leaves smaller, sparser clouds.",
+          .aliases = "density, cutoff",
+          .slider = core::Range{0, 0.85}});
+  number("scale", s.scale, "1", 0.1, 4,
+         {.help = "Of the billows; less makes bigger, fluffier clouds, beyond the slider's end they line up "
+                  "in a lattice.",
+          .aliases = "size, frequency, base scale",
+          .logarithmic = true,
+          .slider = core::Range{0.2, 1.5}});
+  number(
+      "anisotropy", s.anisotropy, "1", -0.9, 0.95,
+      {.help = "Henyey-Greenstein's mean cosine; more sends light onward and lights edges against the sun.",
+       .aliases = "HG, g, Henyey-Greenstein, phase function, scattering"});
+  number("extinction", s.extinction, "1/m", 0, 1,
+         {.help = "Of the densest cloud; more makes it opaque.",
+          .aliases = "SIGMA, absorption, opacity, density, Beer",
+          .slider = core::Range{0, 0.2}});
+  number("higherScale", s.higherScale, "1", 2, 80,
+         {.help = "Of the detail on the edges; more makes it finer, beyond the slider's end it shows as "
+                  "hatching.",
+          .aliases = "detail scale, high frequency",
+          .logarithmic = true,
+          .slider = core::Range{2, 30},
+          .note = core::noteWhile([&s, &all] { return !(s.erosion > 0) || !all.march.detail; },
+                                  "Does nothing without erosion by detail.")});
+  number("weatherScale", s.weatherScale, "1/km", 0.005, 0.1,
+         {.help = "Of the weather map; more brings different weather nearer together. The map is never "
+                  "smaller than twice the fade distance, so that nobody sees it repeat.",
+          .aliases = "weather map, coverage scale",
+          .logarithmic = true,
+          .slider = core::Range{0.005, 0.02},
+          .note = [&s, &all] { return weatherNote(s, all.fadeDistance); }});
+  number("cloudHeight", s.cloudHeight, "m", 100, 8000,
+         {.help = "Height of the base above the sea.", .aliases = "altitude, cloud base, ceiling"});
+  number("thickness", s.thickness, "m", 50, 6000,
+         {.help = "From base to top; more makes clouds taller.",
+          .aliases = "cloud top, depth, tall",
+          .slider = core::Range{200, 4000}});
+  number("coverage", s.coverage, "1", 0, 1,
+         {.help = "How much of the sky clouds take; 0 leaves it clear, more joins them to a deck.",
+          .aliases = "cloud cover, amount, overcast"});
+  number("typeShift", s.typeShift, "1", -1, 1,
+         {.help = "From the weather map's types towards stratus (-1) or cumulus (1).",
+          .aliases = "cloud type, stratus, cumulus"});
+  number("erosion", s.erosion, "1", 0, 0.9,
+         {.help = "How much of the edges detail takes away; more leaves thinner, more ragged clouds.",
+          .aliases = "detail, wisps",
+          .slider = core::Range{0, 0.7}});
+  number("forwardShare", s.forwardShare, "1", 0, 1,
+         {.help = "Share of the light that goes nearly straight on; more makes silver edges against the sun.",
+          .aliases = "silver lining, phase function, scattering"});
 }
 
 }  // namespace
@@ -96,98 +172,36 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
 }
 
 void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
-  struct Row {
-    std::string_view help;
-    std::string_view aliases = {};
-    bool logarithmic = false;
-    std::optional<core::Range> slider = std::nullopt;
-    core::FieldNote note = {};
-  };
-  const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
-                          const Row& row) {
-    visitor.number(name, value,
-                   {.unit = unit,
-                    .min = min,
-                    .max = max,
-                    .help = row.help,
-                    .logarithmic = row.logarithmic,
-                    .slider = row.slider,
-                    .aliases = row.aliases,
-                    .note = row.note});
-  };
-  number("densityThreshold", s.densityThreshold, "1", 0, 0.95,
-         {.help = "Least density of the noise that is drawn; more leaves smaller, sparser clouds.",
-          .aliases = "density, cutoff",
-          .slider = core::Range{0, 0.85}});
-  number("scale", s.scale, "1", 0.1, 4,
-         {.help = "Of the billows; less makes bigger, fluffier clouds, beyond the slider's end they line up "
-                  "in a lattice.",
-          .aliases = "size, frequency, base scale",
-          .logarithmic = true,
-          .slider = core::Range{0.2, 1.5}});
-  number(
-      "anisotropy", s.anisotropy, "1", -0.9, 0.95,
-      {.help = "Henyey-Greenstein's mean cosine; more sends light onward and lights edges against the sun.",
-       .aliases = "HG, g, Henyey-Greenstein, phase function, scattering"});
-  number("extinction", s.extinction, "1/m", 0, 1,
-         {.help = "Of the densest cloud; more makes it opaque.",
-          .aliases = "SIGMA, absorption, opacity, density, Beer",
-          .slider = core::Range{0, 0.2}});
-  number("higherScale", s.higherScale, "1", 2, 80,
-         {.help = "Of the detail on the edges; more makes it finer, beyond the slider's end it shows as "
-                  "hatching.",
-          .aliases = "detail scale, high frequency",
-          .logarithmic = true,
-          .slider = core::Range{2, 30},
-          .note = core::noteWhile([&s] { return !(s.erosion > 0) || !s.march.detail; },
-                                  "Does nothing without erosion by detail.")});
-  number("weatherScale", s.weatherScale, "1/km", 0.005, 0.1,
-         {.help = "Of the weather map; more brings different weather nearer together. The map is never "
-                  "smaller than twice the fade distance, so that nobody sees it repeat.",
-          .aliases = "weather map, coverage scale",
-          .logarithmic = true,
-          .slider = core::Range{0.005, 0.02},
-          .note = [&s] { return weatherNote(s); }});
-  number("cloudHeight", s.cloudHeight, "m", 100, 8000,
-         {.help = "Height of the base above the sea.", .aliases = "altitude, cloud base, ceiling"});
-  number("thickness", s.thickness, "m", 50, 6000,
-         {.help = "From base to top; more makes clouds taller.",
-          .aliases = "cloud top, depth, tall",
-          .slider = core::Range{200, 4000}});
-  number("coverage", s.coverage, "1", 0, 1,
-         {.help = "How much of the sky clouds take; 0 leaves it clear, more joins them to a deck.",
-          .aliases = "cloud cover, amount, overcast"});
-  number("typeShift", s.typeShift, "1", -1, 1,
-         {.help = "From the weather map's types towards stratus (-1) or cumulus (1).",
-          .aliases = "cloud type, stratus, cumulus"});
-  number("erosion", s.erosion, "1", 0, 0.9,
-         {.help = "How much of the edges detail takes away; more leaves thinner, more ragged clouds.",
-          .aliases = "detail, wisps",
-          .slider = core::Range{0, 0.7}});
-  number("forwardShare", s.forwardShare, "1", 0, 1,
-         {.help = "Share of the light that goes nearly straight on; more makes silver edges against the sun.",
-          .aliases = "silver lining, phase function, scattering"});
-  number("fadeDistance", s.fadeDistance, "m", 1000, 60000,
-         {.help = "Clouds have faded out at this distance; more costs time.",
-          .aliases = "draw distance, view distance, range"});
-  number("windSpeed", s.windSpeed, "m/s", 0, 60,
-         {.help = "How fast the clouds drift while time goes on.", .aliases = "drift"});
-  number("windDirection", s.windDirection, "deg", 0, 360,
-         {.help = "Compass direction from which the wind that moves the clouds blows.",
-          .aliases = "drift, heading",
-          .note = core::noteWhile([&s] { return !(s.windSpeed > 0); }, "Does nothing without wind.")});
+  visitor.enterGroup("layers", "The cloud layers.");
+  for (std::size_t i = 0; i < s.layers.size(); ++i) {
+    visitor.enterGroup(std::to_string(i), "A cloud layer.");
+    describeLayer(visitor, s.layers[i], s);
+    visitor.leaveGroup();
+  }
+  visitor.leaveGroup();
+  visitor.number("fadeDistance", s.fadeDistance,
+                 {.unit = "m",
+                  .min = 1000,
+                  .max = 60000,
+                  .help = "Clouds have faded out at this distance; more costs time.",
+                  .aliases = "draw distance, view distance, range"});
   visitor.choice("tier", s.tier, kCloudTierNames,
                  {.help = "How exactly clouds are drawn: sets the rows of the march.",
                   .takesEffect = core::TakesEffect::variant,
                   .aliases = "quality, LOD"});
   visitor.group("march", s.march, "How exactly clouds are drawn, row by row.");
+  for (const std::string_view name :
+       {"densityThreshold", "scale", "anisotropy", "extinction", "higherScale", "weatherScale", "cloudHeight",
+        "thickness", "coverage", "typeShift", "erosion", "forwardShare"}) {
+    visitor.renamed(name, "layers.0." + std::string(name));
+  }
 }
 
-double shapePeriod(const CloudSettings& settings) { return kShapePeriodAtOne / settings.scale; }
-double detailPeriod(const CloudSettings& settings) { return kDetailPeriodAtOne / settings.higherScale; }
-double weatherPeriod(const CloudSettings& settings) {
-  const double least = std::max(kWeatherPeriodAtOne / settings.weatherScale, 2 * settings.fadeDistance);
-  const double shape = shapePeriod(settings);
+double shapePeriod(const CloudLayerSettings& layer) { return kShapePeriodAtOne / layer.scale; }
+double detailPeriod(const CloudLayerSettings& layer) { return kDetailPeriodAtOne / layer.higherScale; }
+double weatherPeriod(const CloudLayerSettings& layer, double fadeDistance) {
+  const double least = std::max(kWeatherPeriodAtOne / layer.weatherScale, 2 * fadeDistance);
+  const double shape = shapePeriod(layer);
   return std::ceil(least / shape) * shape;
 }
 

@@ -243,7 +243,8 @@ void SettingsTable::build(Visit visit, void* settings, void* defaults) {
   for (const auto& [formerly, now] : renamed_) {
     const auto field = std::ranges::find(fields_, now, &Field::path);
     assert(field != fields_.end() && std::ranges::find(fields_, formerly, &Field::path) == fields_.end());
-    field->aliases += (field->aliases.empty() ? "" : ", ") + formerly.substr(formerly.rfind('.') + 1);
+    const std::string name = formerly.substr(formerly.rfind('.') + 1);
+    if (name != field->name) field->aliases += (field->aliases.empty() ? "" : ", ") + name;
   }
 }
 
@@ -267,6 +268,14 @@ bool SettingsTable::isGroup(std::string_view path) const {
          std::ranges::any_of(renamed_, [&](const auto& names) { return names.first.starts_with(below); });
 }
 
+std::vector<std::string> SettingsTable::formerPaths(std::string_view path) const {
+  std::vector<std::string> paths;
+  for (const auto& [formerly, now] : renamed_) {
+    if (now == path) paths.push_back(formerly);
+  }
+  return paths;
+}
+
 const Field& SettingsTable::at(std::string_view path) const {
   if (const Field* field = find(path)) return *field;
   throw RangeError("unknown setting '" + std::string(path) + "'" + nearestText(path));
@@ -274,8 +283,9 @@ const Field& SettingsTable::at(std::string_view path) const {
 
 std::string SettingsTable::nearestText(std::string_view path) const {
   std::vector<KnownName> known;
-  known.reserve(fields_.size());
+  known.reserve(fields_.size() + renamed_.size());
   for (const Field& field : fields_) known.push_back({field.path, field.aliases});
+  for (const auto& [formerly, now] : renamed_) known.push_back({formerly, {}, now});
   return core::nearestText(path, known);
 }
 

@@ -31,9 +31,13 @@ void requireUsable(const GameSettings& s) {
   if (s.targetRadius <= 0) throw core::RangeError("game: targetRadius must be positive");
 }
 
+void requireUsable(const glm::dvec3& wind) {
+  if (!core::isFinite(wind)) throw core::RangeError("world: the wind is not finite");
+}
+
 const WorldSetup& usable(const WorldSetup& setup) {
   if (!setup.ground) throw core::RangeError("world: there is no ground");
-  if (!core::isFinite(setup.wind)) throw core::RangeError("world: the wind is not finite");
+  requireUsable(setup.wind);
   requireUsable(setup.game);
   return setup;
 }
@@ -150,6 +154,11 @@ void World::apply(const flight::PackageSettings& settings) {
 void World::apply(const GameSettings& settings) {
   requireUsable(settings);
   state_->setup.game = settings;
+}
+
+void World::setWind(const glm::dvec3& velocity) {
+  requireUsable(velocity);
+  state_->setup.wind = velocity;
 }
 
 void World::placeAircraft(const StartPose& pose) {

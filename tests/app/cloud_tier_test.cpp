@@ -106,16 +106,16 @@ TEST(CloudTier, theQualityChoosesItAndEveryOtherSourceLiesAbove) {
 TEST(CloudTier, oneThatIsPickedInTheMenuTakesItsRowsAlong) {
   // The rows of the march follow, whatever they were set to; the weather stays; --set is heard no more.
   const auto run = prepareRun(headless({"clouds.march.stepM=9"}));
-  choose(*run, "clouds.coverage=0.8");
+  choose(*run, "clouds.layers.0.coverage=0.8");
   choose(*run, "clouds.march.maxSegmentOpticalDepth=1.5");
   const std::vector<std::string> changed = choose(*run, "clouds.tier=low");
   EXPECT_EQ(run->settings.clouds.march.stepM, marchOf(CloudTier::low).stepM);
   EXPECT_EQ(run->settings.clouds.march.maxSegmentOpticalDepth, marchOf(CloudTier::low).maxSegmentOpticalDepth);
-  EXPECT_EQ(run->settings.clouds.coverage, 0.8);
+  EXPECT_EQ(run->settings.clouds.layers[0].coverage, 0.8);
   for (const char* path : {"clouds.tier", "clouds.march.stepM", "clouds.march.maxSegmentOpticalDepth"}) {
     EXPECT_EQ(std::count(changed.begin(), changed.end(), path), 1) << path;
   }
-  EXPECT_EQ(std::count(changed.begin(), changed.end(), "clouds.coverage"), 0);
+  EXPECT_EQ(std::count(changed.begin(), changed.end(), "clouds.layers.0.coverage"), 0);
   EXPECT_TRUE(run->table.at("clouds.march.stepM").isDefault());
   // The way back, as undo takes it: the value of before, as another change.
   choose(*run, "clouds.tier=high");

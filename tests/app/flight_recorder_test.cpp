@@ -101,6 +101,26 @@ TEST(FlightRecorder, aFlightReplaysThroughEveryCheckpointWhateverBecameOfItsScen
   EXPECT_TRUE(gone.notes.empty());
 }
 
+TEST(FlightRecorder, aLogOlderThanTheWindOfTheAircraftIsFlownInStillAir) {
+  // Whatever the player has set since. A log of a flight in wind has its wind.
+  const test::TemporaryFolder folder;
+  const std::string log = record(folder, folder.write("a.json", kScene));
+  for (const char* row : {"speed", "direction", "movesAircraft"}) {
+    const std::string text = core::readTextFile(log), begin = std::string("[\"wind.") + row + "\",";
+    const std::size_t at = text.find(begin), end = text.find(']', at);
+    ASSERT_NE(at, std::string::npos) << row;
+    std::ofstream(log) << text.substr(0, at) + text.substr(text.find('[', end));
+  }
+  std::filesystem::create_directories(folder.path() / "user");
+  folder.write("user/settings.json", R"({"schema": 1, "settings": {"wind": {"movesAircraft": true}}})");
+  EXPECT_EQ(replay(folder, log).divergence, "");
+  const std::string windy = record(folder, folder.path() / "a.json");
+  folder.write("user/settings.json", R"({"schema": 1, "settings": {"wind": {"speed": 40}}})");
+  EXPECT_EQ(replay(folder, windy).divergence, "");
+  rewrite(windy, "[\"wind.speed\",\"8\"]", "[\"wind.speed\",\"9\"]");
+  EXPECT_NE(replay(folder, windy).divergence, "") << "the wind decides nothing";
+}
+
 TEST(FlightRecorder, aTamperedLogNamesTheFirstCheckpointThatDiffers) {
   // A step more in the third second or at the end, another setting on the way or at the start: each is found
   // at the first checkpoint behind it.

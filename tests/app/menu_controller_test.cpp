@@ -58,16 +58,16 @@ TEST(MenuController, presetsAreServedThroughTheMenu) {
   const core::SettingsTable table(settings);
   settings.aircraft.mass = 900;
   using Kind = ui::PresetRequest::Kind;
-  desk.serve({Kind::save, "light", "aircraft"}, table, menu);
+  desk.serve({Kind::save, "light", {"aircraft"}}, table, menu);
   ASSERT_EQ(desk.tools(table, someView(), {}).presets.value().size(), 1u);
   settings.aircraft.mass = 1500;
-  const MenuController::Served served = desk.serve({Kind::load, "light", ""}, table, menu);
+  const MenuController::Served served = desk.serve({Kind::load, "light"}, table, menu);
   EXPECT_EQ(served.changedPaths, std::vector<std::string>{"aircraft.mass"});
   EXPECT_EQ(settings.aircraft.mass, 900);
-  EXPECT_THROW(desk.serve({Kind::load, "heavy", ""}, table, menu), core::DataError);
-  EXPECT_THROW(desk.serve({Kind::save, "a/b", ""}, table, menu), core::RangeError);
+  EXPECT_THROW(desk.serve({Kind::load, "heavy"}, table, menu), core::DataError);
+  EXPECT_THROW(desk.serve({Kind::save, "a/b"}, table, menu), core::RangeError);
   EXPECT_EQ(settings.aircraft.mass, 900);
-  desk.serve({Kind::remove, "light", ""}, table, menu);
+  desk.serve({Kind::remove, "light"}, table, menu);
   EXPECT_TRUE(desk.tools(table, someView(), {}).presets.value().empty());
 }
 

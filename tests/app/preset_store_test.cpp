@@ -36,7 +36,7 @@ TEST_F(PresetShelfTest, aPresetOfEverythingBringsEveryValueOfTheGameBack) {
     core::setField(field, field.kind == core::FieldKind::number ? middle : std::floor(middle));
   }
   table.at("aircraft.rollFactor").reset();
-  shelf.save("first try", table, "");
+  shelf.save("first try", table, {});
   Settings other;
   const core::SettingsTable otherTable(other);
   other.aircraft.rollFactor = 1.1;
@@ -53,7 +53,7 @@ TEST_F(PresetShelfTest, aPresetOfEverythingBringsEveryValueOfTheGameBack) {
 TEST_F(PresetShelfTest, aPresetOfASectionLeavesTheOthersAlone) {
   settings.aircraft.mass = 900;
   settings.game.targetRadius = 50;
-  shelf.save("light", table, "aircraft");
+  shelf.save("light", table, {"aircraft"});
   Settings other;
   const core::SettingsTable otherTable(other);
   other.aircraft.pitchSpeed = 11;
@@ -63,12 +63,12 @@ TEST_F(PresetShelfTest, aPresetOfASectionLeavesTheOthersAlone) {
   EXPECT_EQ(other.aircraft.pitchSpeed, Settings().aircraft.pitchSpeed)
       << "was at its default when it was saved";
   EXPECT_EQ(other.game.targetRadius, 70);
-  EXPECT_THROW(shelf.save("x", table, "airkraft"), core::RangeError);
+  EXPECT_THROW(shelf.save("x", table, {"airkraft"}), core::RangeError);
 }
 
 TEST_F(PresetShelfTest, onlyWhatDiffersIsWritten) {
   settings.aircraft.mass = 900;
-  shelf.save("light", table, "aircraft");
+  shelf.save("light", table, {"aircraft"});
   EXPECT_THAT(
       core::readTextFile(presets / "light.json"),
       testing::AllOf(testing::HasSubstr("\"mass\": 900"), testing::Not(testing::HasSubstr("rollFactor"))));
@@ -76,8 +76,8 @@ TEST_F(PresetShelfTest, onlyWhatDiffersIsWritten) {
 
 TEST_F(PresetShelfTest, presetsAreListedByNameAndDeleted) {
   EXPECT_TRUE(shelf.list().empty()) << "the folder need not exist";
-  shelf.save("b", table, "game");
-  shelf.save("a", table, "");
+  shelf.save("b", table, {"game"});
+  shelf.save("a", table, {});
   std::ofstream(presets / "notes.txt") << "no preset";
   ASSERT_EQ(shelf.list().size(), 2u);
   EXPECT_EQ(shelf.list()[0].name, "a");
@@ -89,7 +89,7 @@ TEST_F(PresetShelfTest, presetsAreListedByNameAndDeleted) {
 
 TEST_F(PresetShelfTest, aBrokenPresetIsALineAndLosesNothing) {
   // It is listed with what is wrong, stays on the disk as it is, and nothing of it is applied.
-  shelf.save("good", table, "");
+  shelf.save("good", table, {});
   for (const char* broken :
        {"", "{", R"({"schema": 1, "settings": {}})", R"({"schema": 1, "groups": [], "settings": {}})",
         R"({"schema": 1, "groups": ["sails"], "settings": {}})",
@@ -111,11 +111,11 @@ TEST_F(PresetShelfTest, aBrokenPresetIsALineAndLosesNothing) {
 
 TEST_F(PresetShelfTest, aPresetThatCannotBeReadIsNotWrittenOver) {
   // It may be one slip of a hand away from a good one.
-  EXPECT_EQ(shelf.save("light", table, "aircraft"), std::nullopt);
-  EXPECT_EQ(shelf.save("light", table, "game"), std::nullopt) << "a good one is replaced";
+  EXPECT_EQ(shelf.save("light", table, {"aircraft"}), std::nullopt);
+  EXPECT_EQ(shelf.save("light", table, {"game"}), std::nullopt) << "a good one is replaced";
   for (const char* name : {"light.json.bad", "light.json.bad2"}) {
     std::ofstream(presets / "light.json") << name;
-    EXPECT_EQ(shelf.save("light", table, "game"), presets / name);
+    EXPECT_EQ(shelf.save("light", table, {"game"}), presets / name);
     EXPECT_EQ(core::readTextFile(presets / name), name);
     ASSERT_EQ(shelf.list().size(), 1u);
     EXPECT_TRUE(shelf.list()[0].usable);
@@ -126,7 +126,7 @@ TEST_F(PresetShelfTest, aNameIsNeverAPath) {
   for (const std::string name : {"", ".", "..", "../settings", "a/b", "a\\b", ".hidden", "dot.", " space",
                                  "space ", "tab\t", "c:", "*", "\xc3\xa4"}) {
     EXPECT_NE(presetNameRefusal(name), "") << name;
-    EXPECT_THROW(shelf.save(name, table, ""), core::RangeError) << name;
+    EXPECT_THROW(shelf.save(name, table, {}), core::RangeError) << name;
     EXPECT_THROW(shelf.load(name), core::RangeError) << name;
     EXPECT_THROW(shelf.remove(name), core::RangeError) << name;
   }
@@ -139,7 +139,7 @@ TEST_F(PresetShelfTest, aNameIsNeverAPath) {
 
 TEST_F(PresetShelfTest, theCommandLineNamesAPresetOrAFile) {
   settings.aircraft.mass = 900;
-  shelf.save("light", table, "aircraft");
+  shelf.save("light", table, {"aircraft"});
   for (const std::string& word : {std::string("light"), (presets / "light.json").string()}) {
     Settings other;
     other.aircraft.pitchSpeed = 11;
@@ -155,7 +155,7 @@ TEST_F(PresetShelfTest, theCommandLineNamesAPresetOrAFile) {
 TEST_F(PresetShelfTest, aPresetOfTheCommandLineStandsBetweenThePlayersFileAndSet) {
   settings.aircraft.mass = 900;
   settings.aircraft.pitchSpeed = 22;
-  shelf.save("light", table, "aircraft");
+  shelf.save("light", table, {"aircraft"});
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 30}}})");
   CommandLine line;

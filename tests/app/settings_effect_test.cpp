@@ -61,6 +61,7 @@ game::WorldSetup worldOf(const Settings& settings, std::shared_ptr<const terrain
   game::WorldSetup setup;
   setup.ground = std::move(ground);
   setup.start.position = {0, startHeight, 0};
+  setup.wind = core::flownWind(settings.wind);
   setup.airplane = settings.aircraft;
   setup.package = settings.package;
   setup.game = settings.game;
@@ -363,6 +364,7 @@ struct Probe {
 const std::vector<Probe> kProbes = {
     {"aircraft.", aerobatics},
     {"package.", packages},
+    {"wind.", aerobatics, {"wind.movesAircraft=true"}},
     {"game.target", firstTargets},
     {"game.dropCooldown", drops},
     {"game.landedPackageSeconds", removal},
@@ -450,7 +452,8 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
 }
 
 constexpr const char* kGroups[] = {"aircraft.", "package.", "game.",  "autopilot.", "terrain.", "streaming.",
-                                   "audio.",    "view.",    "input.", "quality",    "clouds.", "render."};
+                                   "audio.",    "view.",    "input.", "quality",    "clouds.", "render.",
+                                   "wind."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -96,15 +96,16 @@ TEST(Settings, theThesisWeatherParametersHaveRowsThatTakeEffectAtOnce) {
   scene::EffectSet effects;
   effects.insert(scene::Effect::clouds);
   const auto sections = menuSections(effects);
-  const auto first = std::ranges::find(table.fields(), "clouds", &core::Field::group);
+  const std::string layer = "clouds.layers.0";
+  const auto first = std::ranges::find(table.fields(), layer, &core::Field::group);
   std::size_t i = 0;
-  for (auto field = first; field != table.fields().end() && field->group == "clouds"; ++field, ++i) {
+  for (auto field = first; field != table.fields().end() && field->group == layer; ++field, ++i) {
     EXPECT_EQ(ui::sectionOf(sections, *field)->title, "Weather") << field->path;
     if (field->kind == core::FieldKind::number) {
       EXPECT_EQ(field->takesEffect, core::TakesEffect::live) << field->path;
     }
     if (i >= std::size(values)) continue;
-    EXPECT_EQ(field->path, std::string("clouds.") + values[i].first);
+    EXPECT_EQ(field->path, layer + "." + values[i].first);
     EXPECT_EQ(field->defaultValue, values[i].second) << field->path;
   }
   EXPECT_GT(i, std::size(values));

@@ -92,7 +92,7 @@ CloudStudy::CloudStudy(app::Size size)
     : size_(size), context_(app::openContext(std::nullopt, size)), renderer_(*context_, {}, false) {
   drawFrame(kCloudViews[0], false);
   bytesWithoutClouds_ = context_->resources().bytes();
-  auto clouds = std::make_unique<render::CloudSystem>(*context_, test::sharedNoise(), settings_);
+  auto clouds = std::make_unique<render::CloudSystem>(*context_, test::sharedNoise(), settings_, wind_);
   auto plain = std::make_unique<PlainMarch>();
   clouds_ = clouds.get();
   plain_ = plain.get();
@@ -104,14 +104,14 @@ std::uint64_t CloudStudy::cloudBytes() const { return context_->resources().byte
 
 void CloudStudy::use(const clouds::CloudSettings& settings) {
   settings_ = settings;
-  clouds_->apply(settings_);
+  clouds_->apply(settings_, wind_);
 }
 
 void CloudStudy::forgetLight() {
   clouds::CloudSettings others = settings_;
-  others.thickness += 1;  // another medium
-  clouds_->apply(others);
-  clouds_->apply(settings_);
+  others.layers[0].thickness += 1;  // another medium
+  clouds_->apply(others, wind_);
+  clouds_->apply(settings_, wind_);
 }
 
 void CloudStudy::drawFrame(const CloudView& view, bool plain) {

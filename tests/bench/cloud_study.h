@@ -81,6 +81,7 @@ class CloudStudy {
   render::Renderer renderer_;
   std::uint64_t bytesWithoutClouds_ = 0;
   clouds::CloudSettings settings_;
+  core::WindSettings wind_;
   Cost cloudCost_, plainCost_;
   render::CloudSystem* clouds_ = nullptr;  // the renderer's, as the next
   PlainMarch* plain_ = nullptr;

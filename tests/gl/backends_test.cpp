@@ -104,7 +104,7 @@ std::vector<glm::vec4> drawClouds(gl::Context& context, bool lightGrid) {
   clouds::CloudSettings clouds;
   clouds.march.lightGrid = lightGrid;
   renderer.add(std::make_unique<SkyPass>(context));
-  renderer.add(std::make_unique<CloudSystem>(context, test::sharedNoise(), clouds));
+  renderer.add(std::make_unique<CloudSystem>(context, test::sharedNoise(), clouds, core::WindSettings{}));
   renderer.add(std::make_unique<test::LightProbe>(light));
   View view;
   view.position = {0, 600, 0};

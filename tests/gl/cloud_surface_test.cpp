@@ -109,7 +109,7 @@ TEST_F(CloudRowsGLTest, C29_samplesDoNotJumpWithTheDepthBehind) {
   // ends at the plate or goes on, so it cannot be seen at all, at full resolution (2/255) and at half.
   addClouds(test::plainNoise());
   clouds_ = test::plainSettings();
-  clouds_.extinction = 0.02;
+  clouds_.layers[0].extinction = 0.02;
   const View view = small({-4000, 4500, 1000}, 300, -50);
   const glm::dvec3 middle = view.position + view.forward() * ((2200 - view.position.y) / view.forward().y);
   auto pass = std::make_unique<DarkPlate>(context(), folder_, middle);

@@ -29,7 +29,7 @@ class CloudRowsEffectGLTest : public test::CloudRowsGLTest {
         for (int c = 0; c < 3; ++c) h.add(static_cast<double>(texel[c]));
     }
     clouds::CloudField field(noise_, clouds_);
-    field.setDrift(clouds::CloudField::drift(clouds_, snapshot_.simulatedSeconds));
+    field.setDrift(core::windDrift(wind_, snapshot_.simulatedSeconds));
     core::RandomStream random{1, 0};
     for (int i = 0; i < 20000; ++i) {
       const double x = 2 * random.nextUnit() - 1, y = random.nextUnit(), z = 2 * random.nextUnit() - 1;
@@ -50,11 +50,15 @@ TEST_F(CloudRowsEffectGLTest, everyTenthOfEveryRowOfTheWeatherMakesADifference) 
   snapshot_.simulatedSeconds = 100;
   int rows = 0;
   for (const core::Field& field : table.fields()) {
-    if (field.group != "clouds" || field.name == "tier") continue;
+    const bool isOfTheWeather = field.path == "clouds.fadeDistance" || field.group.starts_with("clouds.layers.") ||
+                                (field.group == "wind" && field.kind == core::FieldKind::number);
+    if (!isOfTheWeather) continue;
     ++rows;
     settings.clouds = clouds::CloudSettings();
+    settings.wind = core::WindSettings();
     const auto look = [&] {
       clouds_ = settings.clouds;
+      wind_ = settings.wind;
       return observe();
     };
     for (const std::string& line : test::idleSteps(field, {}, look)) ADD_FAILURE() << line;

@@ -318,9 +318,9 @@ TEST(Stability, C30_layersWithoutThicknessAreEmptyAndCoincidentOnesAddUp) {
   }
   // Two layers of one place against one of the summed extinction: within 1e-4.
   CloudSettings thin = cloudySettings(), thick = cloudySettings(), both = cloudySettings();
-  thin.extinction = 0.01;
-  thick.extinction = 0.03;
-  both.extinction = 0.04;
+  thin.layers[0].extinction = 0.01;
+  thick.layers[0].extinction = 0.03;
+  both.layers[0].extinction = 0.04;
   const CloudField first(quickNoise(), thin), second(quickNoise(), thick), sum(quickNoise(), both);
   MarchMedium overlapping = mediumOf(first);
   overlapping.extinction = [a = mediumOf(first).extinction, b = mediumOf(second).extinction](
@@ -447,13 +447,13 @@ TEST(CloudMarch, aFieldIsMarchedWithItsExtinctionAndItsHeights) {
   const CloudSettings settings = cloudySettings();
   const CloudField field(quickNoise(), settings);
   const MarchMedium medium = mediumOf(field);
-  EXPECT_EQ(medium.baseM, settings.cloudHeight);
-  EXPECT_EQ(medium.topM, settings.cloudHeight + settings.thickness);
+  EXPECT_EQ(medium.baseM, settings.layers[0].cloudHeight);
+  EXPECT_EQ(medium.topM, settings.layers[0].cloudHeight + settings.layers[0].thickness);
   EXPECT_EQ(medium.fadeDistanceM, settings.fadeDistance);
   core::RandomStream random{7, 0};
   for (int i = 0; i < 1000; ++i) {
     const glm::dvec3 place(random.nextUnit() * 5e4, 1555 + random.nextUnit() * 1800, random.nextUnit() * 5e4);
-    ASSERT_EQ(medium.extinction(place), field.density(place) * settings.extinction);
+    ASSERT_EQ(medium.extinction(place), field.density(place) * settings.layers[0].extinction);
   }
 }
 

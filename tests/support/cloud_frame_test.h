@@ -50,9 +50,9 @@ inline std::shared_ptr<const clouds::PackedCloudNoise> plainNoise() {
 
 inline clouds::CloudSettings plainSettings() {
   clouds::CloudSettings settings;
-  settings.coverage = 1;
-  settings.erosion = 0;
-  settings.extinction = 0.001;
+  settings.layers[0].coverage = 1;
+  settings.layers[0].erosion = 0;
+  settings.layers[0].extinction = 0.001;
   settings.march = quickRows();
   return settings;
 }
@@ -66,14 +66,14 @@ class CloudFrameTest : public FrameTest {
   }
 
   void addClouds(std::shared_ptr<const clouds::PackedCloudNoise> noise) {
-    auto pass = std::make_unique<render::CloudSystem>(context(), std::move(noise), clouds_);
+    auto pass = std::make_unique<render::CloudSystem>(context(), std::move(noise), clouds_, wind_);
     system_ = pass.get();
     renderer().add(std::move(pass));
   }
 
   // The scene's light, bottom row first. The frame's clouds are those of clouds_.
   std::vector<glm::vec4> sceneFrom(const render::View& view) {
-    system_->apply(clouds_);
+    system_->apply(clouds_, wind_);
     draw(view);
     return scene_;
   }
@@ -88,6 +88,7 @@ class CloudFrameTest : public FrameTest {
   }
 
   clouds::CloudSettings clouds_;
+  core::WindSettings wind_;
   render::CloudSystem* system_ = nullptr;
 
  private:

@@ -21,8 +21,8 @@ inline std::shared_ptr<const clouds::PackedCloudNoise> quickNoise() {
 
 inline clouds::CloudSettings cloudySettings() {
   clouds::CloudSettings settings;
-  settings.densityThreshold = 0.3;
-  settings.coverage = 0.9;
+  settings.layers[0].densityThreshold = 0.3;
+  settings.layers[0].coverage = 0.9;
   return settings;
 }
 

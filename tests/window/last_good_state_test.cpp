@@ -173,12 +173,12 @@ TEST_F(LastGoodState, aTierWhoseFileIsBrokenIsNotTakenNorKept) {
   enter("clouds.tier=medium");
   expectFault("clouds/medium.json");
   writeTo(file, good);
-  enter("clouds.coverage=0.25");  // another change, which is carried out
+  enter("clouds.layers.0.coverage=0.25");  // another change, which is carried out
   expectSound();
   flown().process().askToEnd();
   ASSERT_EQ(flown().process().wait(60), 0) << flown().log();
   const json kept = json::parse(contentOf(flown().userFolder() / "settings.json")).at("settings");
-  EXPECT_EQ(kept, json({{"clouds", {{"coverage", 0.25}}}})) << "what was not taken is not kept";
+  EXPECT_EQ(kept, json({{"clouds", {{"layers", {{"0", {{"coverage", 0.25}}}}}}}})) << "what was not taken is not kept";
 }
 
 TEST_F(LastGoodState, aSettingThatCallsForABrokenShaderIsTakenBack) {

@@ -1,5 +1,5 @@
 // The density of a cloud layer at any place, on the processor: what the compute shader marches through, for
-// the game and for the reference. Immutable but for apply() and drift(); const functions may run on any
+// the game and for the reference. Immutable but for setDrift(); const functions may run on any
 // thread.
 #pragma once
 
@@ -29,14 +29,15 @@ PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::Text
 
 class CloudField {
  public:
-  CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings);
+  // Of one of the settings' layers, below kCloudLayers.
+  CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
+             std::size_t layer = 0);
 
-  void apply(const CloudSettings& settings) { settings_ = settings; }
-  const CloudSettings& settings() const { return settings_; }
+  const CloudLayerSettings& layer() const { return layer_; }
+  double fadeDistance() const { return fadeDistance_; }
 
-  // How far the wind has carried the field after so many seconds, metres in x and z; the field repeats, so
-  // this is wrapped to its periods where it is used.
-  static glm::dvec2 drift(const CloudSettings& settings, double seconds);
+  // How far the wind has carried the field (core::windDrift), metres in x and z; the field repeats, so this
+  // is wrapped to its periods where it is used.
   void setDrift(glm::dvec2 metres) { drift_ = metres; }
 
   // In [0, 1]; exact at any distance from the origin that doubles resolve. Trilinear between texels.
@@ -49,7 +50,8 @@ class CloudField {
   typename Shared::Real densityAs(const glm::dvec3& position) const;
 
   std::shared_ptr<const PackedCloudNoise> noise_;
-  CloudSettings settings_;
+  CloudLayerSettings layer_;
+  double fadeDistance_;
   glm::dvec2 drift_{0};
 };
 

@@ -73,7 +73,8 @@ class SettingsVisitor {
   virtual void leaveGroup() = 0;
 
   // A field of this group, or below it ("layers.0.base"), that earlier versions called `formerly`: files, logs and
-  // --set that have the old name still mean it. Where a file has both, the new name counts.
+  // --set that have the old name still mean it. Where a file has both, the new name counts. A field that moved to
+  // another group is renamed by the group that holds both ("clouds.windSpeed", "wind.speed").
   virtual void renamed(std::string_view formerly, std::string_view now) {
     static_cast<void>(formerly), static_cast<void>(now);
   }

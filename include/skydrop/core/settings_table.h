@@ -65,9 +65,11 @@ class SettingsTable {
   bool isGroup(std::string_view path) const;
   // By its path, or by one that it had in an earlier version. Null when there is none.
   const Field* find(std::string_view path) const;
+  // The paths that the field at this path had in earlier versions.
+  std::vector<std::string> formerPaths(std::string_view path) const;
   // find(), or RangeError: "unknown setting 'x'", with the nearest known paths as a hint.
   const Field& at(std::string_view path) const;
-  // Those paths: "; the nearest are 'a', 'b' and 'c'". They are found by aliases too.
+  // Those paths: "; the nearest are 'a', 'b' and 'c'". They are found by aliases and former paths too.
   std::string nearestText(std::string_view path) const;
 
   // From now on the defaults are the values that `base` has, a table of the same description: what a reset

@@ -22,9 +22,10 @@ namespace skydrop::ui {
 // A collapsing section with the fields of one group of the table, its subgroups included but for those that
 // have a section of their own.
 struct MenuSection {
-  std::string group;  // path in the table: "aircraft"
+  std::string group;  // path in the table: "aircraft"; names the section
   std::string title;  // "Aircraft"
   bool open = false;  // at first
+  std::vector<std::string> moreGroups = {};  // shown below it
 };
 
 // The section that shows the field; null: none.
@@ -61,7 +62,7 @@ struct PresetRequest {
   enum class Kind { save, load, remove };
   Kind kind = Kind::save;
   std::string name;   // save: as typed, to be judged by the caller
-  std::string group;  // save: what it holds, a section's group; empty: every setting
+  std::vector<std::string> groups = {};  // save: what it holds, a section's groups; empty: every setting
 };
 
 struct MenuResult {

@@ -70,7 +70,7 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addPasses = addClouds,
        .apply = applyClouds,
        .prepare = prepareClouds,
-       .menuSections = {{"clouds", "Weather"}, {"clouds.march", "Cloud quality"}}},
+       .menuSections = {{"clouds", "Weather", false, {"wind"}}, {"clouds.march", "Cloud quality"}}},
       {.effect = Effect::terrain,
        .addPasses = addLand,
        .apply = applyLand,

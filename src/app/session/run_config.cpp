@@ -118,7 +118,10 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
   player(core::SettingsTable(own));
   Settings all = own;
   const core::SettingsTable allTable(all);
-  if (run.setup.replay) applyLogged(allTable, run.setup.replay->settings, run.setup.replayFile);
+  if (run.setup.replay) {
+    all.wind.movesAircraft = false;  // logs that do not name it were flown in still air
+    applyLogged(allTable, run.setup.replay->settings, run.setup.replayFile);
+  }
   applyOverrides(allTable, run.overrides);
   if (when == When::flying) keepFixed(run, allTable);
 
@@ -168,10 +171,16 @@ std::vector<std::string> rowsThatFollow(const core::SettingsTable& table,
   return rows;
 }
 
+// The path of what an assignment of --set sets, which may have it by a former name.
+std::string pathOf(const core::SettingsTable& table, const std::string& assignment) {
+  const core::Field* field = table.find(assignment.substr(0, assignment.find('=')));
+  return field ? field->path : "";
+}
+
 // What --set and --preset change in a replay is flown, but not as it was recorded.
 void noteOverrides(RunConfig& run) {
   for (const std::string& set : run.overrides) {
-    if (!decidesSimulation(set)) continue;
+    if (!decidesSimulation(pathOf(run.table, set))) continue;
     run.setup.replayDoubt += (run.setup.replayDoubt.empty() ? "" : ", ") + ("with " + set);
     return;
   }
@@ -189,7 +198,7 @@ void addRefusals(const RunConfig& run, const core::SettingsTable& before, std::v
 
 // What the menu says comes after what the command line said.
 void forgetOverrides(RunConfig& run, const std::string& path) {
-  std::erase_if(run.overrides, [&](const std::string& set) { return set.starts_with(path + "="); });
+  std::erase_if(run.overrides, [&](const std::string& set) { return pathOf(run.table, set) == path; });
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   world.start.aboveGround = effects.contains(Effect::terrain);
   world.start.headingDeg = setup.scene.start.headingDegrees;
   world.start.speed = setup.scene.start.speedMps;
+  world.wind = core::flownWind(settings.wind);
   world.airplane = settings.aircraft;
   world.package = settings.package;
   world.game = settings.game;
@@ -141,6 +142,7 @@ void Simulation::applyToWorld() {
   world_.apply(settings_->aircraft);
   world_.apply(settings_->package);
   world_.apply(settings_->game);
+  world_.setWind(core::flownWind(settings_->wind));
   if (autopilot_) autopilot_->apply(settings_->autopilot);
   keepFlownValues();
 }

@@ -27,15 +27,21 @@ std::string requireName(const std::string& name) {
   return name;
 }
 
-std::vector<std::string> groupsOf(const core::SettingsTable& table, const std::string& group) {
+bool isGroup(const core::SettingsTable& table, const std::string& path) {
+  return std::ranges::find(table.groups(), path, &core::GroupInfo::path) != table.groups().end();
+}
+
+std::vector<std::string> groupsOf(const core::SettingsTable& table, const std::vector<std::string>& chosen) {
+  for (const std::string& group : chosen) {
+    if (!isGroup(table, group)) throw core::RangeError("preset: there is no group '" + group + "'");
+  }
+  if (!chosen.empty()) return chosen;
   std::vector<std::string> groups;
   for (const core::GroupInfo& info : table.groups()) {
-    const bool chosen = group.empty() ? info.path.find('.') == std::string::npos &&
-                                            std::ranges::find(kPlayersOwn, info.path) == std::end(kPlayersOwn)
-                                      : info.path == group;
-    if (chosen) groups.push_back(info.path);
+    const bool isTop = info.path.find('.') == std::string::npos;
+    const bool isPlayersOwn = std::ranges::find(kPlayersOwn, info.path) != std::end(kPlayersOwn);
+    if (isTop && !isPlayersOwn) groups.push_back(info.path);
   }
-  if (groups.empty()) throw core::RangeError("preset: there is no group '" + group + "'");
   return groups;
 }
 
@@ -46,7 +52,7 @@ std::vector<std::string> readGroups(const nlohmann::json& json, const std::strin
   if (!list.is_array() || list.empty()) throw core::DataError(file, "groups", "is not a list of groups");
   for (const nlohmann::json& group : list) {
     const std::string path = group.is_string() ? group.get<std::string>() : "";
-    if (std::ranges::find(table.groups(), path, &core::GroupInfo::path) == table.groups().end()) {
+    if (!isGroup(table, path)) {
       throw core::DataError(file, "groups", group.dump() + " is no group of settings");
     }
     groups.push_back(path);
@@ -75,9 +81,13 @@ Preset readWhole(const std::filesystem::path& path) {
   Preset preset{readGroups(json, file, table), {}};
   core::applyJson(table, json["settings"], file);
   for (const core::Field& field : table.fields()) {
-    const bool held = std::ranges::any_of(
-        preset.groups, [&](const std::string& group) { return isWithin(field.path, group); });
-    if (held) {
+    const auto isHeld = [&](const std::string& place) {
+      const auto holds = [&](const std::string& group) { return isWithin(place, group); };
+      return std::ranges::any_of(preset.groups, holds);
+    };
+    // A field that has moved out of the groups since the preset was saved is still set, but not reset.
+    const bool wasHeld = !field.isDefault() && std::ranges::any_of(table.formerPaths(field.path), isHeld);
+    if (isHeld(field.path) || wasHeld) {
       preset.values.push_back({field.path, field.get()});
     } else if (!field.isDefault()) {
       throw core::DataError(file, field.path, "belongs to no group of this preset");
@@ -142,16 +152,16 @@ std::filesystem::path PresetStore::file(const std::string& name) const {
 
 std::optional<std::filesystem::path> PresetStore::save(const std::string& name,
                                                        const core::SettingsTable& table,
-                                                       const std::string& group) const {
+                                                       const std::vector<std::string>& chosen) const {
   const std::filesystem::path target = file(name);
-  const std::vector<std::string> groups = groupsOf(table, group);
+  const std::vector<std::string> groups = groupsOf(table, chosen);
   // The values of the groups over the program's own defaults, whatever the table takes for its.
   Settings held;
   const core::SettingsTable heldTable(held);
   for (const core::Field& field : table.fields()) {
-    const bool chosen =
+    const bool isHeld =
         std::ranges::any_of(groups, [&](const std::string& path) { return isWithin(field.path, path); });
-    if (chosen) heldTable.at(field.path).set(field.get());
+    if (isHeld) heldTable.at(field.path).set(field.get());
   }
   std::optional<std::filesystem::path> aside = setAsideIfBroken(target);
   core::writeSettingsFile(target, {{"groups", groups}, {"settings", core::toJson(heldTable, true)}});

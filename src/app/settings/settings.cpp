@@ -9,7 +9,8 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 4> kSimulationGroups = {"aircraft.", "package.", "game.", "terrain."};
+constexpr std::array<std::string_view, 5> kSimulationGroups = {"aircraft.", "package.", "game.", "terrain.",
+                                                               "wind."};
 
 constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "free"};
 
@@ -53,7 +54,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("streaming", settings.streaming,
                 "How fine and how far the land is drawn, and what it may cost.");
   visitor.group("render", settings.render, "Sun, air, cameras and exposure.");
-  visitor.group("clouds", settings.clouds, "The cloud layer.");
+  visitor.group("clouds", settings.clouds, "The cloud layers, and how exactly they are drawn.");
+  visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("view", settings.view, "How the game is looked at.");
   visitor.group("input", settings.input, "How the game is steered.");
@@ -62,6 +64,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
       {.help = "Sets the rows that cost most. Automatic: low where the processor has to draw, else "
                "high.",
        .aliases = "graphics preset, performance"});
+  visitor.renamed("clouds.windSpeed", "wind.speed");
+  visitor.renamed("clouds.windDirection", "wind.direction");
 }
 
 void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {
@@ -98,9 +102,10 @@ void applyLogged(const core::SettingsTable& table, const std::vector<game::Setti
                  std::string_view file) {
   for (const game::SettingOverride& setting : settings) {
     try {
-      if (!decidesSimulation(setting.path))
+      const core::Field& field = table.at(setting.path);
+      if (!decidesSimulation(field.path))
         throw core::RangeError(setting.path + ": is no setting of the simulation");
-      core::setField(table.at(setting.path), setting.value);
+      core::setField(field, setting.value);
     } catch (const core::RangeError& error) {
       throw core::DataError(file, "settings", error.what());
     }

@@ -14,6 +14,7 @@
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/core/settings.h"
 #include "skydrop/core/settings_table.h"
+#include "skydrop/core/wind.h"
 #include "skydrop/flight/airplane_settings.h"
 #include "skydrop/flight/package_settings.h"
 #include "skydrop/game/autopilot.h"
@@ -52,6 +53,7 @@ struct Settings {
   terrain::TerrainStreamingSettings streaming;
   render::RenderSettings render;
   clouds::CloudSettings clouds;
+  core::WindSettings wind;
   audio::AudioSettings audio;
   ViewSettings view;
   InputSettings input;

@@ -17,6 +17,12 @@ nlohmann::json::json_pointer pointerTo(std::string path) {
   return nlohmann::json::json_pointer("/" + path);
 }
 
+// What was written under a name of an earlier version would count again where nothing is chosen any more.
+void eraseUnderAnyName(nlohmann::json& settings, const core::SettingsTable& table, const std::string& path) {
+  eraseAt(settings, path);
+  for (const std::string& formerly : table.formerPaths(path)) eraseAt(settings, formerly);
+}
+
 nlohmann::json bindingsOf(const nlohmann::json& content) {
   return content.value("bindings", nlohmann::json::object());
 }
@@ -81,7 +87,7 @@ std::optional<std::string> UserSettings::take() {
 
 void UserSettings::applyTo(const core::SettingsTable& table) const {
   nlohmann::json settings = file_.content()["settings"];
-  for (const auto& [path, value] : chosen_) eraseAt(settings, path);
+  for (const auto& [path, value] : chosen_) eraseUnderAnyName(settings, table, path);
   core::applyJsonWhereItFits(table, settings);
   for (const auto& [path, value] : chosen_) {
     if (value) table.at(path).set(*value);
@@ -96,7 +102,7 @@ std::optional<std::string> UserSettings::save(const core::SettingsTable& table, 
   std::optional<std::string> line = file_.save([&](nlohmann::json& content) {
     for (const auto& [path, value] : chosen_) {
       if (!isKept(path)) continue;
-      eraseAt(content["settings"], path);
+      eraseUnderAnyName(content["settings"], table, path);
       if (value) setAt(content["settings"], path, values[pointerTo(path)]);
     }
     if (bindings == bindings_) return;

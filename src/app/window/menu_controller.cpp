@@ -74,7 +74,7 @@ MenuController::Served MenuController::serve(const ui::PresetRequest& request, c
   presets_.reset();
   switch (request.kind) {
     case ui::PresetRequest::Kind::save: {
-      const auto aside = shelf_->save(request.name, table, request.group);
+      const auto aside = shelf_->save(request.name, table, request.groups);
       const std::string replaced = aside ? "; the old one, which is broken, is kept as " + aside->string() : "";
       return {{}, "Saved preset " + request.name + replaced};
     }

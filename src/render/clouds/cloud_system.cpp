@@ -8,6 +8,7 @@
 #include "render/clouds/cloud_textures.h"
 #include "render/clouds/cloud_uniforms.h"
 #include "render/clouds/sun_optical_depth_grid.h"
+#include "skydrop/clouds/raised_sun.h"
 
 namespace skydrop::render {
 namespace {
@@ -53,11 +54,12 @@ int rays(int pixels, int divisor) { return (pixels + divisor - 1) / divisor; }
 int tilesOf(int raysAcross) { return (raysAcross + kTileSide - 1) / kTileSide; }
 
 // Whether no ray of the picture meets the layer before clouds have faded.
-bool missesLayer(const View& view, const clouds::CloudSettings& s) {
-  const double below = s.cloudHeight - view.position.y, above = view.position.y - s.cloudHeight - s.thickness;
+bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, double fadeDistance) {
+  const double below = layer.cloudHeight - view.position.y,
+               above = view.position.y - layer.cloudHeight - layer.thickness;
   if (below <= 0 && above <= 0) return false;
   const double distance = std::max(below, above);
-  if (distance >= s.fadeDistance) return true;
+  if (distance >= fadeDistance) return true;
   // The steepest ray towards the layer: a corner of the picture, or straight up or down where that is in
   // view.
   const glm::dvec3 towards(0, below > 0 ? 1 : -1, 0);
@@ -71,7 +73,7 @@ bool missesLayer(const View& view, const clouds::CloudSettings& s) {
   const glm::dmat3 toView = glm::inverse(rayMatrix(view));
   const glm::dvec3 pole = toView * towards;
   if (pole.z > 0 && std::abs(pole.x) <= pole.z && std::abs(pole.y) <= pole.z) steepest = 1;
-  return steepest * s.fadeDistance <= distance;
+  return steepest * fadeDistance <= distance;
 }
 
 std::vector<std::string> definesOf(const FrameContext& context, const clouds::CloudSettings& settings) {
@@ -83,39 +85,40 @@ std::vector<std::string> definesOf(const FrameContext& context, const clouds::Cl
   return defines;
 }
 
-glm::dvec3 inField(const clouds::CloudSettings& settings, const FrameInput& frame) {
-  const glm::dvec2 drift = clouds::CloudField::drift(settings, frame.simulatedSeconds);
-  return frame.view.position - glm::dvec3(drift.x, 0, drift.y);
-}
-
 }  // namespace
 
 CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
-                         const clouds::CloudSettings& settings)
+                         const clouds::CloudSettings& settings, const core::WindSettings& wind)
     : context_(context),
-      volumes_(std::make_unique<CloudTextures>(context, std::move(noise))),
+      textures_(std::make_unique<CloudTextures>(context, std::move(noise))),
       near_(std::make_unique<SunOpticalDepthGrid>("near light grid", SunOpticalDepthGridKeeps::all)),
       far_(std::make_unique<SunOpticalDepthGrid>("far light grid", SunOpticalDepthGridKeeps::all)),
       fineShadowMap_(std::make_unique<SunOpticalDepthGrid>("fine cloud shade", SunOpticalDepthGridKeeps::base)),
       coarseShadowMap_(std::make_unique<SunOpticalDepthGrid>("coarse cloud shade", SunOpticalDepthGridKeeps::base)),
       uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {
-  apply(settings);
+  apply(settings, wind);
 }
 
 CloudSystem::~CloudSystem() = default;
 
-void CloudSystem::apply(const clouds::CloudSettings& settings) {
+void CloudSystem::apply(const clouds::CloudSettings& settings, const core::WindSettings& wind) {
   const bool detailChanged = settings.march.detail != settings_.march.detail;
   settings_ = settings;
-  if (!volumes_->apply(settings) && !detailChanged) return;
+  wind_ = wind;
+  if (!textures_->apply(settings) && !detailChanged) return;
   for (SunOpticalDepthGrid* grid : {near_.get(), far_.get(), fineShadowMap_.get(), coarseShadowMap_.get()}) grid->forget();
 }
 
 std::optional<std::string> CloudSystem::skipReason(const FrameInput& frame) const {
   if (settings_.tier == clouds::CloudTier::off) return "switched off";
-  if (volumes_->isEmpty()) return "no cloud anywhere";
-  if (missesLayer(frame.view, settings_)) return "the layer is out of view";
+  if (textures_->isEmpty(kMarchedLayer)) return "no cloud anywhere";
+  if (missesLayer(frame.view, layer(), settings_.fadeDistance)) return "the layer is out of view";
   return std::nullopt;
+}
+
+glm::dvec3 CloudSystem::eyeInField(const FrameInput& frame) const {
+  const glm::dvec2 drift = core::windDrift(wind_, frame.simulatedSeconds);
+  return frame.view.position - glm::dvec3(drift.x, 0, drift.y);
 }
 
 void CloudSystem::resize(const View& view) {
@@ -135,26 +138,26 @@ void CloudSystem::resize(const View& view) {
 void CloudSystem::update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
                          const glm::dvec3& middle) {
   grid.update(context_, context.shaders,
-              sunOpticalDepthGridLayout(settings_, raisedSun(context.light.toSun), cellM,
+              sunOpticalDepthGridLayout(layer(), clouds::raisedSun(context.light.toSun), cellM,
                               std::min(radiusM, settings_.fadeDistance), middle, grid.keeps()),
-              settings_, volumes_->meanDetail());
+              layer(), settings_, textures_->meanDetail());
 }
 
 std::optional<std::string> CloudSystem::noShadowBecause(const FrameInput& frame) const {
   if (settings_.tier == clouds::CloudTier::off) return "switched off";
-  if (volumes_->isEmpty()) return "no cloud anywhere";
+  if (textures_->isEmpty(kMarchedLayer)) return "no cloud anywhere";
   if (frame.toSun.y <= 0) return "the sun is below the horizon";
-  if (frame.view.position.y > settings_.cloudHeight + settings_.fadeDistance)
+  if (frame.view.position.y > layer().cloudHeight + settings_.fadeDistance)
     return "the eye is too far above";
   return std::nullopt;
 }
 
 CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
-  volumes_->bind();
-  const glm::dvec3 eye = inField(settings_, context.frame);
+  textures_->bind(kMarchedLayer);
+  const glm::dvec3 eye = eyeInField(context.frame);
   // What shades the land around the eye stands where the sun's rays to that land pass the base.
-  const glm::dvec3 toSun = raisedSun(context.light.toSun);
-  const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (settings_.cloudHeight / toSun.y);
+  const glm::dvec3 toSun = clouds::raisedSun(context.light.toSun);
+  const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (layer().cloudHeight / toSun.y);
   const auto map = [&](SunOpticalDepthGrid& grid, double cellM, double radiusM) {
     const double reach = std::min(radiusM, settings_.fadeDistance);
     update(context, grid, cellM, reach, middle);
@@ -163,7 +166,7 @@ CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
   };
   const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadeRadiusM);
   const CloudShadowMap::Map coarse = map(*coarseShadowMap_, kCoarseShadowMapM, settings_.fadeDistance);
-  return {fine, coarse, settings_.cloudHeight - context.frame.view.position.y, settings_.thickness};
+  return {fine, coarse, layer().cloudHeight - context.frame.view.position.y, layer().thickness};
 }
 
 void CloudSystem::marchMultiDispatch() {
@@ -204,10 +207,10 @@ void CloudSystem::draw(FrameContext& context) {
 // What all shaders of the pass read, light grids included.
 void CloudSystem::setUniforms(FrameContext& context) {
   const View& view = context.frame.view;
-  const glm::dvec3 eye = inField(settings_, context.frame);
-  volumes_->bind();
-  CloudUniforms uniforms = fieldUniforms(settings_, eye, volumes_->meanDetail());
-  addLight(uniforms, settings_, context.light);
+  const glm::dvec3 eye = eyeInField(context.frame);
+  textures_->bind(kMarchedLayer);
+  CloudUniforms uniforms = fieldUniforms(layer(), settings_.fadeDistance, eye, textures_->meanDetail());
+  addLight(uniforms, layer(), settings_.march, context.light);
   addMarch(uniforms, settings_.march, view, kTileSide * divisorOf(settings_));
   if (settings_.march.lightGrid) {
     const double cell = settings_.march.lightCellM;

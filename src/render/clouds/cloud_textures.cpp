@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <vector>
 
 namespace skydrop::render {
@@ -19,12 +18,6 @@ gl::Texture volume(gl::Context& context, const std::vector<float>& texels, int s
   return texture;
 }
 
-// What the occupancy and the light grids rest on.
-auto mediumOf(const clouds::CloudSettings& s) {
-  return std::tuple(s.densityThreshold, s.scale, s.extinction, s.higherScale, s.weatherScale, s.cloudHeight,
-                    s.thickness, s.coverage, s.typeShift, s.erosion, clouds::weatherPeriod(s));
-}
-
 }  // namespace
 
 CloudTextures::CloudTextures(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise)
@@ -39,23 +32,34 @@ CloudTextures::CloudTextures(gl::Context& context, std::shared_ptr<const clouds:
                  [](const glm::vec3& texel) { return glm::vec2(texel.x, texel.z); });
   weather_.upload(GL_RG, GL_FLOAT, std::as_bytes(std::span(coverageAndType)));
   weather_.setWrap(GL_REPEAT);
-  distances_ = gl::Texture::make3D(context, GL_R8UI, clouds::Occupancy::kSide, clouds::Occupancy::kRows,
-                                   clouds::Occupancy::kSide, "cloud occupancy");
+  for (Layer& layer : layers_) {
+    using clouds::Occupancy;
+    layer.distances = gl::Texture::make3D(context, GL_R8UI, Occupancy::kSide, Occupancy::kRows, Occupancy::kSide,
+                                          "cloud occupancy");
+  }
 }
 
 bool CloudTextures::apply(const clouds::CloudSettings& settings) {
-  if (occupancy_ && mediumOf(settings) == mediumOf(settings_)) return false;
-  settings_ = settings;
-  occupancy_.emplace(*noise_, settings);
-  distances_.upload(GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::as_bytes(occupancy_->distances()));
-  return true;
+  bool changed = false;
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    Layer& layer = layers_[i];
+    const clouds::CloudLayerSettings& wanted = settings.layers[i];
+    const double weatherPeriodM = clouds::weatherPeriod(wanted, settings.fadeDistance);
+    if (layer.occupancy && wanted == layer.settings && weatherPeriodM == layer.weatherPeriodM) continue;
+    layer.settings = wanted;
+    layer.weatherPeriodM = weatherPeriodM;
+    layer.occupancy.emplace(*noise_, settings, i);
+    layer.distances.upload(GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::as_bytes(layer.occupancy->distances()));
+    changed = true;
+  }
+  return changed;
 }
 
-void CloudTextures::bind() const {
+void CloudTextures::bind(std::size_t layer) const {
   base_.bind(kBaseUnit);
   detail_.bind(kDetailUnit);
   weather_.bind(kWeatherUnit);
-  distances_.bind(kOccupancyUnit);
+  layers_[layer].distances.bind(kOccupancyUnit);
 }
 
 }  // namespace skydrop::render

@@ -1,9 +1,10 @@
 #include "render/clouds/cloud_uniforms.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
 #include "skydrop/clouds/occupancy.h"
+#include "skydrop/clouds/raised_sun.h"
 
 namespace skydrop::render {
 namespace {
@@ -20,33 +21,26 @@ glm::vec4 inPeriods(const glm::dvec3& place, double period) {
 
 }  // namespace
 
-CloudUniforms fieldUniforms(const clouds::CloudSettings& s, const glm::dvec3& place, double meanDetail) {
+CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& s, double fadeDistance, const glm::dvec3& place,
+                            double meanDetail) {
+  const double weatherPeriod = clouds::weatherPeriod(s, fadeDistance);
   CloudUniforms u{};
   u.shapePlace = inPeriods(place, clouds::shapePeriod(s));
   u.detailPlace = inPeriods(place, clouds::detailPeriod(s));
-  u.weatherPlace = inPeriods(place, clouds::weatherPeriod(s));
-  u.layer = glm::vec4(s.cloudHeight - place.y, s.thickness, s.fadeDistance, s.extinction);
+  u.weatherPlace = inPeriods(place, weatherPeriod);
+  u.layer = glm::vec4(s.cloudHeight - place.y, s.thickness, fadeDistance, s.extinction);
   u.medium = glm::vec4(s.densityThreshold, s.coverage, s.typeShift, s.erosion);
   u.scattering = glm::vec4(s.anisotropy, s.forwardShare, meanDetail, 0);
   const double cellsAPeriod = clouds::Occupancy::kSide;
-  u.cells = glm::vec4(u.weatherPlace.x * clouds::Occupancy::kSide, cellsAPeriod / clouds::weatherPeriod(s),
+  u.cells = glm::vec4(u.weatherPlace.x * clouds::Occupancy::kSide, cellsAPeriod / weatherPeriod,
                       u.weatherPlace.z * clouds::Occupancy::kSide, clouds::Occupancy::kRows / s.thickness);
   return u;
 }
 
-glm::dvec3 raisedSun(const glm::dvec3& toSun) {
-  const double sine = static_cast<double>(shared::kLeastSunSine);
-  if (toSun.y >= sine) return toSun;
-  const glm::dvec2 level(toSun.x, toSun.z);
-  const double length = glm::length(level);
-  const glm::dvec2 direction = length > 1e-9 ? level / length : glm::dvec2(1, 0);
-  const glm::dvec2 scaled = direction * std::sqrt(1 - sine * sine);
-  return {scaled.x, sine, scaled.y};
-}
-
-void addLight(CloudUniforms& u, const clouds::CloudSettings& s, const SkyLight& light) {
-  u.toSun = packed(raisedSun(light.toSun), s.march.sunMarchDistanceM);
-  const double middle = s.cloudHeight + 0.5 * s.thickness;
+void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const clouds::MarchSettings& march,
+              const SkyLight& light) {
+  u.toSun = packed(clouds::raisedSun(light.toSun), march.sunMarchDistanceM);
+  const double middle = layer.cloudHeight + 0.5 * layer.thickness;
   const glm::dvec3 sun = light.sunOutside * shared::sunTransmittance(light.air, middle, light.toSun.y) *
                          shared::sunVisibleShare(light.toSun.y);
   u.sunLight = packed(sun * light.exposure, 0);
@@ -55,13 +49,12 @@ void addLight(CloudUniforms& u, const clouds::CloudSettings& s, const SkyLight& 
 }
 
 void addMarch(CloudUniforms& u, const clouds::MarchSettings& march, const View& view, int tilePixels) {
-  u.march = glm::vec4(march.stepM, march.stepGrowth, march.maxSegmentOpticalDepth, march.transmittanceCutoff);
+  u.march = glm::vec4(march.stepM, march.emptyStepMultiplier, march.maxSegmentOpticalDepth, march.transmittanceCutoff);
   // Half a diagonal of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.
   const double pixel = 2 * std::tan(view.fovYRad / 2) / view.height;
   // Where steps begin to grow: an even number of them, so that longer steps begin at multiples of themselves.
   const double growthBegins = march.stepM * 2 * std::round(0.5 / march.stepGrowth);
-  u.sight =
-      glm::vec4(growthBegins, 1.02 * std::sqrt(0.5) * tilePixels * pixel, march.tolerance, march.emptyStepMultiplier);
+  u.sight = glm::vec4(growthBegins, 1.02 * std::sqrt(0.5) * tilePixels * pixel, march.tolerance, 0);
 }
 
 }  // namespace skydrop::render

@@ -28,14 +28,12 @@ struct CloudUniforms {
 };
 
 // Of a field seen from a place in it (drift taken off): all that has to do with the medium. The rest is 0.
-CloudUniforms fieldUniforms(const clouds::CloudSettings& settings, const glm::dvec3& placeInField,
-                            double meanDetail);
-
-// The direction in which light comes through clouds: the sun's, raised to kLeastSunSine. toSun: unit.
-glm::dvec3 raisedSun(const glm::dvec3& toSun);
+CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& layer, double fadeDistance,
+                            const glm::dvec3& placeInField, double meanDetail);
 
 // Light, direction and steps of a frame.
-void addLight(CloudUniforms& uniforms, const clouds::CloudSettings& settings, const SkyLight& light);
+void addLight(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer,
+              const clouds::MarchSettings& march, const SkyLight& light);
 void addMarch(CloudUniforms& uniforms, const clouds::MarchSettings& march, const View& view, int tilePixels);
 
 }  // namespace skydrop::render

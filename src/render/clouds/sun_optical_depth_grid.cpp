@@ -22,7 +22,7 @@ double roundedSine(double sine) { return std::exp2(std::round(std::log2(sine)));
 
 }  // namespace
 
-SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudSettings& s, const glm::dvec3& toSun, double cellM,
+SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSettings& s, const glm::dvec3& toSun, double cellM,
                                 double radiusM, const glm::dvec3& middle, SunOpticalDepthGridKeeps keeps) {
   const double level = std::hypot(toSun.x, toSun.z);
   const glm::dvec3 azimuth = level > 1e-9 ? glm::dvec3(toSun.x, 0, toSun.z) / level : glm::dvec3(1, 0, 0);
@@ -66,7 +66,8 @@ std::array<glm::vec4, 3> toSunOpticalDepthGrid(const SunOpticalDepthGridLayout& 
 }
 
 void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders, const SunOpticalDepthGridLayout& layout,
-                       const clouds::CloudSettings& settings, double meanDetail) {
+                       const clouds::CloudLayerSettings& layer, const clouds::CloudSettings& settings,
+                       double meanDetail) {
   if (layout == layout_) return;
   if (!depths_ || layout.nodes != layout_.nodes) {
     const int layers = keeps_ == SunOpticalDepthGridKeeps::all ? layout.nodes.z : 1;
@@ -74,7 +75,7 @@ void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders,
   }
   if (!uniforms_) uniforms_ = gl::Buffer(context, sizeof(CloudUniforms), gl::Buffer::Use::write, label_);
   layout_ = layout;
-  uniforms_.writeValue(0, fieldUniforms(settings, layout.foot, meanDetail));
+  uniforms_.writeValue(0, fieldUniforms(layer, settings.fadeDistance, layout.foot, meanDetail));
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
   depths_.bindImage(0, GL_WRITE_ONLY);
   std::vector<std::string> defines;

@@ -30,7 +30,7 @@ struct SunOpticalDepthGridLayout {
 
 // Nodes `cellM` apart across the light, for all places of the layer (or of its base alone) within `radiusM`
 // of a middle (in the field). toSun: unit, at least kLeastSunSine high.
-SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudSettings& settings, const glm::dvec3& toSun, double cellM,
+SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSettings& layer, const glm::dvec3& toSun, double cellM,
                                 double radiusM, const glm::dvec3& middle, SunOpticalDepthGridKeeps keeps);
 
 // Rows that carry a place relative to the eye (and 1) to the texture's coordinates.
@@ -44,9 +44,10 @@ class SunOpticalDepthGrid {
   const SunOpticalDepthGridLayout& layout() const { return layout_; }
   const gl::Texture& depths() const { return depths_; }
 
-  // Fills it again where layout or medium differ from what it holds. The field's textures have to be bound.
+  // Fills it again where layout or medium differ from what it holds. The layer is one of the settings', and its
+  // field's textures have to be bound.
   void update(gl::Context& context, gl::ShaderCache& shaders, const SunOpticalDepthGridLayout& layout,
-              const clouds::CloudSettings& settings, double meanDetail);
+              const clouds::CloudLayerSettings& layer, const clouds::CloudSettings& settings, double meanDetail);
   void forget() { layout_ = {}; }  // the medium changed
 
  private:

@@ -9,6 +9,7 @@
 
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/core/wind.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
 #include "skydrop/render/frame/pass.h"
@@ -22,11 +23,11 @@ class SunOpticalDepthGrid;
 class CloudSystem final : public Pass {
  public:
   CloudSystem(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
-              const clouds::CloudSettings& settings);
+              const clouds::CloudSettings& settings, const core::WindSettings& wind);
   ~CloudSystem() override;
 
-  // Takes the settings over for the next frame; about 20 ms where the medium changed, else nothing.
-  void apply(const clouds::CloudSettings& settings);
+  // Takes the settings over for the next frame; about 20 ms where a layer changed, else nothing.
+  void apply(const clouds::CloudSettings& settings, const core::WindSettings& wind);
 
   std::string_view name() const override { return "clouds"; }
   RenderStage stage() const override { return RenderStage::clouds; }
@@ -51,6 +52,9 @@ class CloudSystem final : public Pass {
  private:
   void update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM, const glm::dvec3& middle);
   void setUniforms(FrameContext& context);
+  // The eye in the field: what the wind has carried it by is taken off.
+  glm::dvec3 eyeInField(const FrameInput& frame) const;
+  const clouds::CloudLayerSettings& layer() const { return settings_.layers[kMarchedLayer]; }
   using Defines = std::span<const std::string>;  // of the variant
   void classify(FrameContext& context, Defines defines);
   void march(FrameContext& context, Defines defines);
@@ -58,9 +62,12 @@ class CloudSystem final : public Pass {
   void compose(FrameContext& context, Defines defines);
   void resize(const View& view);
 
+  static constexpr std::size_t kMarchedLayer = 0;
+
   gl::Context& context_;
   clouds::CloudSettings settings_;
-  std::unique_ptr<CloudTextures> volumes_;
+  core::WindSettings wind_;
+  std::unique_ptr<CloudTextures> textures_;
   std::unique_ptr<SunOpticalDepthGrid> near_, far_, fineShadowMap_, coarseShadowMap_;
   gl::Buffer uniforms_, tiles_, edges_;
   gl::Texture light_, distances_;
