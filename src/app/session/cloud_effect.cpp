@@ -10,14 +10,14 @@ void addClouds(SceneRenderer& sceneRenderer) {
   render::Renderer& renderer = sceneRenderer.renderer();
   auto pass = std::make_unique<render::CloudSystem>(
       renderer.context(), sceneRenderer.setup().prepared.find<clouds::PackedCloudNoise>(),
-      sceneRenderer.settings().clouds);
+      sceneRenderer.settings().clouds, sceneRenderer.settings().wind);
   if (sceneRenderer.setup().effects.contains(scene::Effect::terrain))
     renderer.add(std::make_unique<render::CloudShadowPass>(*pass));
   renderer.add(std::move(pass));
 }
 
 void applyClouds(SceneRenderer& sceneRenderer, const Settings& settings) {
-  sceneRenderer.renderer().find<render::CloudSystem>()->apply(settings.clouds);
+  sceneRenderer.renderer().find<render::CloudSystem>()->apply(settings.clouds, settings.wind);
 }
 
 std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker) {
