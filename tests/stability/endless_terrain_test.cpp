@@ -99,7 +99,7 @@ ViewVolume lookingAlong(glm::dvec3 eye, double yaw, double pitch, int width = 64
 
 std::size_t bytesOfUploads(const TerrainFrame& frame) { return frame.uploads.size() * kSampleBytes; }
 
-// What of a frame must not depend on how it came about: all but the slots.
+// What of a frame must not depend on how it came about: all but the layers.
 std::vector<std::tuple<int, int, int, int, int, int, double>> drawsOf(const TerrainFrame& frame) {
   std::vector<std::tuple<int, int, int, int, int, int, double>> draws;
   for (const PatchDraw& p : frame.patches) {
