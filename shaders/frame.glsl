@@ -2,6 +2,8 @@
 // it. Light is multiplied by exposure; positions are relative to the eye, in world axes (metres).
 #include "shared/depth.glsl"
 #include "shared/atmosphere.glsl"
+#include "shared/depth.glsl"
+#include "shared/half_float.glsl"
 
 layout(std140, binding = 0) uniform Frame {
   mat4 viewProjection;

@@ -24,11 +24,9 @@ vec4 seenCloud(March march, vec3 direction) {
   float whole = (1.0 - transmittance) / max(1.0 - march.transmittance, 1e-6);
   vec3 light = clouds.sunLight.xyz * march.sun + clouds.skyLight.xyz * march.sky + clouds.groundLight.xyz * march.ground;
   float distanceM = march.distance / max(march.weight, 1e-20);
-  return vec4(min(throughAir(light * whole, 1.0 - transmittance, direction, distanceM), vec3(60000.0)), transmittance);
+  vec3 seen = throughAir(light * whole, 1.0 - transmittance, direction, distanceM);
+  return vec4(min(seen, vec3(kBrightest)), transmittance);
 }
-
-// Stands for a distance beyond everything; a half float keeps it.
-const float kFarDistance = 65000.0;
 
 // Mean distance of the light.
 float seenDistance(March march) {

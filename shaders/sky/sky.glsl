@@ -1,9 +1,6 @@
 // The sky with the sun's disc; below the horizon an endless plain of average land at sea level.
 #include "frame.glsl"
 
-// The largest radiance that a half float keeps with room for blending.
-const float kBrightest = 60000.0;
-
 // The sun's disc, its edge smoothed over a pixel; the horizon cuts it.
 vec3 sunDisc(vec3 direction) {
   vec3 aside = cross(direction, frame.toSun.xyz);

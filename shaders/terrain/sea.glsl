@@ -7,7 +7,6 @@ uniform float seaFloorM;  // depth of the floor where none is drawn
 // Standard deviation of the waves' slope along each axis: a breeze of 7 m/s (Cox and Munk 1954: mean square of both
 // axes together 0.003 + 0.00512 m/s of wind).
 const float kSeaSlope = 0.14;
-const float kBrightest = 60000.0;   // what a half float keeps, with room for blending
 
 // Corners of four triangles from below the eye to infinity, relative to the eye and in homogeneous coordinates.
 vec4 seaCorner(int vertex) {

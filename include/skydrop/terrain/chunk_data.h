@@ -38,7 +38,7 @@ glm::dvec3 decodeNormal(std::uint16_t code);
 // Normals continue beyond the chunk's borders, so that what a pixel derives from normals at a distance comes
 // from one chunk and is the same bits on both sides of a border. They reach kNormalReachM, or one sample
 // where samples are wider.
-inline constexpr double kNormalReachM = 24;      // of the curvature (shaders/terrain/land.glsl)
+inline constexpr double kNormalReachM = core::shared::f64::kNormalReachM;  // 24 m: of landCurvature (shaders)
 constexpr int normalReach(std::int32_t level) {  // samples
   int samples = 1;
   while (samples * cellMetres(level) < kNormalReachM) ++samples;
@@ -48,8 +48,8 @@ constexpr int normalReach(std::int32_t level) {  // samples
 // Normals are stored in a square with room for that at every level; what lies beyond the reach is 0. Its side
 // is a power of two: texture coordinates of samples are then exact in float, and both sides of a border
 // filter with the same weights.
-inline constexpr int kNormalSide = 256;
-inline constexpr int kNormalMargin = 8;  // columns and rows in front of the chunk's first sample
+inline constexpr int kNormalSide = core::shared::f64::kNormalSide;      // 256
+inline constexpr int kNormalMargin = core::shared::f64::kNormalMargin;  // 8 rows and columns before them
 static_assert(normalReach(0) < kNormalMargin && kNormalMargin + kChunkSamples + normalReach(0) < kNormalSide);
 
 // A value that may be handed between threads; about 247 kB.

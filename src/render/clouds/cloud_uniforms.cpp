@@ -56,12 +56,11 @@ void addLight(CloudUniforms& u, const clouds::CloudSettings& s, const SkyLight& 
 
 void addMarch(CloudUniforms& u, const clouds::MarchSettings& march, const View& view, int tilePixels) {
   u.march = glm::vec4(march.stepM, march.stepGrowth, march.maxSegmentOpticalDepth, march.transmittanceCutoff);
-  // Half a diagonal of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.
-  const double pixel = 2 * std::tan(view.fovYRad / 2) / view.height;
   // Where steps begin to grow: an even number of them, so that longer steps begin at multiples of themselves.
   const double growthBegins = march.stepM * 2 * std::round(0.5 / march.stepGrowth);
-  u.sight =
-      glm::vec4(growthBegins, 1.02 * std::sqrt(0.5) * tilePixels * pixel, march.tolerance, march.emptyStepMultiplier);
+  // Of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.
+  const double halfDiagonal = 1.02 * std::sqrt(0.5) * tilePixels * view.pixelAngleRad();
+  u.sight = glm::vec4(growthBegins, halfDiagonal, march.tolerance, march.emptyStepMultiplier);
 }
 
 }  // namespace skydrop::render

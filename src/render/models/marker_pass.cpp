@@ -46,7 +46,7 @@ Mark markOf(const View& view, const game::TargetSnapshot& target) {
   // One radius for the whole beam: that of its nearest point.
   const glm::dvec3 nearest(mark.foot.x, std::clamp(0.0, mark.foot.y, mark.foot.y + shared::kBeamHeight),
                            mark.foot.z);
-  const double distance = glm::length(nearest), pixelAngle = 2 * std::tan(view.fovYRad / 2) / view.height;
+  const double distance = glm::length(nearest), pixelAngle = view.pixelAngleRad();
   mark.beamRadius = shared::beamRadius(distance, pixelAngle);
   mark.tooFar = shared::kBeamHeight < pixelAngle * distance;
   const glm::dvec3 aside(mark.beamRadius, 0, mark.beamRadius);
