@@ -53,8 +53,7 @@ SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
 
   vec3 mirrored = reflect(-toEye, normal);
   mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.02), mirrored.z));
-  SkySource source = skySource(frameColumn(), frameAtmosphere(), mirrored.y);
-  vec3 sky = skyRadiance(source, dot(mirrored, frame.toSun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
+  vec3 sky = skyTowards(mirrored);
 
   // Waves that pixels do not show tilt the mirror: the slope that would send the sun here, against that of
   // the waves that they show.

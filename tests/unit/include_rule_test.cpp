@@ -20,15 +20,16 @@ using Names = std::set<std::string>;
 std::map<std::string, Names> allowedIncludes() {
   const Names core = {"core"};
   Names scene = core;
-  scene.insert({"terrain", "clouds", "flight", "weather"});
+  scene.insert({"terrain", "clouds", "flight", "sky", "weather"});
   Names game = scene;
   game.insert("scene");
   Names outer = game;
   outer.insert("game");
   Names app = outer;
   app.insert({"render", "audio", "ui"});
-  return {{"core", {}},     {"terrain", core}, {"clouds", core}, {"flight", core}, {"weather", core}, {"scene", scene},
-          {"game", game},   {"render", outer}, {"audio", outer}, {"ui", outer},    {"app", app}};
+  return {{"core", {}},       {"terrain", core}, {"clouds", core}, {"flight", core},
+          {"sky", core},      {"weather", core}, {"scene", scene}, {"game", game},
+          {"render", outer},  {"audio", outer},  {"ui", outer},    {"app", app}};
 }
 
 struct Include {

@@ -47,9 +47,7 @@ glm::dvec3 raisedSun(const glm::dvec3& toSun) {
 void addLight(CloudUniforms& u, const clouds::CloudSettings& s, const SkyLight& light) {
   u.toSun = packed(raisedSun(light.toSun), s.march.sunMarchDistanceM);
   const double middle = s.cloudHeight + 0.5 * s.thickness;
-  const glm::dvec3 sun = light.sunOutside * shared::sunTransmittance(light.air, middle, light.toSun.y) *
-                         shared::sunVisibleShare(light.toSun.y);
-  u.sunLight = packed(sun * light.exposure, 0);
+  u.sunLight = packed(sky::sunIlluminance(light, middle) * light.exposure, 0);
   u.skyLight = packed(light.sky * light.exposure, 0);
   u.groundLight = packed(light.ground * light.exposure, 0);
 }
