@@ -88,6 +88,8 @@ struct EndlessTerrain::State {
         remembered(kRememberedBounds),
         layers(0),
         resident(0) {
+    frame.heightRange = source->storedRange();
+    frame.heightRange.requireValid();
     take(initial);
   }
 

@@ -47,7 +47,7 @@ class WatchedSource final : public HeightSource {
         const glm::dvec2 at = chunkOrigin(key) + glm::dvec2(column, row - row % 10) * cellMetres(key.level);
         const auto i = static_cast<std::size_t>(sampleIndex(column, row));
         if (row % 10 == 0) {
-          out.heights[i] = encodeHeight(hills_->height(at));
+          out.heights[i] = out.heightRange.encode(hills_->height(at));
         } else {
           out.heights[i] = out.heights[i - kChunkSamples];
         }
