@@ -4,6 +4,7 @@
 // density is cheap, light is not, and rays that run together wait for each other only there.
 #include "clouds/occupancy.glsl"
 #include "clouds/sun_depth.glsl"
+#include "shared/cloud_march.glsl"
 
 // What a ray has gathered, per illuminance of each source; and where it is.
 struct March {
@@ -32,9 +33,6 @@ float alignedBefore(float distanceM) {
 March marchFrom(float begin) { return March(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, alignedBefore(begin), 1.0); }
 
 bool isUnderWay(March march, RaySpan span) { return march.at < span.end && march.transmittance > clouds.march.w; }
-
-// Steps that share one place where light is worked out.
-const float kMaxStepsPerSegment = 4.0;
 
 // A segment whose light is worked out at one place.
 struct LightSegment {
@@ -79,13 +77,10 @@ LightSegment gatherLightSegment(inout March march, CellRay ray, vec3 direction, 
     depth += stepOpticalDepth;
     march.clear = shape > 0.0 ? 0.0 : 1.0;
     march.at += pace;
-    if (march.at - begin > kMaxStepsPerSegment * step) break;
+    if (march.at - begin > float(kMaxStepsPerSegment) * step) break;
   }
   return segment;
 }
-
-// All loops together run at most about so many times: longer ones are cut short by some drivers.
-const int kMostIterations = 30000;
 
 void marchOn(inout March march, vec3 direction, RaySpan span) {
   CellRay ray = cellRay(direction);

@@ -29,13 +29,6 @@ float wayOutOfBox(vec3 at, vec3 perLength, float cells, vec3 wide, vec3 widening
   return min(behind.x, min(behind.y, behind.z)) < 0.0 ? 0.0 : min(ahead.x, min(ahead.y, ahead.z));
 }
 
-// The same for a ray without width, from its reciprocal pace: lengths a cell, with sign.
-float wayOutOfCells(vec3 at, vec3 lengthsACell, float cells) {
-  vec3 fromMiddle = at - (floor(at) + 0.5);
-  vec3 ahead = (cells - 0.5) * abs(lengthsACell) - fromMiddle * lengthsACell;
-  return min(ahead.x, min(ahead.y, ahead.z));
-}
-
 // A ray in cells.
 struct CellRay {
   vec3 start;

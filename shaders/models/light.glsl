@@ -12,9 +12,7 @@ vec3 fresnel(vec3 reflectance, float cosine, float gloss) {
 // What a mirror would show: sky above, land below, without the sun's disc. Matt surfaces see it blurred, which is
 // near the light of the half space.
 vec3 surroundings(vec3 direction, float gloss) {
-  SkySource source = skySource(frameColumn(), frameAtmosphere(), direction.y);
-  vec3 sky = skyRadiance(source, dot(direction, frame.toSun.xyz), 0.0) + frame.nightRadiance.xyz;
-  vec3 sharp = mix(sky, frame.groundLight.xyz / kPi, smoothstep(0.02, -0.10, direction.y));
+  vec3 sharp = mix(skyWithoutGlow(direction), frame.groundLight.xyz / kPi, smoothstep(0.02, -0.10, direction.y));
   vec3 blurred = mix(frame.groundLight.xyz, frame.skyLight.xyz, 0.5 + 0.5 * direction.y) / kPi;
   return mix(blurred, sharp, gloss);
 }

@@ -7,7 +7,6 @@ uniform float seaFloorM;  // depth of the floor where none is drawn
 // Standard deviation of the waves' slope along each axis: a breeze of 7 m/s (Cox and Munk 1954: mean square of both
 // axes together 0.003 + 0.00512 m/s of wind).
 const float kSeaSlope = 0.14;
-const float kBrightest = 60000.0;   // what a half float keeps, with room for blending
 
 // Corners of four triangles from below the eye to infinity, relative to the eye and in homogeneous coordinates.
 vec4 seaCorner(int vertex) {
@@ -54,8 +53,7 @@ SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
 
   vec3 mirrored = reflect(-toEye, normal);
   mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.02), mirrored.z));
-  SkySource source = skySource(frameColumn(), frameAtmosphere(), mirrored.y);
-  vec3 sky = skyRadiance(source, dot(mirrored, frame.toSun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
+  vec3 sky = skyTowards(mirrored);
 
   // Waves that pixels do not show tilt the mirror: the slope that would send the sun here, against that of
   // the waves that they show.

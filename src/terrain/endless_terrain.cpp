@@ -88,6 +88,8 @@ struct EndlessTerrain::State {
         remembered(kRememberedBounds),
         layers(0),
         resident(0) {
+    frame.heightRange = source->storedRange();
+    frame.heightRange.requireValid();
     take(initial);
   }
 
@@ -190,7 +192,7 @@ struct EndlessTerrain::State {
   }
 
   static bool isCoarsestInView(const WantedChunk& chunk) {
-    return chunk.key.level == kTopLevel && chunk.inView;
+    return chunk.key.level == kMaxChunkLevel && chunk.inView;
   }
 
   void waitForCoarsest(std::chrono::milliseconds limit) {
@@ -241,7 +243,7 @@ struct EndlessTerrain::State {
       const ArrayLayerPool::Lease* lease = resident.peek(key);
       const MadeChunk* made = cache.peek(key);
       if (lease == nullptr || made == nullptr) continue;
-      if (key.level < kTopLevel && !usable.contains(parentOf(key))) continue;
+      if (key.level < kMaxChunkLevel && !usable.contains(parentOf(key))) continue;
       usable.emplace(key, UsableChunk{lease->layer(), made->bounds.get()});
       frame.chunks.push_back({key, lease->layer()});
     }

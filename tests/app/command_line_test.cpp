@@ -70,6 +70,13 @@ TEST(CommandLine, aCameraTakesCompassDegrees) {
   EXPECT_EQ(parse({"render", "--camera", "0,1,0", "--heading=-300"}).commandLine.pose->yawDegrees, -30);
 }
 
+TEST(CommandLine, theReportOfAccuracyHasThreeFormats) {
+  EXPECT_EQ(parse({"accuracy"}).commandLine.reportFormat, ReportFormat::markdown);
+  EXPECT_EQ(parse({"accuracy", "--format", "json"}).commandLine.reportFormat, ReportFormat::json);
+  EXPECT_EQ(parse({"accuracy", "land", "--format", "csv"}).commandLine.reportFormat, ReportFormat::csv);
+  EXPECT_EQ(refusalOf({"accuracy", "--format", "xml"}), "--format: 'xml' is not one of markdown json csv");
+}
+
 TEST(CommandLine, flagsOfTheHudStandForItsSetting) {
   EXPECT_EQ(parse({"render", "--no-hud"}).commandLine.set, std::vector<std::string>{"view.hud=false"});
   EXPECT_EQ(parse({"--no-hud"}).commandLine.set, std::vector<std::string>{"view.hud=false"});

@@ -224,7 +224,7 @@ std::uint64_t uploads(const Settings& settings) {
   other.gpuMiB = 120;
   endless.apply(other);
   endless.settle(small());
-  endless.apply(settings.streaming);  // a changed number of slots empties them all
+  endless.apply(settings.streaming);  // a changed number of layers empties them all
   endless.update(small());
   return endless.statistics().uploadedBytes;
 }

@@ -111,7 +111,7 @@ TEST_F(TerrainBorderGLTest, bothSidesOfABorderGiveTheMaterialTheSameBits) {
   // corners included, from the chunk on each side. They have the same samples and filter them with the same
   // weights: nothing is left to tolerate.
   TerrainPass pass(context());
-  for (int level = 0; level <= terrain::kTopLevel; ++level) {
+  for (int level = 0; level <= terrain::kMaxChunkLevel; ++level) {
     for (int round = 0; round < 4; ++round) {
       const Border border = randomBorder(level);
       take(pass, {border.here, border.there()});
@@ -225,7 +225,7 @@ TEST_F(TerrainBorderGLTest, noBorderShowsInThePicture) {
   for (int i = 0; i < 24; ++i) {
     const auto [height, pitch] = kPoses[static_cast<std::size_t>(i) % kPoses.size()];
     const bool alongZ = i / 3 % 2 == 0;
-    const double spacing = terrain::chunkMetres(i / 6 % 2 == 0 ? 0 : terrain::kTopLevel);
+    const double spacing = terrain::chunkMetres(i / 6 % 2 == 0 ? 0 : terrain::kMaxChunkLevel);
     glm::dvec2 at;
     do {
       const double line = spacing * (std::floor(random_.nextUnit() * 64) - 32);

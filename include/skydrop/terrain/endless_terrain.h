@@ -35,6 +35,7 @@ struct StreamingStatistics {
 // as soon as it is settled.
 class EndlessTerrain {
  public:
+  // Throws core::RangeError for a source whose storedRange() is not valid.
   EndlessTerrain(std::shared_ptr<const HeightSource> source, core::JobPool& pool,
                  const TerrainStreamingSettings& settings);
   ~EndlessTerrain();

@@ -49,6 +49,7 @@ struct TerrainFrame {
   // World position (x, z) from which the patches count: a chunk corner near the eye, so that the differences
   // are small whole numbers, exact in float, wherever in the world the eye is.
   glm::dvec2 base{0.0};
+  HeightRange heightRange;  // of the heights in the layers: ChunkData::heightRange, the same for all
   LodDistances lod;
   double farDistanceM = 0;
   double seaFloorDepthM = 0;

@@ -42,7 +42,7 @@ int accuracy(const CommandLine& line) {
       progress.show(name + ", " + std::to_string(done) + " of " + std::to_string(all));
     }));
   }
-  out.write(studyReport(results));
+  out.write(studyReport(results, line.reportFormat));
   if (!out.isStandardOutput()) print("%s\n", line.out.c_str());
   return 0;
 }

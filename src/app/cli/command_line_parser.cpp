@@ -99,6 +99,14 @@ NoiseFormat parseNoiseFormat(const std::string& text) {
   return found->second;
 }
 
+ReportFormat parseReportFormat(const std::string& text) {
+  static const std::map<std::string, ReportFormat> names = {
+      {"markdown", ReportFormat::markdown}, {"json", ReportFormat::json}, {"csv", ReportFormat::csv}};
+  const auto found = names.find(text);
+  if (found == names.end()) throw UsageError("--format: '" + text + "' is not one of markdown json csv");
+  return found->second;
+}
+
 // Where the file's name begins in a path.
 std::size_t nameAt(const std::string& path) { return path.rfind('/') + 1; }
 
@@ -143,6 +151,8 @@ class Parser {
     }
     accuracy->add_option("STUDY", line_.studies, "studies to run; none named: all");
     text(*accuracy, "--out", "FILE|-", "the report; - is standard output", [this](const std::string& t) { line_.out = t; });
+    text(*accuracy, "--format", "markdown|json|csv", "of the report (markdown)",
+         [this](const std::string& t) { line_.reportFormat = parseReportFormat(t); });
     accuracy->preparse_callback([this](std::size_t) { line_.out = "accuracy.md"; });
     text(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
          [this](const std::string& t) { line_.backend = parseBackend(t); });

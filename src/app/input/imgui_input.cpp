@@ -279,6 +279,4 @@ bool ImGuiInput::isMenuChord(const WindowEvent& event) {
          (event.letter == 'F' || event.letter == 'Z' || event.letter == 'Y');
 }
 
-bool ImGuiInput::wantsMouse() { return ImGui::GetIO().WantCaptureMouse; }
-
 }  // namespace skydrop::app

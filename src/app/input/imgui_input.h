@@ -47,8 +47,6 @@ class ImGuiInput {
   static bool movesFocus(const render::gl::WindowEvent& event);
   // Ctrl with F, Z or Y: the open menu's (search, undo, redo), whatever these letters are bound to.
   static bool isMenuChord(const render::gl::WindowEvent& event);
-  // The mouse is over the interface, or holds one of its widgets.
-  static bool wantsMouse();
 
  private:
   void takeMouseButton(const render::gl::WindowEvent& event);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skydrop/core/quantile.h"
+
 namespace skydrop::app {
 
 std::size_t FrameTimes::binOf(double ms) {
@@ -26,17 +28,12 @@ std::span<const double> FrameTimes::newest(std::size_t most) const {
 
 double FrameTimes::quantile(double quantile) const {
   if (count_ == 0) return 0;
-  const double rank = std::max(std::ceil(quantile * static_cast<double>(count_)) - 1, 0.0);
-  if (count_ <= kKept) {
-    std::vector<double> sorted = newest_;
-    const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(sorted.begin(), nth, sorted.end());
-    return *nth;
-  }
+  if (count_ <= kKept) return core::quantileOf(newest_, quantile);
+  const std::size_t rank = core::quantileRank(count_, quantile);
   if (rank == 0) return least_;
-  if (rank + 1 >= static_cast<double>(count_)) return most_;
+  if (rank + 1 >= count_) return most_;
   std::size_t bin = 0, below = 0;
-  while (bin + 1 < kBins && static_cast<double>(below + bins_[bin]) <= rank) below += bins_[bin++];
+  while (bin + 1 < kBins && below + bins_[bin] <= rank) below += bins_[bin++];
   const double middle = kShortestMs * std::exp((static_cast<double>(bin) + 0.5) * kBinWidth);
   return std::clamp(middle, least_, most_);
 }

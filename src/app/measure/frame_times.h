@@ -25,7 +25,7 @@ class FrameTimes {
   std::span<const double> newest(std::size_t most) const;
   std::size_t count() const { return count_; }
 
-  // The value below which the share `quantile` in [0, 1] of the frames lies (nearest rank); 0 without frames.
+  // As core::quantileOf, of all frames.
   double quantile(double quantile) const;
   void writeTo(core::FrameStatistics& statistics) const;
 

@@ -48,9 +48,8 @@ StudyResult cloudStudy(const StudyProgress& progress) {
       "Cumulus from below: the scene `fair` at 320 x 180 from `--pose=0,600,0,40,12,0`, by `clouds.tier`, "
       "against the tier reference. What a tier says stands in `assets/clouds`; any of its rows can be set by "
       "itself.";
-  result.errorName = "error of the picture, root mean square of 8-bit steps";
-  result.costName = "ms a frame";
-  result.clock = clockOfTimedFrames(kTimedFrames) + " (reference: one)";
+  result.metrics = {{"error of the picture", "root mean square of 8-bit steps"}};
+  result.cost = {"ms a frame", clockOfTimedFrames(kTimedFrames) + " (reference: one)"};
   result.machine = machineName() + ", " + context->renderer();
   constexpr CloudTier kTiers[] = {CloudTier::off, CloudTier::low, CloudTier::medium, CloudTier::high,
                                   CloudTier::ultra};
@@ -60,10 +59,10 @@ StudyResult cloudStudy(const StudyProgress& progress) {
     progress(result.rows.size() + 1, std::size(kTiers) + 1);
     const TimedFrame frame = frameOf(tier, kTimedFrames);
     result.rows.push_back({std::string(clouds::kCloudTierNames[static_cast<std::size_t>(tier)]),
-                           rootMeanSquare(frame.image, reference.image), frame.ms,
+                           {rootMeanSquare(frame.image, reference.image)}, frame.ms,
                            tier == shipped ? "default" : ""});
   }
-  result.rows.push_back({"reference", 0, reference.ms, ""});
+  result.rows.push_back({"reference", {0}, reference.ms, ""});
   return result;
 }
 

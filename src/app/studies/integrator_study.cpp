@@ -61,9 +61,9 @@ StudyResult integratorStudy(const StudyProgress& progress) {
       "A torque-free body of inertia (10, 20, 26) kg m^2 that starts with (1, 15, 1) rad/s (hard case P01), "
       "against rkmk4 at " +
       std::to_string(kReferenceRate) + " Hz.";
-  result.errorName = "attitude error after 10 s, degrees";
-  result.costName = "microseconds for a simulated second";
-  result.clock = "wall clock, the fastest of " + std::to_string(kRepetitions) + " runs";
+  result.metrics = {{"attitude error after 10 s", "degrees"}};
+  result.cost = {"microseconds for a simulated second",
+                 "wall clock, the fastest of " + std::to_string(kRepetitions) + " runs"};
   result.machine = machineName();
   constexpr int kRates[] = {30, 60, 120, 240};
   const std::size_t rows = flight::kIntegratorNames.size() * std::size(kRates);
@@ -76,8 +76,8 @@ StudyResult integratorStudy(const StudyProgress& progress) {
       const bool isDefault =
           integrator == flight::AirplaneSettings{}.integrator && rate == core::FixedStep::kStepsPerSecond;
       result.rows.push_back({std::string(flight::kIntegratorNames[i]) + " at " + std::to_string(rate) + " Hz",
-                             angleBetween(attitudeAfter(integrator, rate), reference), cost(integrator, rate),
-                             isDefault ? "default" : ""});
+                             {angleBetween(attitudeAfter(integrator, rate), reference)},
+                             cost(integrator, rate), isDefault ? "default" : ""});
     }
   }
   return result;

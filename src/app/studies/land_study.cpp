@@ -39,9 +39,8 @@ StudyResult landStudy(const StudyProgress& progress) {
       "The first view of the scene `terrain` at 640 x 360, by `streaming.pixelError` (the vertical error "
       "that the mesh may show, in pixels), against " +
       std::to_string(kReferenceError).substr(0, 3) + " px.";
-  result.errorName = "error of the picture, root mean square of 8-bit steps";
-  result.costName = "ms a frame";
-  result.clock = clockOfTimedFrames(kTimedFrames);
+  result.metrics = {{"error of the picture", "root mean square of 8-bit steps"}};
+  result.cost = {"ms a frame", clockOfTimedFrames(kTimedFrames)};
   result.machine = machineName() + ", " + context->renderer();
   std::vector<double> errors = {0.5, 1, 2, 4, 8, 16, shipped};
   std::sort(errors.begin(), errors.end());
@@ -53,10 +52,10 @@ StudyResult landStudy(const StudyProgress& progress) {
     const TimedFrame frame = frameAt(pixelError);
     char knob[32];
     std::snprintf(knob, sizeof knob, "%g px", pixelError);
-    result.rows.push_back({knob, rootMeanSquare(frame.image, reference.image), frame.ms,
+    result.rows.push_back({knob, {rootMeanSquare(frame.image, reference.image)}, frame.ms,
                            pixelError == shipped ? "default" : ""});
   }
-  result.rows.push_back({"reference", 0, reference.ms, ""});
+  result.rows.push_back({"reference", {0}, reference.ms, ""});
   return result;
 }
 

@@ -8,21 +8,39 @@
 #include <string_view>
 #include <vector>
 
+#include "app/types/report_format.h"
+
 namespace skydrop::app {
 
+// What is measured at each place of the knob: an error against the reference, less is better.
+struct StudyMetric {
+  std::string name;  // "attitude error after 10 s"
+  std::string unit;  // "degrees"
+};
+
+struct StudyCost {
+  std::string unit;   // of time, and for what: "ms a frame"
+  std::string clock;  // what timed it: "wall clock, the fastest of 20 runs"
+};
+
+// One place of the knob.
 struct StudyRow {
-  std::string knob;   // "rk4 at 120 Hz"
-  double error = 0;   // in the study's error unit
-  double cost = 0;    // in the study's cost unit
-  std::string note;   // "default", or what is special; may be empty
+  std::string label;           // "rk4 at 120 Hz"
+  std::vector<double> errors;  // one a metric of the study, in its unit and order
+  double cost = 0;             // in the unit of the study's cost
+  std::string note;            // "default", or what is special; may be empty
 };
 
 struct StudyResult {
-  std::string title, method;           // what is measured, against which reference
-  std::string errorName, costName;     // with units: "attitude error after 10 s, degrees"
-  std::string clock, machine;          // what timed it, and on what
+  std::string title, method;         // what is measured, against which reference
+  std::vector<StudyMetric> metrics;  // at least one
+  StudyCost cost;
+  std::string machine;               // on what it was timed
   std::vector<StudyRow> rows;
 };
+
+// Whether no other row is at least as good in every metric and in cost, and better in one of them.
+bool isParetoOptimal(const StudyRow& row, const std::vector<StudyRow>& rows);
 
 // Told before each row: how many there are of how many, the reference included.
 using StudyProgress = std::function<void(std::size_t done, std::size_t all)>;
@@ -36,7 +54,6 @@ struct Study {
 // All there are, in the order of the report.
 const std::vector<Study>& studies();
 
-// Markdown: a section and a table a study, rows Pareto-optimal (no other row is both cheaper and better) marked.
-std::string studyReport(const std::vector<StudyResult>& results);
+std::string studyReport(const std::vector<StudyResult>& results, ReportFormat format);
 
 }  // namespace skydrop::app

@@ -1,10 +1,10 @@
 #include "app/studies/timed_frame.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "app/measure/stopwatch.h"
+#include "skydrop/core/quantile.h"
 
 namespace skydrop::app {
 
@@ -18,9 +18,7 @@ TimedFrame drawTimed(SceneRenderer& sceneRenderer, const game::Snapshot& snapsho
     sceneRenderer.renderer().finish();
     all.push_back(watch.ms());
   }
-  const auto middle = all.begin() + times / 2;
-  std::nth_element(all.begin(), middle, all.end());
-  return {sceneRenderer.renderer().readBack(), *middle};
+  return {sceneRenderer.renderer().readBack(), core::quantileOf(all, 0.5)};
 }
 
 std::string clockOfTimedFrames(int times) {

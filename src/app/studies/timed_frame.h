@@ -15,7 +15,7 @@ struct TimedFrame {
 
 // Drawn with all its land there, then drawn `times` more: the median counts.
 TimedFrame drawTimed(SceneRenderer& sceneRenderer, const game::Snapshot& snapshot, Size size, int times);
-std::string clockOfTimedFrames(int times);  // for StudyResult::clock
+std::string clockOfTimedFrames(int times);  // for StudyCost::clock
 
 // Root mean square of the difference over red, green and blue, in 8-bit steps.
 double rootMeanSquare(const core::Image& a, const core::Image& b);

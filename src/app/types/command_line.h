@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/types/pose.h"
+#include "app/types/report_format.h"
 #include "app/types/size.h"
 #include "skydrop/render/gl/backend.h"
 
@@ -66,6 +67,7 @@ struct CommandLine {
 
   // accuracy
   std::vector<std::string> studies;
+  ReportFormat reportFormat = ReportFormat::markdown;
 };
 
 // Whether the words set this setting, by --set or by a flag that stands for it.

@@ -9,6 +9,7 @@
 #include "render/clouds/cloud_uniforms.h"
 #include "render/clouds/sun_optical_depth_grid.h"
 #include "skydrop/clouds/raised_sun.h"
+#include "skydrop/core/shared.h"
 
 namespace skydrop::render {
 namespace {
@@ -20,9 +21,9 @@ constexpr int kTileSide = 8;                                                  //
 constexpr std::size_t kTaskBytes = 16, kEdgeBytes = 4, kHeaderBytes = 16;
 constexpr double kNearRadiusCells = 48;  // of the fine light grid
 constexpr double kFarCells = 5;          // a cell of the coarse grid in cells of the fine one
-// Of rays that are not marched: no light (kFarDistance of shaders/clouds), and a surface like no other,
+// Of rays that are not marched: no light, and a surface like no other,
 // because what hides the clouds there may not hide them beside it.
-constexpr std::array<float, 4> kNotMarched = {65000, 0, 0, 0};
+constexpr std::array<float, 4> kNotMarched = {core::shared::f32::kFarDistance, 0, 0, 0};
 constexpr double kFineShadowMapM = 60, kFineShadeRadiusM = 6000, kCoarseShadowMapM = 240;  // cells of shadows
 
 struct ListHeader {
@@ -36,14 +37,15 @@ double mostIterations(const clouds::CloudSettings& s) {
   const double growthBegins = s.march.stepM / s.march.stepGrowth;
   const double steps =
       growthBegins / s.march.stepM * (1 + std::max(0.0, std::log2(s.fadeDistance / growthBegins)));
-  const double segments = steps / 4 - std::log(s.march.transmittanceCutoff) / s.march.maxSegmentOpticalDepth;
+  const double segments = steps / core::shared::f64::kMaxStepsPerSegment -
+                          std::log(s.march.transmittanceCutoff) / s.march.maxSegmentOpticalDepth;
   return 2 * steps + segments * static_cast<double>(s.march.sunSamples);
 }
 
-constexpr double kMostIterations = 30000;  // of one dispatch, as in shaders/clouds
-
 // Whether one dispatch may not reach the end of a ray.
-bool isCarried(const clouds::CloudSettings& settings) { return mostIterations(settings) > kMostIterations; }
+bool isCarried(const clouds::CloudSettings& settings) {
+  return mostIterations(settings) > core::shared::f64::kMostIterations;
+}
 
 // Pixels a side for each ray. Single rays are not carried on, so there are none then.
 int divisorOf(const clouds::CloudSettings& settings) {

@@ -9,8 +9,6 @@
 namespace skydrop::render {
 namespace {
 
-namespace shared = core::shared::f64;
-
 glm::vec4 packed(const glm::dvec3& xyz, double w) { return glm::vec4(glm::vec3(xyz), static_cast<float>(w)); }
 
 // In periods, [0, 1): wrapped in double before anything is rounded.
@@ -41,20 +39,18 @@ void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const c
               const SkyLight& light) {
   u.toSun = packed(clouds::raisedSun(light.toSun), march.sunMarchDistanceM);
   const double middle = layer.cloudHeight + 0.5 * layer.thickness;
-  const glm::dvec3 sun = light.sunOutside * shared::sunTransmittance(light.air, middle, light.toSun.y) *
-                         shared::sunVisibleShare(light.toSun.y);
-  u.sunLight = packed(sun * light.exposure, 0);
+  u.sunLight = packed(sky::sunIlluminance(light, middle) * light.exposure, 0);
   u.skyLight = packed(light.sky * light.exposure, 0);
   u.groundLight = packed(light.ground * light.exposure, 0);
 }
 
 void addMarch(CloudUniforms& u, const clouds::MarchSettings& march, const View& view, int tilePixels) {
   u.march = glm::vec4(march.stepM, march.emptyStepMultiplier, march.maxSegmentOpticalDepth, march.transmittanceCutoff);
-  // Half a diagonal of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.
-  const double pixel = 2 * std::tan(view.fovYRad / 2) / view.height;
   // Where steps begin to grow: an even number of them, so that longer steps begin at multiples of themselves.
   const double growthBegins = march.stepM * 2 * std::round(0.5 / march.stepGrowth);
-  u.sight = glm::vec4(growthBegins, 1.02 * std::sqrt(0.5) * tilePixels * pixel, march.tolerance, 0);
+  // Of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.
+  const double halfDiagonal = 1.02 * std::sqrt(0.5) * tilePixels * view.pixelAngleRad();
+  u.sight = glm::vec4(growthBegins, halfDiagonal, march.tolerance, 0);
 }
 
 }  // namespace skydrop::render

@@ -35,8 +35,7 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simu
   u.hazeLight = rgb(light.column.hazeLight * light.sunOutside * e);
   u.overhead = rgb(light.column.overhead * light.sunOutside * e);
   const double height = std::max(view.position.y, 1.0);
-  u.depthToSea = rgb(core::shared::f64::opticalDepthBetween(light.air, height, 0, height),
-                     2 * std::tan(view.fovYRad / 2) / view.height);
+  u.depthToSea = rgb(sky::opticalDepth(light.air, height, 0, height), view.pixelAngleRad());
   u.horizonRayleigh = rgb(light.horizon.rayleigh * light.sunOutside * e);
   u.horizonHaze = rgb(light.horizon.haze * light.sunOutside * e);
   u.horizonIsotropic = rgb((light.horizon.isotropic * light.sunOutside + light.night) * e);

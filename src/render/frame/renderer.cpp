@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/quantile.h"
 
 namespace skydrop::render {
 namespace {
@@ -13,11 +14,7 @@ constexpr gl::FrameBufferFormat kOutputFormat{GL_RGBA8, 0};
 
 // Of the newest `count`.
 double median(const std::vector<double>& all, std::size_t count) {
-  std::vector<double> values(all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end());
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return core::quantileOf(std::span(all).last(std::min(count, all.size())), 0.5);
 }
 
 }  // namespace

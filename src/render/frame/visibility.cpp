@@ -15,7 +15,7 @@ bool isPotentiallyVisible(const View& view, const glm::dvec3& middle, double rad
   // Distance to the plane through the eye and the picture's edge.
   if ((std::abs(seen.x) - ahead * tanX) / std::sqrt(1 + tanX * tanX) > radiusM) return false;
   if ((std::abs(seen.y) - ahead * tanY) / std::sqrt(1 + tanY * tanY) > radiusM) return false;
-  const double pixels = radiusM / glm::length(seen) / (2 * tanY) * view.height;
+  const double pixels = radiusM / glm::length(seen) / view.pixelAngleRad();
   return pixels > 1.0 / 6;
 }
 
@@ -36,7 +36,7 @@ bool isPotentiallyVisible(const View& view, const std::array<glm::dvec3, 8>& cor
 
 PixelBox pixelsOf(const View& view, const glm::mat4& toEye, const glm::dvec3& low, const glm::dvec3& high) {
   const PixelBox all{0, 0, view.width, view.height};
-  const double scale = view.height / (2 * std::tan(view.fovYRad / 2));
+  const double scale = 1 / view.pixelAngleRad();
   glm::dvec2 first(1e300), last(-1e300);
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 place(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,

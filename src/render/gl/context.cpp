@@ -140,11 +140,6 @@ void Context::drawArrays(GLenum mode, GLint first, GLsizei count) {
   owned_->DrawArrays(mode, first, count);
 }
 
-void Context::drawArraysInstanced(GLenum mode, GLint first, GLsizei count, GLsizei instances) {
-  resources_.drew();
-  owned_->DrawArraysInstanced(mode, first, count, instances);
-}
-
 void Context::drawElements(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex,
                            GLint baseVertex) {
   resources_.drew();
@@ -158,12 +153,6 @@ void Context::drawElementsInstanced(GLenum mode, GLsizei count, GLenum indexType
   owned_->DrawElementsInstancedBaseVertexBaseInstance(mode, count, indexType,
                                                       offsetPointer(firstIndex * indexBytes(indexType)),
                                                       instances, baseVertex, baseInstance);
-}
-
-void Context::multiDrawElementsIndirect(GLenum mode, GLenum indexType, std::size_t byteOffset,
-                                        GLsizei drawCount, GLsizei stride) {
-  resources_.drew();
-  owned_->MultiDrawElementsIndirect(mode, indexType, offsetPointer(byteOffset), drawCount, stride);
 }
 
 void Context::dispatch(GLuint groupsX, GLuint groupsY, GLuint groupsZ) {

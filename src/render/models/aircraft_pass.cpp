@@ -41,8 +41,7 @@ constexpr double kCoarsePixelM = 0.02;  // a pixel that covers more does not sho
 
 Detail detailAt(const View& view, const game::AircraftSnapshot& aircraft) {
   const double distance = glm::length(aircraft.position - view.position);
-  return distance * 2 * std::tan(view.fovYRad / 2) / view.height > kCoarsePixelM ? Detail::coarse
-                                                                                 : Detail::fine;
+  return distance * view.pixelAngleRad() > kCoarsePixelM ? Detail::coarse : Detail::fine;
 }
 
 void showOnly(ModelPose& pose, const Model& model, Detail detail) {

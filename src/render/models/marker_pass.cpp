@@ -48,7 +48,7 @@ Mark markOf(const View& view, const game::TargetSnapshot& target) {
   // One radius for the whole beam: that of its nearest point.
   const glm::dvec3 nearest(mark.foot.x, std::clamp(0.0, mark.foot.y, mark.foot.y + shared::kBeamHeight),
                            mark.foot.z);
-  const double distance = glm::length(nearest), pixelAngle = 2 * std::tan(view.fovYRad / 2) / view.height;
+  const double distance = glm::length(nearest), pixelAngle = view.pixelAngleRad();
   mark.beamRadius = shared::beamRadius(distance, pixelAngle);
   mark.tooFar = shared::kBeamHeight < pixelAngle * distance;
   const glm::dvec3 aside(mark.beamRadius, 0, mark.beamRadius);
@@ -68,27 +68,23 @@ bool isPotentiallyVisible(const View& view, const Box& box) {
   return render::isPotentiallyVisible(view, corners);
 }
 
-// applyAerialPerspective of shaders/frame.glsl: once for a whole part, because haze hardly changes over 600 m.
+// applyAerialPerspective of shaders/sky/atmosphere.glsl: once for a whole part, because haze hardly changes
+// over 600 m.
 glm::dvec3 applyAerialPerspective(const FrameContext& context, const glm::dvec3& radiance, const glm::dvec3& relative) {
   if (!context.frame.features.haze) return radiance;
-  const SkyLight& sky = context.light;
+  const SkyLight& light = context.light;
   const double eyeHeight = context.frame.view.position.y, distance = glm::length(relative);
-  const glm::dvec3 kept =
-      glm::exp(-shared::opticalDepthBetween(sky.air, eyeHeight, eyeHeight + relative.y, distance));
-  const double cosine = glm::dot(relative, sky.toSun) / std::max(distance, 1e-6);
-  const glm::dvec3 horizon =
-      shared::skyRadiance(sky.horizon, cosine, sky.air.hazeAnisotropy) * sky.sunOutside + sky.night;
-  return radiance * kept + horizon * (1.0 - kept);
+  const glm::dvec3 kept = sky::transmittance(light.air, eyeHeight, eyeHeight + relative.y, distance);
+  const double cosine = glm::dot(relative, light.toSun) / std::max(distance, 1e-6);
+  return radiance * kept + sky::horizonRadiance(light, cosine) * (1.0 - kept);
 }
 
 }  // namespace
 
 glm::dvec3 signalRadiance(const SkyLight& light) {
   // A low sun leaves the land dark before the horizon, against which a beam is seen.
-  const glm::dvec3 horizon =
-      (light.horizon.rayleigh + light.horizon.haze) / (4 * std::numbers::pi) + light.horizon.isotropic;
-  const glm::dvec3 sheet =
-      (light.sun * std::max(light.toSun.y, 0.0) + light.sky) / std::numbers::pi + horizon * light.sunOutside;
+  const glm::dvec3 sheet = (light.sun * std::max(light.toSun.y, 0.0) + light.sky) / std::numbers::pi +
+                           sky::meanHorizonRadiance(light);
   const double white = glm::dot(sheet, glm::dvec3(0.2126, 0.7152, 0.0722));
   return kSignalOrange * (kDaylightShare * white + kLampRadiance);
 }

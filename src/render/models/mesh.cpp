@@ -25,9 +25,4 @@ void Mesh::draw() const {
   vertexArray_.context().drawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT);
 }
 
-void Mesh::drawInstanced(GLsizei instances) const {
-  vertexArray_.bind();
-  vertexArray_.context().drawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, 0, instances);
-}
-
 }  // namespace skydrop::render

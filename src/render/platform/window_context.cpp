@@ -203,10 +203,6 @@ void WindowContext::setFullScreen(bool on) {
   glfwSetWindowMonitor(self.window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-bool WindowContext::isFocused() const {
-  return glfwGetWindowAttrib(impl_->window, GLFW_FOCUSED) == GLFW_TRUE;
-}
-
 void WindowContext::setPointerVisible(bool visible) {
   glfwSetInputMode(impl_->window, GLFW_CURSOR, visible ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
 }
@@ -276,10 +272,6 @@ std::vector<WindowEvent> WindowContext::pollEvents() {
   impl_->polled = now;
   return std::exchange(impl_->events, {});
 }
-
-bool WindowContext::isKeyDown(int key) const { return glfwGetKey(impl_->window, key) == GLFW_PRESS; }
-
-GLFWwindow* WindowContext::handle() const { return impl_->window; }
 
 Context::Procedure WindowContext::procAddress(const char* name) { return glfwGetProcAddress(name); }
 

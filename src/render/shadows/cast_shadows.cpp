@@ -36,7 +36,7 @@ CastShadow castShadow(const View& view, const glm::dvec3& middle, double radiusM
                       const glm::dvec3& toSun) {
   CastShadow shadow;
   shadow.middle = middle - view.position;
-  shadow.pixelAngleRad = 2 * std::tan(view.fovYRad / 2) / view.height;
+  shadow.pixelAngleRad = view.pixelAngleRad();
   shadow.down = -toSun;
   // Any axis across the sun's way will do; this one never vanishes.
   const glm::dvec3 across = std::abs(toSun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);

@@ -6,7 +6,7 @@ namespace skydrop::render {
 namespace {
 
 constexpr std::uint16_t kNoChunk = 0xffff;
-constexpr int kLevels = terrain::kTopLevel + 1;
+constexpr int kLevels = terrain::kMaxChunkLevel + 1;
 
 }  // namespace
 

@@ -88,6 +88,7 @@ void TerrainPass::take(const terrain::TerrainFrame& frame) {
   if (bytes > 0) instances_.write(0, std::as_bytes(std::span(instances)));
   instanceCount_ = static_cast<GLsizei>(instances.size());
   base_ = frame.base;
+  heightRange_ = frame.heightRange;
   lod_ = frame.lod;
   farDistanceM_ = frame.farDistanceM;
   seaFloorDepthM_ = frame.seaFloorDepthM;
@@ -124,7 +125,7 @@ void TerrainPass::drawPatches(gl::Shader& shader, const View& view, GLenum mode)
   if (instanceCount_ == 0) return;
   shader.use();
   setEye(shader, view);
-  shader.setVec2("heightCode", glm::vec2(terrain::kLowestHeight, terrain::kHeightStep));
+  shader.setVec2("heightRange", glm::vec2(heightRange_.lowest, heightRange_.step()));
   shader.setFloats("lodMorph", inFloat(lod_.morph));
   textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
   patches_.bind();

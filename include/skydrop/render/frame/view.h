@@ -5,6 +5,7 @@
 // plane and 0 at infinity (shaders/shared/depth.glsl).
 #pragma once
 
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -22,6 +23,8 @@ struct View {
   double nearM = 0.1;  // near plane, m, > 0
 
   double aspect() const { return static_cast<double>(width) / height; }
+  // Of a pixel in the middle of the picture; elsewhere it is seen under a smaller angle.
+  double pixelAngleRad() const { return 2 * std::tan(fovYRad / 2) / height; }
   glm::dvec3 right() const { return {worldToView[0][0], worldToView[1][0], worldToView[2][0]}; }
   glm::dvec3 up() const { return {worldToView[0][1], worldToView[1][1], worldToView[2][1]}; }
   glm::dvec3 forward() const { return -glm::dvec3{worldToView[0][2], worldToView[1][2], worldToView[2][2]}; }

@@ -53,13 +53,10 @@ class Context {
 
   // Draws and dispatches, counted in the resource tracker. Arguments as in OpenGL; indices are counted in elements.
   void drawArrays(GLenum mode, GLint first, GLsizei count);
-  void drawArraysInstanced(GLenum mode, GLint first, GLsizei count, GLsizei instances);
   void drawElements(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex = 0,
                     GLint baseVertex = 0);
   void drawElementsInstanced(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex,
                              GLsizei instances, GLint baseVertex = 0, GLuint baseInstance = 0);
-  void multiDrawElementsIndirect(GLenum mode, GLenum indexType, std::size_t byteOffset, GLsizei drawCount,
-                                 GLsizei stride);
   void dispatch(GLuint groupsX, GLuint groupsY, GLuint groupsZ);
   void dispatchIndirect(std::size_t byteOffset);
 

@@ -21,7 +21,6 @@ class Mesh {
   const gl::VertexArray& vertexArray() const { return vertexArray_; }
 
   void draw() const;
-  void drawInstanced(GLsizei instances) const;
 
  private:
   gl::Buffer vertices_, indices_;

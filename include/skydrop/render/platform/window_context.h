@@ -8,8 +8,6 @@
 
 #include "skydrop/render/gl/context.h"
 
-struct GLFWwindow;
-
 namespace skydrop::render::gl {
 
 struct WindowSettings {
@@ -70,7 +68,6 @@ class WindowContext final : public Context {
   bool isFullScreen() const;
   // Full screen on the monitor that holds the window's centre; back to the old place and size.
   void setFullScreen(bool on);
-  bool isFocused() const;
   void setPointerVisible(bool visible);
 
   // The system's clipboard, UTF-8; empty where it holds no text.
@@ -94,10 +91,6 @@ class WindowContext final : public Context {
 
   // Handles what has arrived and returns it in order.
   std::vector<WindowEvent> pollEvents();
-  bool isKeyDown(int key) const;
-
-  // GLFW's own. Events are handed out by pollEvents() alone: callbacks must not be replaced.
-  GLFWwindow* handle() const;
 
   struct Impl;
 

@@ -12,7 +12,7 @@ class ChunkTextures {
  public:
   // Chunks of each level that a view can want lie within 32 x 32 of each other (lod.cpp,
   // kLargestSplitChunks): the table wraps them around.
-  static constexpr int kTableSide = 32;
+  static constexpr int kTableSide = core::shared::f64::kChunkTableSide;
 
   ChunkTextures() = default;
   ChunkTextures(gl::Context& context, int layers);

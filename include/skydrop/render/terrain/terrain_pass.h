@@ -66,6 +66,7 @@ class TerrainPass final : public Pass {
   gl::VertexArray seaPlane_;  // without buffers
   GLsizei instanceCount_ = 0;
   glm::dvec2 base_{0.0};
+  terrain::HeightRange heightRange_;
   terrain::LodDistances lod_;
   double farDistanceM_ = 0, seaFloorDepthM_ = 0;
 };
