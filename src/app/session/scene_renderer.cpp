@@ -14,7 +14,7 @@ using scene::Effect;
 }  // namespace
 
 SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings)
-    : setup_(setup), settings_(settings), renderer_(context, settings.render, setup.measuring) {
+    : setup_(setup), settings_(&settings), renderer_(context, settings.render, setup.measuring) {
   camera_.setMode(settings.view.camera);
   for (const EffectDescriptor& row : effectTable()) {
     if (row.addPasses && setup_.effects.contains(row.effect)) row.addPasses(*this);
@@ -24,15 +24,15 @@ SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, c
 
 SceneRenderer::~SceneRenderer() = default;
 
-void SceneRenderer::apply(const Settings& settings) {
-  if (settings.view.camera != settings_.view.camera) {
-    camera_.setMode(settings.view.camera);
+void SceneRenderer::apply(const SettingsChange& change) {
+  if (change.touches("view.camera") && camera_.mode() != settings_->view.camera) {
+    camera_.setMode(settings_->view.camera);
     if (camera_.mode() == render::CameraMode::free) freeCamera();
   }
-  settings_ = settings;
-  renderer_.apply(settings_.render);
-  if (land_) land_->apply(settings_.streaming);
-  if (clouds_) clouds_->apply(settings_.clouds, settings_.wind);
+  if (change.touches("render")) renderer_.apply(settings_->render);
+  if (land_ && change.touches("streaming")) land_->apply(settings_->streaming);
+  if (clouds_ && (change.touches("clouds") || change.touches("wind")))
+    clouds_->apply(settings_->clouds, settings_->wind);
 }
 
 void SceneRenderer::freeCamera() {
@@ -42,15 +42,15 @@ void SceneRenderer::freeCamera() {
 
 void SceneRenderer::addLand() {
   workers_ = std::make_unique<core::JobPool>(setup_.workers.value_or(core::JobPool::defaultWorkerCount()));
-  land_ = std::make_unique<terrain::EndlessTerrain>(setup_.ground, *workers_, settings_.streaming);
+  land_ = std::make_unique<terrain::EndlessTerrain>(setup_.ground, *workers_, settings_->streaming);
   auto pass = std::make_unique<render::TerrainPass>(renderer_.context());
   landPass_ = pass.get();
   renderer_.add(std::move(pass));
 }
 
 void SceneRenderer::addClouds() {
-  auto pass = std::make_unique<render::CloudSystem>(renderer_.context(), setup_.cloudNoise, settings_.clouds,
-                                                    settings_.wind);
+  auto pass = std::make_unique<render::CloudSystem>(renderer_.context(), setup_.cloudNoise, settings_->clouds,
+                                                    settings_->wind);
   clouds_ = pass.get();
   if (setup_.effects.contains(Effect::terrain))
     renderer_.add(std::make_unique<render::CloudShadowPass>(*clouds_));
@@ -77,7 +77,7 @@ void SceneRenderer::uploadFonts() { overlay_->uploadFonts(); }
 
 render::View SceneRenderer::view(const game::Snapshot& snapshot, Size size) const {
   const terrain::HeightSource* ground = land_ ? setup_.ground.get() : nullptr;
-  return camera_.view(snapshot, settings_.render.camera, size.width, size.height, ground);
+  return camera_.view(snapshot, settings_->render.camera, size.width, size.height, ground);
 }
 
 void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
@@ -110,7 +110,7 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
   everything.packages = {package};
   everything.target = {.present = true, .position = eye + glm::dvec3(300, -60, 0), .radius = 50};
   const auto drawFrom = [&] {
-    const render::View view = camera.view(everything, settings_.render.camera, size.width, size.height);
+    const render::View view = camera.view(everything, settings_->render.camera, size.width, size.height);
     if (land_) landPass_->take(land_->update(render::viewVolume(view)));
     renderer_.draw({everything, view, frameFeatures(setup_.effects)});
   };
@@ -129,7 +129,7 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
 
 SceneRenderer::LandProgress SceneRenderer::load(const game::Snapshot& snapshot, Size size) {
   if (!land_) return {};
-  const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height);
+  const render::View view = camera_.view(snapshot, settings_->render.camera, size.width, size.height);
   const terrain::TerrainFrame& frame = land_->update(render::viewVolume(view));
   landPass_->take(frame);
   return {frame.chunks.size(), land_->statistics().chunksWanted, land_->isSettled()};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "app/settings/settings_change.h"
 #include "app/types/size.h"
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/core/frame_statistics.h"
@@ -37,7 +38,7 @@ class SceneRenderer {
     std::shared_ptr<const clouds::PackedCloudNoise> cloudNoise = nullptr;  // with clouds only
   };
 
-  // The context must outlive the sceneRenderer. Throws core::DataError (shader, model).
+  // Context and settings must outlive the sceneRenderer. Throws core::DataError (shader, model).
   SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings);
   ~SceneRenderer();
 
@@ -47,8 +48,8 @@ class SceneRenderer {
   render::Renderer& renderer() { return renderer_; }
   const terrain::EndlessTerrain* land() const { return land_.get(); }  // null without terrain
 
-  // Takes the settings over for the next frame.
-  void apply(const Settings& settings);
+  // After the settings changed: takes over for the next frame what of them is drawn.
+  void apply(const SettingsChange& change);
 
   void addLand();
   void addClouds();
@@ -95,7 +96,7 @@ class SceneRenderer {
 
  private:
   Setup setup_;
-  Settings settings_;
+  const Settings* settings_;
   render::Renderer renderer_;
   render::Camera camera_;
   std::optional<render::View> lastView_;

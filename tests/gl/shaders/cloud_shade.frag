@@ -11,5 +11,5 @@ out vec4 color;
 
 void main() {
   vec2 place = floor(gl_FragCoord.xy) * spacing;
-  color = vec4(cloudShadowMap(corner + vec3(place.x, 0.0, place.y)));
+  color = vec4(sunThroughClouds(corner + vec3(place.x, 0.0, place.y)));
 }
