@@ -10,6 +10,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/core/wind.h"
 #include "support/cloud_noise.h"
 
 namespace skydrop::clouds {
