@@ -33,7 +33,7 @@ clouds::MarchSettings marchOf(CloudTier tier) {
 // Sets it as the menu does; the paths that changed with it.
 std::vector<std::string> choose(RunConfig& run, const std::string& assignment) {
   core::setField(run.table, assignment);
-  return takeMenuChanges(run, {assignment.substr(0, assignment.find('='))});
+  return takeMenuChanges(run, {assignment.substr(0, assignment.find('='))}).paths();
 }
 
 TEST(CloudTier, everyTierThatDrawsSaysEveryRowOfTheMarch) {

@@ -36,7 +36,7 @@ void fly(Simulation& simulation, RunConfig& run, int steps) {
   for (int i = 0; i < steps; ++i) {
     if (i == steps / 2) {
       core::setField(run.table, "aircraft.rollFactor=0.5");
-      simulation.applySettings({"aircraft.rollFactor"});
+      simulation.apply({"aircraft.rollFactor"});
     }
     simulation.step({.pitch = i % 300 < 40 ? 0.5 : 0.0, .roll = i % 200 < 50 ? -0.3 : 0.1});
   }
@@ -232,7 +232,7 @@ TEST(FlightRecorder, aChangeThatNoStepHasSeenIsNoPartOfTheFlight) {
     Simulation simulation(run->setup, run->settings, run->table);
     const auto set = [&](const std::string& assignment) {
       core::setField(run->table, assignment);
-      simulation.applySettings({"aircraft.rollFactor"});
+      simulation.apply({"aircraft.rollFactor"});
     };
     set("aircraft.rollFactor=0.6");
     set("aircraft.rollFactor=0.7");
@@ -308,17 +308,16 @@ struct FixedSettings : testing::Test {
   // Sets the value as the menu does; the reasons why it was taken back.
   std::vector<std::string> choose(app::RunConfig& run, const std::string& path, double value) {
     core::setField(run.table.at(path), value);
-    std::vector<std::string> paths = {path};
-    const std::vector<std::string> reasons = simulation->takeBackFixed(paths);
-    if (!paths.empty()) simulation->applySettings(takeMenuChanges(run, paths));
+    SettingsChange picked{path};
+    const std::vector<std::string> reasons = simulation->takeBackFixed(picked);
+    if (!picked.empty()) simulation->apply(takeMenuChanges(run, picked));
     return reasons;
   }
   std::vector<std::string> edit(app::RunConfig& run, const std::string& settings) {
     std::filesystem::create_directories(folder.path() / "user");
     folder.write("user/settings.json", R"({"schema": 1, "settings": )" + settings + "}");
     std::vector<std::string> reasons;
-    const std::vector<std::string> changed = reloadPlayer(run, &reasons);
-    simulation->applySettings(changed);
+    simulation->apply(reloadPlayer(run, &reasons));
     return reasons;
   }
 

@@ -106,7 +106,7 @@ TEST(QualityPreset, oneThatIsPickedInTheMenuTakesItsRowsAlong) {
   const auto choose = [&](const char* assignment) {
     core::setField(run->table, assignment);
     const std::string text(assignment);
-    return takeMenuChanges(*run, {text.substr(0, text.find('='))});
+    return takeMenuChanges(*run, {text.substr(0, text.find('='))}).paths();
   };
   choose("aircraft.yawSpeed=40");
   choose("streaming.texelPixels=7");

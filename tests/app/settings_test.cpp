@@ -196,13 +196,13 @@ TEST(Settings, anEditedPlayerFileTakesEffectWhereItFits) {
   const auto run = prepareRun(line);
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
-  EXPECT_EQ(reloadPlayer(*run), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
+  EXPECT_EQ(reloadPlayer(*run).paths(), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21);
   EXPECT_EQ(run->player.aircraft.yawSpeed, 22);
   EXPECT_EQ(run->warning, std::nullopt);
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 25, "yawSpeed": -1, "wings": 2}}})");
-  EXPECT_EQ(reloadPlayer(*run), std::vector<std::string>{"aircraft.pitchSpeed"});
+  EXPECT_EQ(reloadPlayer(*run).paths(), std::vector<std::string>{"aircraft.pitchSpeed"});
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 25);
   ASSERT_TRUE(run->warning);
   EXPECT_THAT(*run->warning, testing::HasSubstr("aircraft.yawSpeed: -1 is out of range"));

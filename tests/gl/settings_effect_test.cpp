@@ -122,7 +122,7 @@ class PictureRowsEffectGLTest : public test::GLTest {
     const Settings kept = run_->settings;
     for (const std::string_view row : given.settings) core::setField(run_->table, row);
     std::vector<std::string> lines = test::idleSteps(field, {}, [&] {
-      sceneRenderer_->apply(run_->settings);
+      sceneRenderer_->apply(SettingsChange::ofAll(run_->table));
       StateHasher h;
       addFrame(h, {0, 1500, 0}, 40, 2, given.size);
       return h.value();

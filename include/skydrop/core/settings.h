@@ -20,8 +20,8 @@
 
 namespace skydrop::core {
 
-// How a change takes effect: at the next step or frame; by compiling a shader variant; by rebuilding a part
-// (applied when a slider is released); or at the next start.
+// How a change takes effect: at the next step or frame; or, when a slider is released, by compiling a shader
+// variant, by rebuilding a part, or by starting the flight again with land and sky loaded anew.
 enum class TakesEffect { live, variant, rebuild, restart };
 
 struct Range {

@@ -125,6 +125,7 @@ int render(const CommandLine& line) {
       simulation.step({});
       simulation.world().takeEvents();
     }
+    sceneRenderer.apply(simulation.takeLoggedChange());
     const game::Snapshot& now = simulation.world().now();
     if (overlay) {
       OverlayFrame content{now, size, 0, run->table};

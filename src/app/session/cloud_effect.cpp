@@ -16,7 +16,9 @@ void addClouds(SceneRenderer& sceneRenderer) {
   renderer.add(std::move(pass));
 }
 
-void applyClouds(SceneRenderer& sceneRenderer, const Settings& settings) {
+void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change) {
+  if (!change.touches("clouds") && !change.touches("wind")) return;
+  const Settings& settings = sceneRenderer.settings();
   sceneRenderer.renderer().find<render::CloudSystem>()->apply(settings.clouds, settings.wind);
 }
 

@@ -12,7 +12,7 @@ class SceneRenderer;
 
 // Throws core::DataError (shader). The noise (clouds::PackedCloudNoise) must be among the prepared resources.
 void addClouds(SceneRenderer& sceneRenderer);
-void applyClouds(SceneRenderer& sceneRenderer, const Settings& settings);
+void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change);
 // The noise: from the player's cache, or made and put there.
 std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker);
 

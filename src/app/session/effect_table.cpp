@@ -50,8 +50,8 @@ void addLand(SceneRenderer& sceneRenderer) {
                                                        sceneRenderer.settings().streaming));
 }
 
-void applyLand(SceneRenderer& sceneRenderer, const Settings& settings) {
-  sceneRenderer.streaming()->apply(settings.streaming);
+void applyLand(SceneRenderer& sceneRenderer, const SettingsChange& change) {
+  if (change.touches("streaming")) sceneRenderer.streaming()->apply(sceneRenderer.settings().streaming);
 }
 
 void addHaze(render::FrameFeatures& features) { features.haze = true; }

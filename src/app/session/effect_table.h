@@ -23,9 +23,9 @@ struct EffectDescriptor {
   void (*addPasses)(SceneRenderer& sceneRenderer) = nullptr;
   // Null: shared shaders need not know.
   void (*addFeatures)(render::FrameFeatures& features) = nullptr;
-  // While flying, before the next frame, whenever settings have changed. Null: its passes take no settings
-  // but FrameContext::settings.
-  void (*apply)(SceneRenderer& sceneRenderer, const Settings& settings) = nullptr;
+  // While flying, before the next frame, whenever settings have changed: hands those that the change touches to
+  // the passes. Null: its passes take no settings but FrameContext::settings.
+  void (*apply)(SceneRenderer& sceneRenderer, const SettingsChange& change) = nullptr;
   // Starts what must be ready before addPasses, beside everything else. Null: nothing.
   std::unique_ptr<Preparation> (*prepare)(Preparation::Maker maker) = nullptr;
   // Settings that matter only with this effect.

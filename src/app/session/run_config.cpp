@@ -86,7 +86,7 @@ enum class When { start, flying };
 void keepFixed(const RunConfig& run, const core::SettingsTable& next) {
   for (std::size_t i = 0; i < next.fields().size(); ++i) {
     const core::Field& flown = run.table.fields()[i];
-    if (!whyFixed(run.setup, flown.path).empty()) next.fields()[i].set(flown.get());
+    if (!whyFixed(run.setup, flown).empty()) next.fields()[i].set(flown.get());
   }
 }
 
@@ -144,14 +144,8 @@ void choose(RunConfig& run, const std::string& path) {
   run.userSettings.choose(path, isBase ? std::nullopt : std::optional(value));
 }
 
-std::vector<std::string> changedPaths(Settings before, const RunConfig& run) {
-  const core::SettingsTable beforeTable(before);
-  std::vector<std::string> changed;
-  for (std::size_t i = 0; i < run.table.fields().size(); ++i) {
-    if (run.table.fields()[i].get() != beforeTable.fields()[i].get())
-      changed.push_back(run.table.fields()[i].path);
-  }
-  return changed;
+SettingsChange changeSince(Settings before, const RunConfig& run) {
+  return SettingsChange::between(core::SettingsTable(before), run.table);
 }
 
 bool holds(const std::vector<std::string>& paths, const std::string& path) {
@@ -159,14 +153,13 @@ bool holds(const std::vector<std::string>& paths, const std::string& path) {
 }
 
 // The rows that a quality or a tier takes along when it is picked.
-std::vector<std::string> rowsThatFollow(const core::SettingsTable& table,
-                                        const std::vector<std::string>& picked) {
-  const bool quality = holds(picked, "quality");
-  std::vector<std::string> rows;
-  if (quality) rows = presetPaths();
-  if (!quality && !holds(picked, "clouds.tier")) return rows;
+SettingsChange rowsThatFollow(const core::SettingsTable& table, const SettingsChange& picked) {
+  SettingsChange rows;
+  const bool quality = picked.touches("quality");
+  if (quality) rows = SettingsChange(presetPaths());
+  if (!quality && !picked.touches(kCloudTierRow)) return rows;
   for (const core::Field& field : table.fields()) {
-    if (belongsToCloudTier(field.path)) rows.push_back(field.path);
+    if (belongsToCloudTier(field.path)) rows.add(field.path);
   }
   return rows;
 }
@@ -190,7 +183,7 @@ void noteOverrides(RunConfig& run) {
 void addRefusals(const RunConfig& run, const core::SettingsTable& before, std::vector<std::string>& reasons) {
   for (std::size_t i = 0; i < run.playerTable.fields().size(); ++i) {
     const core::Field& wished = run.playerTable.fields()[i];
-    const std::string reason(whyFixed(run.setup, wished.path));
+    const std::string reason(whyFixed(run.setup, wished));
     if (!reason.empty() && wished.get() != before.fields()[i].get() && !holds(reasons, reason))
       reasons.push_back(reason);
   }
@@ -208,7 +201,7 @@ Choices choicesOf(const RunConfig& run) {
           run.overrides, run.quality, run.setup.scene, run.setup.seed};
 }
 
-std::vector<std::string> goBackTo(const Choices& choices, RunConfig& run) {
+SettingsChange goBackTo(const Choices& choices, RunConfig& run) {
   const Settings before = run.settings;
   run.settings = choices.settings;
   run.base = choices.base;
@@ -220,7 +213,7 @@ std::vector<std::string> goBackTo(const Choices& choices, RunConfig& run) {
   run.setup.scene = choices.scene;
   run.setup.seed = choices.seed;
   run.table.takeDefaults(run.baseTable);
-  return changedPaths(before, run);
+  return changeSince(before, run);
 }
 
 CommandLine withPreset(CommandLine line) {
@@ -262,37 +255,37 @@ void useSoftwareRenderer(RunConfig& run) {
   compose(run, run.setup.scene, ownChoices(run.userSettings), When::start);
 }
 
-std::vector<std::string> takeMenuChanges(RunConfig& run, const std::vector<std::string>& paths) {
-  for (const std::string& path : paths) {
+SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked) {
+  for (const std::string& path : picked.paths()) {
     run.playerTable.at(path).set(run.table.at(path).get());
     choose(run, path);
     forgetOverrides(run, path);
   }
-  const std::vector<std::string> following = rowsThatFollow(run.table, paths);
-  if (following.empty()) return paths;
-  for (const std::string& path : following) {
-    if (holds(paths, path)) continue;  // chosen too: a preset of the player's, a reset of everything
+  const SettingsChange following = rowsThatFollow(run.table, picked);
+  if (following.empty()) return picked;
+  for (const std::string& path : following.paths()) {
+    if (picked.touches(path)) continue;  // chosen too: a preset of the player's, a reset of everything
     run.playerTable.at(path).set(run.baseTable.at(path).get());
     choose(run, path);
     forgetOverrides(run, path);
   }
   Settings before = run.settings;
   compose(run, run.setup.scene, ownChoices(run.userSettings), When::flying);
-  std::vector<std::string> changed = changedPaths(before, run);
-  for (const std::string& path : paths) {
-    if (!holds(changed, path)) changed.push_back(path);
-  }
-  return changed;
+  SettingsChange change = changeSince(before, run);
+  change.add(picked);
+  return change;
 }
 
-void reloadScene(RunConfig& run, const CommandLine& line) {
+SettingsChange reloadScene(RunConfig& run, const CommandLine& line) {
+  const Settings before = run.settings;
   const scene::Scene scene = scene::loadScene(run.setup.scene.source);
   compose(run, scene, ownChoices(run.userSettings), When::flying);
   run.setup.scene = scene;
   if (!line.seed && !line.replay) run.setup.seed = scene.seed;
+  return changeSince(before, run);
 }
 
-std::vector<std::string> reloadPlayer(RunConfig& run, std::vector<std::string>* refused) {
+SettingsChange reloadPlayer(RunConfig& run, std::vector<std::string>* refused) {
   Settings before = run.settings, wishedBefore = run.player;
   UserSettings edited = run.userSettings;
   std::optional<std::string> warning = edited.reload();
@@ -301,7 +294,7 @@ std::vector<std::string> reloadPlayer(RunConfig& run, std::vector<std::string>* 
   run.userSettings = std::move(edited);
   run.warning = std::move(warning);
   if (refused) addRefusals(run, core::SettingsTable(wishedBefore), *refused);
-  return changedPaths(before, run);
+  return changeSince(before, run);
 }
 
 }  // namespace skydrop::app

@@ -9,6 +9,7 @@
 #include "app/input/bindings.h"
 #include "app/session/simulation.h"
 #include "app/settings/settings.h"
+#include "app/settings/settings_change.h"
 #include "app/settings/user_settings.h"
 #include "app/types/command_line.h"
 
@@ -49,8 +50,8 @@ struct Choices {
   std::uint64_t seed = 1;
 };
 Choices choicesOf(const RunConfig& run);
-// Returns the paths of the settings that changed by it.
-std::vector<std::string> goBackTo(const Choices& choices, RunConfig& run);
+// Returns what changed by it.
+SettingsChange goBackTo(const Choices& choices, RunConfig& run);
 
 // The line with --preset spelled out as values of --set that come before the others. Names are looked up in
 // the player's folder, whatever the verb: who names a preset means it. Throws core::UsageError,
@@ -66,18 +67,17 @@ void useSoftwareRenderer(RunConfig& run);
 
 // Takes over what the menu changed in `table`; it comes after --set. A quality or a tier of the clouds that was
 // picked takes the rows along that its files set, whatever the player had set them to, but for rows that were
-// changed together with it. Returns the paths of all that changed. Throws core::DataError.
+// changed together with it. Returns all that changed. Throws core::DataError.
 //
 // In this and the two below, settings that are fixed for the flight (simulation.h) keep their values.
-std::vector<std::string> takeMenuChanges(RunConfig& run, const std::vector<std::string>& paths);
+SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked);
 
 // Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays.
-// All or nothing: throws core::DataError and changes nothing.
-void reloadScene(RunConfig& run, const CommandLine& line);
+// Returns what changed. All or nothing: throws core::DataError and changes nothing.
+SettingsChange reloadScene(RunConfig& run, const CommandLine& line);
 
-// The same for the player's file; what the menu changed since it was saved stays. Returns the paths of the settings
-// that changed. What does not fit is in `run.warning`. A change of a fixed setting waits for the next flight; its
-// reason is added to `refused`.
-std::vector<std::string> reloadPlayer(RunConfig& run, std::vector<std::string>* refused = nullptr);
+// The same for the player's file; what the menu changed since it was saved stays. What does not fit is in
+// `run.warning`. A change of a fixed setting waits for the next flight; its reason is added to `refused`.
+SettingsChange reloadPlayer(RunConfig& run, std::vector<std::string>* refused = nullptr);
 
 }  // namespace skydrop::app

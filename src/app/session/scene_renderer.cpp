@@ -10,7 +10,7 @@
 namespace skydrop::app {
 
 SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings)
-    : setup_(setup), settings_(settings), renderer_(context, settings.render, setup.measuring) {
+    : setup_(setup), settings_(&settings), renderer_(context, settings.render, setup.measuring) {
   camera_.setMode(settings.view.camera);
   renderer_.setLayer(std::make_unique<render::ModelLayer>());
   for (const EffectDescriptor& row : effectTable()) {
@@ -21,15 +21,14 @@ SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, c
 
 SceneRenderer::~SceneRenderer() = default;
 
-void SceneRenderer::apply(const Settings& settings) {
-  if (settings.view.camera != settings_.view.camera) {
-    camera_.setMode(settings.view.camera);
+void SceneRenderer::apply(const SettingsChange& change) {
+  if (change.touches("view.camera") && camera_.mode() != settings_->view.camera) {
+    camera_.setMode(settings_->view.camera);
     if (camera_.mode() == render::CameraMode::free) freeCamera();
   }
-  settings_ = settings;
-  renderer_.apply(settings_.render);
+  if (change.touches("render")) renderer_.apply(settings_->render);
   for (const EffectDescriptor& row : effectTable()) {
-    if (row.apply && setup_.effects.contains(row.effect)) row.apply(*this, settings_);
+    if (row.apply && setup_.effects.contains(row.effect)) row.apply(*this, change);
   }
 }
 
@@ -48,7 +47,7 @@ void SceneRenderer::uploadFonts() { overlay_->uploadFonts(); }
 
 render::View SceneRenderer::view(const game::Snapshot& snapshot, Size size) const {
   const terrain::HeightSource* ground = land_ ? &land_->ground() : nullptr;
-  return camera_.view(snapshot, settings_.render.camera, size.width, size.height, ground);
+  return camera_.view(snapshot, settings_->render.camera, size.width, size.height, ground);
 }
 
 void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
@@ -80,7 +79,7 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
   everything.packages = {package};
   everything.target = {.present = true, .position = eye + glm::dvec3(300, -60, 0), .radius = 50};
   const auto drawFrom = [&] {
-    const render::View view = camera.view(everything, settings_.render.camera, size.width, size.height);
+    const render::View view = camera.view(everything, settings_->render.camera, size.width, size.height);
     if (land_) land_->update(view);
     renderer_.draw(render::gameFrame(everything, view, frameFeatures(setup_.effects)));
   };
@@ -99,7 +98,7 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
 
 SceneRenderer::LandProgress SceneRenderer::load(const game::Snapshot& snapshot, Size size) {
   if (!land_) return {};
-  const render::View view = camera_.view(snapshot, settings_.render.camera, size.width, size.height);
+  const render::View view = camera_.view(snapshot, settings_->render.camera, size.width, size.height);
   const terrain::TerrainFrame& frame = land_->update(view);
   const terrain::EndlessTerrain& terrain = land_->terrain();
   return {frame.chunks.size(), terrain.statistics().chunksWanted, terrain.isSettled()};

@@ -9,6 +9,7 @@
 #include "app/session/land_streaming.h"
 #include "app/session/prepared_resources.h"
 #include "app/settings/settings.h"
+#include "app/settings/settings_change.h"
 #include "app/types/size.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
@@ -33,8 +34,8 @@ class SceneRenderer {
     PreparedResources prepared = {};  // what the effects prepared (Preparations::results)
   };
 
-  // Adds the passes of the effects (effect_table.h). The context must outlive it. Throws core::DataError
-  // (shader, model).
+  // Adds the passes of the effects (effect_table.h). Context and settings must outlive it. Throws
+  // core::DataError (shader, model).
   SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings);
   ~SceneRenderer();
 
@@ -47,13 +48,13 @@ class SceneRenderer {
 
   // For the functions of the effect table.
   const Setup& setup() const { return setup_; }
-  const Settings& settings() const { return settings_; }
+  const Settings& settings() const { return *settings_; }
   // Makes this the land that frames wait for and cameras keep above.
   void stream(std::unique_ptr<LandStreaming> land) { land_ = std::move(land); }
   LandStreaming* streaming() { return land_.get(); }  // null before stream()
 
-  // Takes the settings over for the next frame.
-  void apply(const Settings& settings);
+  // After the settings changed: takes over for the next frame what of them is drawn.
+  void apply(const SettingsChange& change);
 
   // From now on draws what Dear ImGui has built; the interface's context must exist.
   void addOverlay();
@@ -95,7 +96,7 @@ class SceneRenderer {
 
  private:
   Setup setup_;
-  Settings settings_;
+  const Settings* settings_;
   render::Renderer renderer_;
   render::Camera camera_;
   std::optional<render::View> lastView_;

@@ -43,9 +43,11 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
 
 }  // namespace
 
-std::string_view whyFixed(const SimulationSetup& setup, std::string_view path) {
-  if (setup.pilot == Pilot::replay && decidesSimulation(path)) return "A replay flies with the recorded settings";
-  if (setup.recorder && path.starts_with("terrain.")) return "The land keeps its shape while a flight is recorded";
+std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field) {
+  if (setup.pilot == Pilot::replay && decidesSimulation(field.path))
+    return "A replay flies with the recorded settings";
+  if (setup.recorder && field.takesEffect == core::TakesEffect::restart)
+    return "The land keeps its shape while a flight is recorded";
   return {};
 }
 
@@ -83,6 +85,7 @@ void Simulation::step(const game::Controls& player) {
       applyLogged(*table_, changes, setup_.replayFile);
       applyToWorld();
       for (const game::SettingOverride& change : changes) {
+        loggedChange_.add(table_->at(change.path).path);
         if (setup_.recorder) setup_.recorder->change(change);
       }
     }
@@ -114,26 +117,30 @@ void Simulation::compareWithReplay() {
 
 std::optional<std::string> Simulation::takeDivergence() { return std::exchange(divergence_, std::nullopt); }
 
-std::vector<std::string> Simulation::takeBackFixed(std::vector<std::string>& changedPaths) {
+std::vector<std::string> Simulation::takeBackFixed(SettingsChange& change) {
   std::vector<std::string> reasons;
-  std::erase_if(changedPaths, [&](const std::string& path) {
-    const std::string reason(whyFixed(setup_, path));
-    if (reason.empty()) return false;
+  SettingsChange allowed;
+  for (const std::string& path : change.paths()) {
     const core::Field& field = table_->at(path);
+    const std::string reason(whyFixed(setup_, field));
+    if (reason.empty()) {
+      allowed.add(path);
+      continue;
+    }
     const double flown = flownValues_[static_cast<std::size_t>(&field - table_->fields().data())];
     if (field.get() != flown && std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
     field.set(flown);
-    return true;
-  });
+  }
+  change = allowed;
   return reasons;
 }
 
-void Simulation::applySettings(const std::vector<std::string>& changedPaths) {
+void Simulation::apply(const SettingsChange& change) {
   if (setup_.recorder && (!beforeChange_ || beforeChange_->step != world_.stepCount()))
     beforeChange_ = {world_.stepCount(), world_.stateHash()};
   applyToWorld();
   if (!setup_.recorder) return;
-  for (const std::string& path : changedPaths) {
+  for (const std::string& path : change.paths()) {
     if (decidesSimulation(path)) setup_.recorder->change({path, core::fieldText(table_->at(path))});
   }
 }

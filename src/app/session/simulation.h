@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/session/flight_recorder.h"
 #include "app/settings/settings.h"
+#include "app/settings/settings_change.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/game/autopilot.h"
 #include "skydrop/game/input_log.h"
@@ -31,9 +33,9 @@ struct SimulationSetup {
   FlightRecorder* recorder = nullptr;  // outlives the simulation; begins with it
 };
 
-// Why the setting at this path cannot change in this flight, empty if it can: the land of a recording (a log
-// has no other land than that it began with), and in a replay all that decides the simulation.
-std::string_view whyFixed(const SimulationSetup& setup, std::string_view path);
+// Why the setting cannot change in this flight, empty if it can: what would load it again during a recording (a
+// log has no other land than that it began with), and in a replay all that decides the simulation.
+std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field);
 
 class Simulation {
  public:
@@ -55,12 +57,15 @@ class Simulation {
   Pilot pilot() const { return setup_.pilot; }
 
   // Before a change of settings takes effect: gives those that cannot change in this flight the values back
-  // that they are flown with. Returns the reasons, each once, and removes them from `changedPaths`.
-  std::vector<std::string> takeBackFixed(std::vector<std::string>& changedPaths);
+  // that they are flown with. Returns the reasons, each once, and removes them from `change`.
+  std::vector<std::string> takeBackFixed(SettingsChange& change);
 
-  // After the menu or a file changed settings: hands them to the world, and to the recorder those of
-  // `changedPaths` that decide the simulation.
-  void applySettings(const std::vector<std::string>& changedPaths);
+  // After the menu or a file changed settings: hands them to the world, and to the recorder those of the change
+  // that decide the simulation.
+  void apply(const SettingsChange& change);
+
+  // Of a replay: what its log has changed since the last call, for whoever else depends on it.
+  SettingsChange takeLoggedChange() { return std::exchange(loggedChange_, {}); }
 
   // The end of the flight, for the recorder.
   void endRecording();
@@ -87,6 +92,7 @@ class Simulation {
   std::optional<game::InputReplay> replay_;
   std::vector<double> flownValues_;  // of the table's fields
   std::optional<game::InputLog::Checkpoint> beforeChange_;  // the state that the last change of settings met
+  SettingsChange loggedChange_;
   bool hasDiverged_ = false;
   std::optional<std::string> divergence_;
 };

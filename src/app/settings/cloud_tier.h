@@ -24,7 +24,8 @@ CloudTierFile readCloudTier(const std::filesystem::path& file);
 // Of a table of app::Settings. Throws core::DataError, and then changes nothing.
 void applyCloudTier(const core::SettingsTable& table, const CloudTierFile& tier);
 
-// Whether a row follows when the player picks a tier.
+// The row that picks a tier, and whether another follows when it is picked.
+inline constexpr std::string_view kCloudTierRow = "clouds.tier";
 bool belongsToCloudTier(std::string_view path);
 
 }  // namespace skydrop::app

@@ -39,7 +39,7 @@ StudyResult cloudStudy(const StudyProgress& progress) {
   const auto frameOf = [&](CloudTier tier, int times) {
     run->settings.clouds.tier = tier;
     applyCloudTier(run->table, readCloudTier(cloudTierPath(tier)));
-    sceneRenderer.apply(run->settings);
+    sceneRenderer.apply(SettingsChange::ofAll(run->table));
     return drawTimed(sceneRenderer, snapshot, kSize, times);
   };
   StudyResult result;

@@ -30,7 +30,7 @@ StudyResult landStudy(const StudyProgress& progress) {
 
   const auto frameAt = [&](double pixelError) {
     run->settings.streaming.pixelError = pixelError;
-    sceneRenderer.apply(run->settings);
+    sceneRenderer.apply(SettingsChange::ofAll(run->table));
     return drawTimed(sceneRenderer, snapshot, kSize, kTimedFrames);
   };
   StudyResult result;

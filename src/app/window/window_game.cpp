@@ -97,6 +97,7 @@ WindowGame::WindowGame(const CommandLine& line)
       screenshots_(screenshotFolder(*run_)) {
   if (window_.context().isSoftware()) useSoftwareRenderer(*run_);
   if (line_.pose) run_->settings.view.camera = render::CameraMode::free;
+  registerDependents();
   beginPreparations();
   std::vector<std::string> warnings;
   if (run_->warning) tell(part::kPlayersValues, *run_->warning);
@@ -360,7 +361,8 @@ void WindowGame::advance(double seconds) {
     const std::vector<game::GameEvent> events = simulation_->world().takeEvents();
     events_.insert(events_.end(), events.begin(), events.end());
   }
-  // A replay changes settings as its log says.
+  // A replay changes settings as its log says; the world has them already.
+  showing_.apply(simulation_->takeLoggedChange());
   if (simulation_->pilot() == Pilot::replay && !unproven_) good_ = choicesOf(*run_);
   if (simulation_->finished() && !replayEnded_) {
     replayEnded_ = true;
@@ -442,7 +444,7 @@ void WindowGame::serve(const OverlayResult& result) {
   controls_.apply(result.menu.binding);
   if (!result.menu.changedPaths.empty()) {
     menuChangedIt_ = true;
-    attempt(part::kChange, [&] { applyMenuChanges(result.menu.changedPaths); });
+    attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(result.menu.changedPaths)); });
   }
   if (result.menu.preset) servePreset(*result.menu.preset);
   if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
@@ -465,7 +467,9 @@ void WindowGame::serve(const OverlayResult& result) {
 }
 
 bool WindowGame::attempt(std::string_view part, const std::function<void()>& change) {
-  good_.bindings = run_->bindings;  // what the player binds is in force at once
+  // What the player binds is in force at once, and so is the camera.
+  good_.bindings = run_->bindings;
+  good_.settings.view.camera = run_->settings.view.camera;
   try {
     change();
     faults_.clear(part);
@@ -480,11 +484,11 @@ bool WindowGame::attempt(std::string_view part, const std::function<void()>& cha
 
 // Settings, bindings, scene and the menu's steps as they were in the last frame that could be drawn.
 void WindowGame::goBack() {
-  const std::vector<std::string> changed = goBackTo(good_, *run_);
+  const SettingsChange change = goBackTo(good_, *run_);
   if (std::exchange(menuChangedIt_, false)) overlay_->menu().takeBack();
   unproven_ = false;
   if (!(controls_.input().bindings() == run_->bindings)) controls_.bindingsWereReplaced();
-  applyLive(changed);
+  apply(change);
 }
 
 // On stderr once, and in the menu until it is repaired.
@@ -519,7 +523,7 @@ void WindowGame::servePreset(const ui::PresetRequest& request) {
   faults_.clear(part::kPreset);
   if (!served.changedPaths.empty()) {
     menuChangedIt_ = true;
-    if (!attempt(part::kChange, [&] { applyMenuChanges(served.changedPaths); })) return;
+    if (!attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(served.changedPaths)); })) return;
   }
   notices_.add(served.notice);
 }
@@ -538,31 +542,39 @@ void WindowGame::report() {
   }
 }
 
-void WindowGame::applyMenuChanges(const std::vector<std::string>& paths) {
-  std::vector<std::string> allowed = paths;
-  tellOfRefusals(simulation_->takeBackFixed(allowed));
-  if (!allowed.empty()) applyAll(takeMenuChanges(*run_, allowed));
+void WindowGame::applyMenuChanges(SettingsChange picked) {
+  tellOfRefusals(simulation_->takeBackFixed(picked));
+  if (!picked.empty()) carryOut(takeMenuChanges(*run_, picked));
 }
 
-void WindowGame::applyAll(const std::vector<std::string>& changedPaths) {
-  const bool needsNewLand = std::any_of(changedPaths.begin(), changedPaths.end(),
-                                        [](const std::string& path) { return path.starts_with("terrain."); });
-  if (needsNewLand) {
-    buildScene();
+// Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
+void WindowGame::registerDependents() {
+  dependencies_.add({"aircraft", "package", "game", "autopilot", "wind"},
+                    [this](const SettingsChange& change) { simulation_->apply(change); });
+  showing_.add({"render", "streaming", "clouds", "wind", "view.camera"},
+               [this](const SettingsChange& change) { sceneRenderer_->apply(change); });
+  showing_.add({"view"}, [this](const SettingsChange&) {
     window_.apply(run_->settings.view);
-    return;
-  }
-  unproven_ = true;
-  applyLive(changedPaths);
+    camera_.follow(*sceneRenderer_, isFrozen());
+  });
+  showing_.add({"audio"}, [this](const SettingsChange&) {
+    if (audio_) audio_->apply(run_->settings.audio);
+    if (sound_) sound_->apply(run_->settings.audio);
+  });
 }
 
-void WindowGame::applyLive(const std::vector<std::string>& changedPaths) {
-  simulation_->applySettings(changedPaths);
-  sceneRenderer_->apply(run_->settings);
-  window_.apply(run_->settings.view);
-  camera_.follow(*sceneRenderer_, isFrozen());
-  if (audio_) audio_->apply(run_->settings.audio);
-  if (sound_) sound_->apply(run_->settings.audio);
+void WindowGame::carryOut(const SettingsChange& change) {
+  if (change.needs(core::TakesEffect::restart, run_->table)) {
+    buildScene();
+  } else {
+    unproven_ = true;
+  }
+  apply(change);
+}
+
+void WindowGame::apply(const SettingsChange& change) {
+  dependencies_.apply(change);
+  showing_.apply(change);
 }
 
 // Shaders, the scene and the player's settings take effect when they are written; what is broken is shown and
@@ -582,17 +594,18 @@ void WindowGame::watchFiles() {
 
 void WindowGame::reloadSceneFile() {
   if (run_->recorder) return tellOfRefusals({"The scene stays as it was while a flight is recorded"});
-  reloadScene(*run_, line_);
+  const SettingsChange change = reloadScene(*run_, line_);
   buildScene();
+  apply(change);
   notices_.add("The scene was reloaded");
 }
 
 void WindowGame::reloadPlayerFile() {
   std::vector<std::string> refused;
-  const std::vector<std::string> changed = reloadPlayer(*run_, &refused);
+  const SettingsChange change = reloadPlayer(*run_, &refused);
   tellOfRefusals(refused);
   controls_.bindingsWereReplaced();
-  applyAll(changed);
+  carryOut(change);
   if (run_->warning) {
     tell(part::kPlayersValues, *run_->warning);
   } else {

@@ -76,9 +76,11 @@ class WindowGame {
   bool attempt(std::string_view part, const std::function<void()>& change);
   void goBack();
   void tell(std::string_view part, const std::string& line);
-  void applyMenuChanges(const std::vector<std::string>& paths);
-  void applyAll(const std::vector<std::string>& changedPaths);
-  void applyLive(const std::vector<std::string>& changedPaths);
+  void applyMenuChanges(SettingsChange picked);
+  void registerDependents();
+  // A change that was taken over into the run: loads the flight again where the description asks for that.
+  void carryOut(const SettingsChange& change);
+  void apply(const SettingsChange& change);  // to all dependents
   void watchFiles();
   void reloadSceneFile();
   void reloadPlayerFile();
@@ -102,6 +104,8 @@ class WindowGame {
 
   CommandLine line_;
   std::unique_ptr<RunConfig> run_;
+  SettingsDependencies dependencies_;      // of the simulation
+  SettingsDependencies showing_;           // of what is seen and heard
   std::optional<core::OutputFile> stats_;  // --stats; opened before the window
   GameWindow window_;
   Preparations preparations_;  // of what the scene calls for; kept while scenes go on to call for it

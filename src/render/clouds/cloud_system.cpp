@@ -55,6 +55,14 @@ int divisorOf(const clouds::CloudSettings& settings) {
 int rays(int pixels, int divisor) { return (pixels + divisor - 1) / divisor; }
 int tilesOf(int raysAcross) { return (raysAcross + kTileSide - 1) / kTileSide; }
 
+// Whether a layer is the same field with both, its light included.
+bool isSameField(const clouds::CloudSettings& a, const clouds::CloudSettings& b, std::size_t layer) {
+  const auto periodOf = [&](const clouds::CloudSettings& settings) {
+    return clouds::weatherPeriod(settings.layers[layer], settings.fadeDistance);
+  };
+  return a.layers[layer] == b.layers[layer] && periodOf(a) == periodOf(b);
+}
+
 // Whether no ray of the picture meets the layer before clouds have faded.
 bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, double fadeDistance) {
   const double below = layer.cloudHeight - view.position.y,
@@ -92,23 +100,29 @@ std::vector<std::string> definesOf(const FrameContext& context, const clouds::Cl
 CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
                          const clouds::CloudSettings& settings, const core::WindSettings& wind)
     : context_(context),
-      textures_(std::make_unique<CloudTextures>(context, std::move(noise))),
+      settings_(settings),
+      wind_(wind),
+      textures_(std::make_unique<CloudTextures>(context, std::move(noise), settings)),
       near_(std::make_unique<SunOpticalDepthGrid>("near light grid", SunOpticalDepthGridKeeps::all)),
       far_(std::make_unique<SunOpticalDepthGrid>("far light grid", SunOpticalDepthGridKeeps::all)),
       fineShadowMap_(std::make_unique<SunOpticalDepthGrid>("fine cloud shade", SunOpticalDepthGridKeeps::base)),
       coarseShadowMap_(std::make_unique<SunOpticalDepthGrid>("coarse cloud shade", SunOpticalDepthGridKeeps::base)),
-      uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {
-  apply(settings, wind);
-}
+      uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {}
 
 CloudSystem::~CloudSystem() = default;
 
 void CloudSystem::apply(const clouds::CloudSettings& settings, const core::WindSettings& wind) {
-  const bool detailChanged = settings.march.detail != settings_.march.detail;
+  bool forgetsLight = settings.march.detail != settings_.march.detail;
+  for (std::size_t i = 0; i < settings.layers.size(); ++i) {
+    if (isSameField(settings, settings_, i)) continue;
+    textures_->rebuild(settings, i);
+    forgetsLight = true;
+  }
   settings_ = settings;
   wind_ = wind;
-  if (!textures_->apply(settings) && !detailChanged) return;
-  for (SunOpticalDepthGrid* grid : {near_.get(), far_.get(), fineShadowMap_.get(), coarseShadowMap_.get()}) grid->forget();
+  if (!forgetsLight) return;
+  for (SunOpticalDepthGrid* grid : {near_.get(), far_.get(), fineShadowMap_.get(), coarseShadowMap_.get()})
+    grid->forget();
 }
 
 std::optional<std::string> CloudSystem::skipReason(const FrameInput& frame) const {

@@ -4,8 +4,12 @@
 #include <numeric>
 #include <vector>
 
+#include "skydrop/clouds/occupancy.h"
+
 namespace skydrop::render {
 namespace {
+
+using clouds::Occupancy;
 
 constexpr GLuint kBaseUnit = 0, kDetailUnit = 1, kWeatherUnit = 2,
                  kOccupancyUnit = 3;  // as in shaders/clouds
@@ -20,7 +24,8 @@ gl::Texture volume(gl::Context& context, const std::vector<float>& texels, int s
 
 }  // namespace
 
-CloudTextures::CloudTextures(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise)
+CloudTextures::CloudTextures(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
+                             const clouds::CloudSettings& settings)
     : noise_(std::move(noise)),
       meanDetail_(std::accumulate(noise_->detail.begin(), noise_->detail.end(), 0.0) /
                   static_cast<double>(noise_->detail.size())),
@@ -32,27 +37,17 @@ CloudTextures::CloudTextures(gl::Context& context, std::shared_ptr<const clouds:
                  [](const glm::vec3& texel) { return glm::vec2(texel.x, texel.z); });
   weather_.upload(GL_RG, GL_FLOAT, std::as_bytes(std::span(coverageAndType)));
   weather_.setWrap(GL_REPEAT);
-  for (Layer& layer : layers_) {
-    using clouds::Occupancy;
-    layer.distances = gl::Texture::make3D(context, GL_R8UI, Occupancy::kSide, Occupancy::kRows, Occupancy::kSide,
-                                          "cloud occupancy");
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    layers_[i].distances = gl::Texture::make3D(context, GL_R8UI, Occupancy::kSide, Occupancy::kRows,
+                                               Occupancy::kSide, "cloud occupancy");
+    rebuild(settings, i);
   }
 }
 
-bool CloudTextures::apply(const clouds::CloudSettings& settings) {
-  bool changed = false;
-  for (std::size_t i = 0; i < layers_.size(); ++i) {
-    Layer& layer = layers_[i];
-    const clouds::CloudLayerSettings& wanted = settings.layers[i];
-    const double weatherPeriodM = clouds::weatherPeriod(wanted, settings.fadeDistance);
-    if (layer.occupancy && wanted == layer.settings && weatherPeriodM == layer.weatherPeriodM) continue;
-    layer.settings = wanted;
-    layer.weatherPeriodM = weatherPeriodM;
-    layer.occupancy.emplace(*noise_, settings, i);
-    layer.distances.upload(GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::as_bytes(layer.occupancy->distances()));
-    changed = true;
-  }
-  return changed;
+void CloudTextures::rebuild(const clouds::CloudSettings& settings, std::size_t layer) {
+  const Occupancy occupancy(*noise_, settings, layer);
+  layers_[layer].isEmpty = occupancy.isEmpty();
+  layers_[layer].distances.upload(GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::as_bytes(occupancy.distances()));
 }
 
 void CloudTextures::bind(std::size_t layer) const {

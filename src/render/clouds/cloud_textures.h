@@ -4,33 +4,28 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 
 #include "skydrop/clouds/cloud_field.h"
-#include "skydrop/clouds/occupancy.h"
 #include "skydrop/render/gl/texture.h"
 
 namespace skydrop::render {
 
 class CloudTextures {
  public:
-  CloudTextures(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise);
+  CloudTextures(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
+                const clouds::CloudSettings& settings);
 
-  // Takes over what the settings say of the layers. True when a field changed.
-  bool apply(const clouds::CloudSettings& settings);
+  // Works the occupancy of a layer out again.
+  void rebuild(const clouds::CloudSettings& settings, std::size_t layer);
 
-  bool isEmpty(std::size_t layer) const {
-    return !layers_[layer].occupancy || layers_[layer].occupancy->isEmpty();
-  }
+  bool isEmpty(std::size_t layer) const { return layers_[layer].isEmpty; }
   double meanDetail() const { return meanDetail_; }
 
   void bind(std::size_t layer) const;  // units 0 to 3, as in shaders/clouds
 
  private:
   struct Layer {
-    clouds::CloudLayerSettings settings;  // that the occupancy is of
-    double weatherPeriodM = 0;            // likewise
-    std::optional<clouds::Occupancy> occupancy;
+    bool isEmpty = true;
     gl::Texture distances;
   };
 
