@@ -7,8 +7,8 @@
 
 namespace skydrop::app {
 
-struct Settings;
 class SceneRenderer;
+class SettingsChange;
 
 // Throws core::DataError (shader). The noise (clouds::PackedCloudNoise) must be among the prepared resources.
 void addClouds(SceneRenderer& sceneRenderer);

@@ -13,8 +13,8 @@
 
 namespace skydrop::app {
 
-struct Settings;
 class SceneRenderer;
+class SettingsChange;
 
 struct EffectDescriptor {
   scene::Effect effect;
