@@ -21,6 +21,8 @@ TEST(SettingsChange, touchesAFieldItsGroupAndTheGroupsAbove) {
     EXPECT_FALSE(change.touches(other)) << other;
   }
   EXPECT_FALSE(SettingsChange().touches("clouds"));
+  EXPECT_TRUE(change.touches("")) << "everyone";
+  EXPECT_FALSE(SettingsChange().touches(""));
 }
 
 TEST(SettingsChange, isWhatDiffersBetweenTwoStates) {

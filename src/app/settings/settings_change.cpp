@@ -36,6 +36,7 @@ void SettingsChange::add(const SettingsChange& other) {
 }
 
 bool SettingsChange::touches(std::string_view path) const {
+  if (path.empty()) return !empty();
   return std::ranges::any_of(paths_, [&](std::string_view changed) {
     return changed.starts_with(path) && (changed.size() == path.size() || changed[path.size()] == '.');
   });

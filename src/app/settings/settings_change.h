@@ -28,7 +28,7 @@ class SettingsChange {
   void add(const std::string& path);
   void add(const SettingsChange& other);
 
-  // Whether the field at this path changed, or one in the group at this path or below it.
+  // Whether the field at this path changed, or one in the group at this path or below it; "" is all groups.
   bool touches(std::string_view path) const;
   // Whether a field changed that takes effect by this (core/settings.h), as the table describes it.
   bool needs(core::TakesEffect effect, const core::SettingsTable& table) const;

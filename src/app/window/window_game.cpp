@@ -551,8 +551,8 @@ void WindowGame::applyMenuChanges(SettingsChange picked) {
 void WindowGame::registerDependents() {
   dependencies_.add({"aircraft", "package", "game", "autopilot", "wind"},
                     [this](const SettingsChange& change) { simulation_->apply(change); });
-  showing_.add({"render", "streaming", "clouds", "wind", "view.camera"},
-               [this](const SettingsChange& change) { sceneRenderer_->apply(change); });
+  // Of every change, because the rows of the effect table say which settings they take.
+  showing_.add({""}, [this](const SettingsChange& change) { sceneRenderer_->apply(change); });
   showing_.add({"view"}, [this](const SettingsChange&) {
     window_.apply(run_->settings.view);
     camera_.follow(*sceneRenderer_, isFrozen());
