@@ -1,3 +1,3 @@
-#include "app/verbs.h"
+#include "app/cli/verbs.h"
 
 int main(int argc, char** argv) { return skydrop::app::runProgram(argc, argv); }

@@ -1,10 +1,3 @@
-#include "frame.glsl"
-#include "shared/cloud_medium.glsl"
-#include "shared/cloud_light.glsl"
-#include "clouds/uniforms.glsl"
-#include "clouds/occupancy.glsl"
-#include "clouds/view.glsl"
-#include "clouds/tiles.glsl"
 #include "clouds/classify.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

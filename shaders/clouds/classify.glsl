@@ -1,4 +1,8 @@
 // Which tiles have to be marched, and between which distances. A tile's rays are judged together: as one wide ray.
+#include "clouds/occupancy.glsl"
+#include "clouds/view.glsl"
+#include "clouds/tiles.glsl"
+
 layout(std430, binding = 0) buffer Tiles {
   uvec4 groups;  // of the march's dispatch; w: tiles in the list
   Task tasks[];

@@ -1,4 +1,9 @@
-// Lays the clouds over the scene, for the tiles that were marched. After clouds/cover.glsl.
+// Lays the clouds over the scene, for the tiles that were marched.
+#include "clouds/uniforms.glsl"
+#include "clouds/tiles.glsl"
+#include "clouds/view.glsl"
+#include "clouds/cover.glsl"
+
 layout(std430, binding = 0) readonly buffer Tiles {
   uvec4 groups;
   Task tasks[];

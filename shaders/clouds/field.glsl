@@ -1,5 +1,8 @@
-// The clouds' medium at a place relative to the eye. After shared/cloud_medium.glsl, shared/cloud_light.glsl and
-// clouds/uniforms.glsl. DETAIL: edges are worn by the detail texture, else by its mean.
+// The clouds' medium at a place relative to the eye. DETAIL: edges are eroded by the detail texture, else by its mean.
+#include "shared/cloud_medium.glsl"
+#include "shared/cloud_light.glsl"
+#include "clouds/uniforms.glsl"
+
 layout(binding = 0) uniform sampler3D baseNoise;
 layout(binding = 1) uniform sampler3D detailNoise;
 layout(binding = 2) uniform sampler2D weatherMap;
@@ -26,7 +29,7 @@ float shapeDensity(vec3 place, float height) {
   return cloudShapeDensity(frameMedium(), height, vec4(weather.x, 0.0, weather.y, 1.0), base);
 }
 
-float wornDensity(vec3 place, float height, float shape) {
+float erodedDensity(vec3 place, float height, float shape) {
 #ifdef DETAIL
   float detail = textureLod(detailNoise, periodsAt(place, clouds.detailPlace), 0.0).x;
 #else
@@ -38,5 +41,5 @@ float wornDensity(vec3 place, float height, float shape) {
 // Extinction, 1/m; not faded with distance.
 float extinctionAt(vec3 place) {
   float height = heightFraction(place);
-  return wornDensity(place, height, shapeDensity(place, height)) * clouds.layer.w;
+  return erodedDensity(place, height, shapeDensity(place, height)) * clouds.layer.w;
 }

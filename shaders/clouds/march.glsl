@@ -1,8 +1,10 @@
-// Goes along a ray through the layer. After clouds/occupancy.glsl and clouds/sun_depth.glsl.
-//
+// Goes along a ray through the layer.
 // Lengths are whole multiples of the step, so neighbouring rays are cut at the same distances and nothing drifts. Light
-// is worked out once for a stretch of some optical depth, at the place where the stretch's opacity has its middle:
+// is worked out once for a segment of some optical depth, at the place where the segment's opacity has its middle:
 // density is cheap, light is not, and rays that run together wait for each other only there.
+#include "clouds/occupancy.glsl"
+#include "clouds/sun_depth.glsl"
+#include "shared/cloud_march.glsl"
 
 // What a ray has gathered, per illuminance of each source; and where it is.
 struct March {
@@ -32,18 +34,15 @@ March marchFrom(float begin) { return March(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, aligne
 
 bool isUnderWay(March march, RaySpan span) { return march.at < span.end && march.transmittance > clouds.march.w; }
 
-// Steps that share one place where light is worked out.
-const float kLongestStretch = 4.0;
-
-// A stretch whose light is worked out at one place.
-struct Stretch {
+// A segment whose light is worked out at one place.
+struct LightSegment {
   float opacity;  // of what comes from it, as the eye sees it
   float moment;   // opacity times distance
 };
 
-// On to where a stretch is worth its light: by depth, by length, or because the ray ends.
-Stretch gatherStretch(inout March march, CellRay ray, vec3 direction, RaySpan span, inout int iterations) {
-  Stretch stretch = Stretch(0.0, 0.0);
+// On to where a segment is worth its light: by depth, by length, or because the ray ends.
+LightSegment gatherLightSegment(inout March march, CellRay ray, vec3 direction, RaySpan span, inout int iterations) {
+  LightSegment segment = LightSegment(0.0, 0.0);
   float depth = 0.0;
   float begin = span.end;
   while (march.at < span.end && depth < clouds.march.z && iterations > 0) {
@@ -58,53 +57,50 @@ Stretch gatherStretch(inout March march, CellRay ray, vec3 direction, RaySpan sp
       continue;
     }
     // In clear air a stride of several steps, judged by its end: the shape before erosion is too thick to slip through.
-    float pace = step * mix(1.0, clouds.sight.w, march.clear);
+    float pace = step * mix(1.0, clouds.march.y, march.clear);
     float length = min(pace, span.end - march.at);
     float middle = march.at + length * mix(0.5, 1.0, march.clear);
     vec3 place = direction * middle;
     float height = heightFraction(place);
     float shape = shapeDensity(place, height);
-    float extinction = wornDensity(place, height, shape) * clouds.layer.w;
+    float extinction = erodedDensity(place, height, shape) * clouds.layer.w;
     if (shape > 0.0 && march.clear > 0.0) {
       march.clear = 0.0;
       continue;
     }
-    float stepDepth = extinction * cloudFade(middle, clouds.layer.z) * length;
-    float gain = march.transmittance * stepOpacity(stepDepth);
+    float stepOpticalDepth = extinction * cloudFade(middle, clouds.layer.z) * length;
+    float gain = march.transmittance * stepOpacity(stepOpticalDepth);
     begin = gain > 0.0 ? min(begin, march.at) : begin;
-    stretch.opacity += gain;
-    stretch.moment += gain * middle;
+    segment.opacity += gain;
+    segment.moment += gain * middle;
     march.transmittance -= gain;
-    depth += stepDepth;
+    depth += stepOpticalDepth;
     march.clear = shape > 0.0 ? 0.0 : 1.0;
     march.at += pace;
-    if (march.at - begin > kLongestStretch * step) break;
+    if (march.at - begin > float(kMaxStepsPerSegment) * step) break;
   }
-  return stretch;
+  return segment;
 }
-
-// All loops together run at most about so many times: longer ones are cut short by some drivers.
-const int kMostIterations = 30000;
 
 void marchOn(inout March march, vec3 direction, RaySpan span) {
   CellRay ray = cellRay(direction);
   vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
   int iterations = kMostIterations;
   while (isUnderWay(march, span) && iterations > 0) {
-    Stretch stretch = gatherStretch(march, ray, direction, span, iterations);
-    if (stretch.opacity <= 0.0) break;
+    LightSegment segment = gatherLightSegment(march, ray, direction, span, iterations);
+    if (segment.opacity <= 0.0) break;
     iterations -= sunSamples;
-    vec3 place = direction * (stretch.moment / stretch.opacity);
+    vec3 place = direction * (segment.moment / segment.opacity);
     float height = heightFraction(place);
-    march.sun += stretch.opacity * scatteredSun(phases, sunDepth(place, height));
-    march.sky += stretch.opacity * scatteredSky(height);
-    march.ground += stretch.opacity * scatteredGround(height);
-    march.weight += stretch.opacity;
-    march.distance += stretch.moment;
+    march.sun += segment.opacity * scatteredSun(phases, sunDepth(place, height));
+    march.sky += segment.opacity * scatteredSky(height);
+    march.ground += segment.opacity * scatteredGround(height);
+    march.weight += segment.opacity;
+    march.distance += segment.moment;
   }
 }
 
-// The stretch of a ray in which there can be cloud: in the layer, before the scene's surface, not yet faded.
+// The segment of a ray in which there can be cloud: in the layer, before the scene's surface, not yet faded.
 RaySpan spanOfRay(vec3 direction, float surfaceM, Task task) {
   RaySpan layer = raySpanBetween(0.0, direction.y, clouds.layer.x, clouds.layer.x + clouds.layer.y);
   return overlap(layer, make_raySpan(task.begin, min(task.end, surfaceM)));

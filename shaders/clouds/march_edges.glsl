@@ -1,5 +1,9 @@
-// Marches single rays to the surface that each of them meets, and lays what they see over the scene. After
-// clouds/cover.glsl.
+// Marches single rays to the surface that each of them meets, and lays what they see over the scene.
+#include "clouds/view.glsl"
+#include "clouds/tiles.glsl"
+#include "clouds/resolve.glsl"
+#include "clouds/cover.glsl"
+
 layout(std430, binding = 0) readonly buffer Tiles {
   uvec4 groups;
   Task tasks[];

@@ -1,4 +1,8 @@
 // Marches the rays of a listed tile. CARRIED: as far as one dispatch may go, from where the one before came to.
+#include "clouds/view.glsl"
+#include "clouds/tiles.glsl"
+#include "clouds/resolve.glsl"
+
 layout(std430, binding = 0) buffer Tiles {
   uvec4 groups;
   Task tasks[];

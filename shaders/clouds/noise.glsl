@@ -1,5 +1,5 @@
-// Fills slices of a noise texture, a packed texel (red lowest) to a word. After shared/cloud_noise.glsl and one of the
-// defines SHAPE, DETAIL and WEATHER.
+// Fills slices of a noise texture, a packed texel (red lowest) to a word. One of SHAPE, DETAIL and WEATHER is defined.
+#include "shared/cloud_noise.glsl"
 
 layout(std430, binding = 0) writeonly buffer Texels { uint texels[]; };
 

@@ -1,4 +1,7 @@
-// Leaps over what is empty (include/skydrop/clouds/occupancy.h). After clouds/uniforms.glsl.
+// Leaps over what is empty (include/skydrop/clouds/occupancy.h).
+#include "shared/cloud_light.glsl"
+#include "clouds/uniforms.glsl"
+
 layout(binding = 3) uniform usampler3D occupancy;  // x, row, z: cells to the nearest occupied one
 
 const ivec3 kCells = ivec3(256, 16, 256);
@@ -24,13 +27,6 @@ float wayOutOfBox(vec3 at, vec3 perLength, float cells, vec3 wide, vec3 widening
   vec3 ahead = (room - fromMiddle * outwards) / max(abs(perLength) + widening, vec3(1e-12));
   vec3 behind = room + fromMiddle * outwards;
   return min(behind.x, min(behind.y, behind.z)) < 0.0 ? 0.0 : min(ahead.x, min(ahead.y, ahead.z));
-}
-
-// The same for a ray without width, from its reciprocal pace: lengths a cell, with sign.
-float wayOutOfCells(vec3 at, vec3 lengthsACell, float cells) {
-  vec3 fromMiddle = at - (floor(at) + 0.5);
-  vec3 ahead = (cells - 0.5) * abs(lengthsACell) - fromMiddle * lengthsACell;
-  return min(ahead.x, min(ahead.y, ahead.z));
 }
 
 // A ray in cells.

@@ -1,17 +1,14 @@
-// From what a ray gathered to the light that reaches the eye. After clouds/march.glsl.
+// From what a ray gathered to the light that reaches the eye.
+#include "clouds/march.glsl"
 
 // Radiance of a cloud whose light comes from a distance, through the air before it: what is far away becomes the sky
 // behind it.
 vec3 throughAir(vec3 light, float opacity, vec3 direction, float distanceM) {
 #ifdef HAZE
-  Atmosphere air = frameAtmosphere();
-  SkyColumn column = frameColumn();
-  vec3 left = exp(-opticalDepthBetween(air, frame.eye.x, frame.eye.x + direction.y * distanceM, distanceM));
-  vec3 leftOfSky = exp(-column.depth * airMass(direction.y));
+  vec3 left = airTransmittance(direction.y * distanceM, distanceM);
+  vec3 leftOfSky = airTransmittanceTowards(direction);
   vec3 share = min((1.0 - left) / max(1.0 - leftOfSky, vec3(1e-6)), vec3(1.0));
-  SkySource source = skySource(column, air, direction.y);
-  vec3 sky = skyRadiance(source, dot(direction, frame.toSun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
-  return light * left + sky * share * opacity;
+  return light * left + skyTowards(direction) * share * opacity;
 #else
   return light;
 #endif
@@ -23,11 +20,9 @@ vec4 seenCloud(March march, vec3 direction) {
   float whole = (1.0 - transmittance) / max(1.0 - march.transmittance, 1e-6);
   vec3 light = clouds.sunLight.xyz * march.sun + clouds.skyLight.xyz * march.sky + clouds.groundLight.xyz * march.ground;
   float distanceM = march.distance / max(march.weight, 1e-20);
-  return vec4(min(throughAir(light * whole, 1.0 - transmittance, direction, distanceM), vec3(60000.0)), transmittance);
+  vec3 seen = throughAir(light * whole, 1.0 - transmittance, direction, distanceM);
+  return vec4(min(seen, vec3(kBrightest)), transmittance);
 }
-
-// Stands for a distance beyond everything; a half float keeps it.
-const float kFarDistance = 65000.0;
 
 // Mean distance of the light.
 float seenDistance(March march) {

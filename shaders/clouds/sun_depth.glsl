@@ -1,5 +1,7 @@
-// Optical depth from a place towards the sun. After clouds/field.glsl. LIGHT_GRID: samples go toSun.w metres and the rest
+// Optical depth from a place towards the sun. LIGHT_GRID: samples go toSun.w metres and the rest
 // is looked up, else they go to the top of the layer.
+#include "clouds/field.glsl"
+
 uniform int sunSamples;
 
 #ifdef LIGHT_GRID

@@ -1,5 +1,7 @@
 // Lists of what is to be marched: tiles of 8 x 8 rays with the stretch in which there may be cloud; and edges, single
 // pixels of such tiles.
+#include "shared/dialect.glsl"
+
 struct Task {
   uint at;      // the tile's x and y in 16 bits each
   float begin;  // m from the eye

@@ -1,4 +1,6 @@
-// Rays of the march. DIVISOR: pixels by which rays are apart. After frame.glsl.
+// Rays of the march. DIVISOR: pixels by which rays are apart.
+#include "frame.glsl"
+
 layout(binding = 6) uniform sampler2D sceneDepth;
 
 // Not normalised: its component along the view axis is 1. `at`: in pixels from the lower left corner.

@@ -1,11 +1,14 @@
-// Light and opacity of a target's mark at a pixel, multiplied together. After frame.glsl and shared/marker.glsl.
+// Light and opacity of a target's mark at a pixel, multiplied together.
+#include "frame.glsl"
+#include "shared/marker.glsl"
+
 layout(binding = 0) uniform sampler2D sceneDepth;
 uniform vec3 foot;            // the target, relative to the eye (m)
 uniform float ringRadius;     // m
 uniform float beamRadiusNow;  // m: one for the whole beam in a frame
 uniform vec3 light;           // radiance as it reaches the eye: one for the whole part
 
-#ifdef CLOUD_VEIL
+#ifdef CLOUD_TRANSMITTANCE
 layout(binding = 1) uniform sampler2D cloudLight;      // a: the share of light behind that comes through
 layout(binding = 2) uniform sampler2D cloudDistances;  // x: where the clouds are
 

@@ -1,5 +1,3 @@
-#include "frame.glsl"
-#include "shared/marker.glsl"
 #include "marker/marker.glsl"
 
 out vec4 color;

@@ -1,4 +1,4 @@
-// The layer of models (include/skydrop/render/model_layer.h): four samples a pixel, alpha 1 where a model is.
+// The layer of models (include/skydrop/render/models/model_layer.h): four samples a pixel, alpha 1 where a model is.
 layout(binding = 0) uniform sampler2DMS layerColor;
 layout(binding = 1) uniform sampler2DMS layerDepth;
 

@@ -1,4 +1,6 @@
-// Light of a model's surface. After frame.glsl, sky/sky.glsl and models/material.glsl.
+// Light of a model's surface.
+#include "sky/sky.glsl"
+#include "models/material.glsl"
 
 // Fresnel's equations for a polished surface (Schlick 1994); a matt one hides most of it at grazing angles.
 vec3 fresnel(vec3 reflectance, float cosine, float gloss) {
@@ -10,9 +12,7 @@ vec3 fresnel(vec3 reflectance, float cosine, float gloss) {
 // What a mirror would show: sky above, land below, without the sun's disc. Matt surfaces see it blurred, which is
 // near the light of the half space.
 vec3 surroundings(vec3 direction, float gloss) {
-  SkySource source = skySource(frameColumn(), frameAtmosphere(), direction.y);
-  vec3 sky = skyRadiance(source, dot(direction, frame.toSun.xyz), 0.0) + frame.nightRadiance.xyz;
-  vec3 sharp = mix(sky, frame.groundLight.xyz / kPi, smoothstep(0.02, -0.10, direction.y));
+  vec3 sharp = mix(skyWithoutGlow(direction), frame.groundLight.xyz / kPi, smoothstep(0.02, -0.10, direction.y));
   vec3 blurred = mix(frame.groundLight.xyz, frame.skyLight.xyz, 0.5 + 0.5 * direction.y) / kPi;
   return mix(blurred, sharp, gloss);
 }
@@ -29,12 +29,12 @@ vec3 modelLight(Material material, vec3 normal, vec3 relative) {
   vec3 mirrored = reflect(-toEye, normal);
   float facing = max(dot(normal, frame.toSun.xyz), 0.0);
   vec3 shine = fresnel(material.reflectance, dot(normal, toEye), material.gloss);
-  vec3 light = litByFrame(material.albedo * (1.0 - shine), normal, 1.0) +
+  vec3 light = shadeLambert(material.albedo * (1.0 - shine), normal, 1.0) +
                shine * surroundings(mirrored, material.gloss) +
                shine * frame.sunLight.xyz * (facing * highlight(normal, toEye, material.gloss));
 #ifdef CLOTH
   // Thin cloth lets a third of the light through: the side in the shade glows.
-  light += litByFrame(material.albedo * material.albedo, -normal, 1.0) * 0.35;
+  light += shadeLambert(material.albedo * material.albedo, -normal, 1.0) * 0.35;
 #endif
-  return throughHaze(min(light, vec3(kBrightest)), relative);
+  return applyAerialPerspective(min(light, vec3(kBrightest)), relative);
 }

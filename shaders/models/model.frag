@@ -1,6 +1,3 @@
-#include "frame.glsl"
-#include "sky/sky.glsl"
-#include "models/material.glsl"
 #include "models/light.glsl"
 
 // At an edge the middle of the pixel may lie beside the triangle.

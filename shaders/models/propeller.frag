@@ -1,5 +1,3 @@
-#include "frame.glsl"
-#include "sky/sky.glsl"
 #include "models/scene_depth.glsl"
 #include "models/propeller.glsl"
 
@@ -10,6 +8,6 @@ out vec4 color;
 
 void main() {
   discardIfHidden();
-  vec4 veil = propellerVeil(surfaceUv.y, surfaceUv.x);
-  color = vec4(throughHaze(litByFrame(veil.rgb, normalize(surfaceNormal), 1.0), relative) * veil.a, veil.a);
+  vec4 veil = propellerOpacity(surfaceUv.y, surfaceUv.x);
+  color = vec4(applyAerialPerspective(shadeLambert(veil.rgb, normalize(surfaceNormal), 1.0), relative) * veil.a, veil.a);
 }

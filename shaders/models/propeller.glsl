@@ -1,7 +1,8 @@
 // Three blades that turn too fast to be seen: a veil, denser where the blades were last, with bright tips.
+#include "sky/sky.glsl"
 
 // turn: angle from the first blade in turns; radius in radii of the propeller.
-vec4 propellerVeil(float turn, float radius) {
+vec4 propellerOpacity(float turn, float radius) {
   float behind = fract(turn * 3.0);  // 0 at a blade, towards 1 where the next comes
   float smear = 0.55 + 0.45 * cos(2.0 * kPi * behind);
   float solidity = 0.30 * (1.0 - 0.55 * radius) * smoothstep(1.0, 0.985, radius) * smoothstep(0.2, 0.26, radius);

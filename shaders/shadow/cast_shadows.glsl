@@ -1,4 +1,6 @@
-// What is left of the sun behind an aircraft or a package (include/skydrop/render/cast_shadows.h). After frame.glsl.
+// What is left of the sun behind an aircraft or a package (include/skydrop/render/shadows/cast_shadows.h).
+#include "frame.glsl"
+
 layout(binding = 9) uniform sampler2D shadowMap;
 uniform vec4 casterMiddle;  // relative to the eye; 1 / half the map's width
 uniform vec4 casterRight;   // the map's axis; the caster's radius

@@ -1,6 +1,5 @@
 // The air behind a caster: a box that widens as the sun's rays spread, drawn without a vertex buffer.
-#include "frame.glsl"
-#include "marker/box.glsl"
+#include "models/box.glsl"
 #include "shadow/cast_shadows.glsl"
 
 uniform vec4 volumeBegin;  // middle of the end towards the sun, relative to the eye; half width

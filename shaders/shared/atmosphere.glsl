@@ -2,8 +2,36 @@
 // earth but for the air mass; single scattering after Chandrasekhar ("Radiative Transfer", 1950, chapter I: the
 // plane-parallel layer) and multiple scattering as an isotropic share of it. Light is linear RGB; radiance per
 // irradiance of the sun outside the atmosphere, so the unit is the sun's.
+//
+// Everything that is known about this atmosphere is here: coefficients and functions. C++ uses it through
+// include/skydrop/sky/atmosphere.h, shaders through shaders/sky/atmosphere.glsl; nothing else
+// calls it, but for the phase function of Henyey and Greenstein, which clouds share.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
 
 CONST Real kPi = Real(3.14159265358979);
+
+// Illuminance by the sun above the atmosphere on a surface that faces it, klx: 1361 W/m^2 at 94 lm/W, a little warmer
+// than sRGB's white (about 5800 K against 6500 K).
+CONST Vec3 kSunIlluminance = Real(128.0) * Vec3(Real(1.04), Real(0.99), Real(0.95));
+
+// Angular radius of the sun's disc, rad: 0.267 degrees, the mean over the year.
+CONST Real kSunRadius = Real(0.00466);
+
+// Radiance of the night sky of the game, kcd/m^2: brighter than starlight (2e-7) by far, so that land can be made out.
+CONST Vec3 kNightRadiance = Real(4e-4) * Vec3(Real(0.55), Real(0.75), Real(1.3));
+
+// Rayleigh scattering at sea level for sRGB's primaries, 1/m, and its scale height, m (Bruneton 2017 after Penndorf
+// 1957).
+CONST Vec3 kRayleigh = Vec3(Real(5.802e-6), Real(13.558e-6), Real(33.1e-6));
+CONST Real kRayleighHeight = Real(8000.0);
+
+// Single-scattering albedo of continental aerosol (Shettle and Fenn 1979: 0.9 to 0.96).
+CONST Real kHazeAlbedo = Real(0.94);
+
+// Albedo of average land and sea, [0, 1], for light from below.
+CONST Real kGroundAlbedo = Real(0.12);
 
 struct Atmosphere {
   Vec3 rayleigh;        // scattering coefficient of air at sea level, 1/m, [0, 1e-3]
@@ -13,6 +41,20 @@ struct Atmosphere {
   Real hazeAlbedo;      // share of the aerosol's extinction that is scattering, [0, 1]
   Real hazeAnisotropy;  // g of its phase function, [-0.95, 0.95]
 };
+
+// Air in which contrast at sea level falls to 2 % over the visibility (m, > 0): 3.912 extinction lengths (Koschmieder
+// 1924). What clean air does not extinguish (green, where the eye judges) is aerosol, of a scale height (m, > 0) and an
+// anisotropy [-0.95, 0.95].
+FN Atmosphere make_atmosphere(Real visibilityM, Real hazeHeightM, Real hazeAnisotropy) {
+  Atmosphere air;
+  air.rayleigh = kRayleigh;
+  air.rayleighHeight = kRayleighHeight;
+  air.haze = max(Real(3.912) / visibilityM - kRayleigh.y, Real(0.0));
+  air.hazeHeight = hazeHeightM;
+  air.hazeAlbedo = kHazeAlbedo;
+  air.hazeAnisotropy = hazeAnisotropy;
+  return air;
+}
 
 // All that skySource needs and that is the same for every direction: the air above the eye and the light on it.
 struct SkyColumn {
@@ -73,10 +115,15 @@ FN Vec3 sunTransmittance(Atmosphere air, Real heightM, Real cosZenith) {
   return exp3(-opticalDepthAbove(air, heightM) * airMass(cosZenith)) * ozoneTransmittance(cosZenith);
 }
 
-// Share of the sun's disc (angular radius 0.267 degrees) above the horizon.
+// Share of the sun's disc above the horizon, [0, 1]: 0 and 1 one radius below and above it.
 FN Real sunVisibleShare(Real cosZenith) {
-  Real t = saturate((cosZenith + Real(0.00465)) / Real(0.0093));
+  Real t = saturate((cosZenith + kSunRadius) / (Real(2.0) * kSunRadius));
   return t * t * (Real(3.0) - Real(2.0) * t);
+}
+
+// Illuminance by the sun at a height, klx, on a surface that faces it; 0 with the sun below the horizon.
+FN Vec3 sunIlluminanceAt(Atmosphere air, Real heightM, Real cosZenith) {
+  return kSunIlluminance * sunTransmittance(air, heightM, cosZenith) * sunVisibleShare(cosZenith);
 }
 
 // With the sun below the horizon the earth's shadow hides the air below R (1 / cos(depression) - 1): what is
@@ -155,3 +202,11 @@ FN Vec3 opticalDepthBetween(Atmosphere air, Real heightA, Real heightB, Real len
   Real haze1 = air.haze * densityAt(low, air.hazeHeight) * oneMinusExpOverX(rise / air.hazeHeight) * lengthM;
   return air.rayleigh * air1 + Vec3(haze1, haze1, haze1);
 }
+
+// Of light along such a path.
+FN Vec3 transmittanceBetween(Atmosphere air, Real heightA, Real heightB, Real lengthM) {
+  return exp3(-opticalDepthBetween(air, heightA, heightB, lengthM));
+}
+
+// Of light from outside the atmosphere to the eye, from a direction; below the horizon as at the horizon.
+FN Vec3 skyTransmittance(SkyColumn column, Real cosView) { return exp3(-column.depth * airMass(cosView)); }

@@ -1,5 +1,9 @@
-// How light goes through a cloud layer: spans of rays, the integral over a step, scattering. After guards.glsl,
-// atmosphere.glsl (phase function) and cloud_medium.glsl. Lengths in metres, extinction in 1/m.
+// How light goes through a cloud layer: spans of rays, the integral over a step, scattering. Lengths in metres, extinction in 1/m.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#include "shared/atmosphere.glsl"
+#include "shared/cloud_medium.glsl"
+#endif
 
 // A stretch of a ray, in lengths along its direction; empty where end <= begin.
 struct RaySpan {

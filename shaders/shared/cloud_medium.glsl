@@ -1,8 +1,11 @@
-// The medium of a cloud layer: from what the noise textures hold at a place to a density in [0, 1]. After guards.glsl.
+// The medium of a cloud layer: from what the noise textures hold at a place to a density in [0, 1].
 // Sources: Schneider and Vos, "The Real-Time Volumetric Cloudscapes of Horizon Zero Dawn", 2015 (base shape, height
 // gradients by type, erosion); coverage is used as a share of sky: clouds grow with it.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
 
-// How noise becomes density. Ranges stand with clouds::CloudSettings.
+// How noise becomes density; ranges are described with clouds::CloudLayerSettings.
 struct CloudMedium {
   Real threshold;  // least base density that is drawn, [0, 0.95]
   Real coverage;   // of the whole layer, [0, 1]: scales the weather map's
@@ -39,15 +42,24 @@ FN Real coveredDensity(Real density, Real coverage) {
   return remapClamped(density, Real(1.0) - coverage, Real(1.0), Real(0.0), Real(1.0)) * coverage;
 }
 
+// What the weather map's coverage comes to in a medium.
+FN Real localCoverage(CloudMedium medium, Real mapped) { return saturate(mapped * Real(2.0) * medium.coverage); }
+
+// Density before erosion from a base density, a profile and a local coverage: never falls as any of the three grows, so
+// bounds of them give a bound of it (clouds::Occupancy).
+FN Real profiledDensity(CloudMedium medium, Real base, Real profile, Real coverage) {
+  Real body = saturate((base - medium.threshold) / (Real(1.0) - medium.threshold));
+  return coveredDensity(body * profile, coverage);
+}
+
 // Density before erosion: an upper bound of cloudDensity() whatever the detail, and all that a coarse sample needs.
 // `base` is cloudBase(), `weather` the weather map's channels.
 FN Real cloudShapeDensity(CloudMedium medium, Real heightFraction, Vec4 weather, Real base) {
-  Real coverage = saturate(weather.x * Real(2.0) * medium.coverage);
-  Real body = saturate((base - medium.threshold) / (Real(1.0) - medium.threshold));
-  return coveredDensity(body * cloudProfile(heightFraction, weather.z + medium.typeShift), coverage);
+  Real profile = cloudProfile(heightFraction, weather.z + medium.typeShift);
+  return profiledDensity(medium, base, profile, localCoverage(medium, weather.x));
 }
 
-// Detail wears the edges: wisps near the base, billows above. `detail` is cloudDetail().
+// Detail erodes the edges: wisps near the base, billows above. `detail` is cloudDetail().
 FN Real erodedDensity(CloudMedium medium, Real heightFraction, Real density, Real detail) {
   Real wear = mix(detail, Real(1.0) - detail, saturate(heightFraction * Real(10.0)));
   return remapClamped(density, medium.erosion * wear, Real(1.0), Real(0.0), Real(1.0));

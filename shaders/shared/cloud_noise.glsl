@@ -4,6 +4,11 @@
 // + - * /, floor and sqrt: the same bits wherever arithmetic is IEEE's.
 // Sources: Worley, "A Cellular Texture Basis Function", 1996; Perlin, "Improving Noise", 2002; Schneider and Vos, "The
 // Real-Time Volumetric Cloudscapes of Horizon Zero Dawn", 2015 (Perlin-Worley, and what the channels hold).
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#include "shared/hash.glsl"
+#include "shared/lattice_noise.glsl"
+#endif
 
 // Keep the textures, and the worlds of different seeds, apart.
 CONST Uint kShapeSalt = Uint(0x5f3759dfu);

@@ -1,6 +1,9 @@
 // Reversed depth with an infinite far plane: depth = nearM / viewZ, 1 at the near plane, 0 at infinity.
 // viewZ is the distance along the view axis, in metres; a ray's length is viewZ times the length of its direction
 // scaled to reach 1 along that axis.
+#ifndef __cplusplus
+#include "shared/dialect.glsl"
+#endif
 
 // What stands for "nothing there" in place of a distance, in metres.
 CONST Real kFarMarker = Real(1e30);

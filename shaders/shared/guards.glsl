@@ -1,4 +1,7 @@
 // Arithmetic that stays defined at its edges.
+#ifndef __cplusplus
+#include "shared/dialect.glsl"
+#endif
 
 FN Real saturate(Real x) { return clamp(x, Real(0.0), Real(1.0)); }
 

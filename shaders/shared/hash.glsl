@@ -1,5 +1,8 @@
 // Integer hashes of lattice points: the same bits in GLSL and C++, no period in reach.
 // Source: pcg2d and pcg3d of Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
+#ifndef __cplusplus
+#include "shared/dialect.glsl"
+#endif
 
 FN Uvec2 hash2(Uvec2 v) {
   v = v * Uint(1664525u) + Uvec2(1013904223u, 1013904223u);

@@ -1,5 +1,9 @@
 // What the land is made of at a place: by height above the sea, slope, curvature and noise.
 // Albedos are linear sRGB, after measured ones (grass .08 to .2 in green, conifers .04, sand .35, rock .2, snow .8).
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#include "shared/lattice_noise.glsl"
+#endif
 
 // Noise at a place, each in [-1, 1] and faded out where a pixel cannot show it.
 struct LandNoise {
@@ -84,15 +88,41 @@ FN Vec2 rockStrata(Real heightM, Real warpM, Real footprintM) {
               Real(0.42) / Real(47.0) * thick.y + Real(0.34) / Real(17.3) * middle.y + Real(0.24) / Real(5.9) * thin.y);
 }
 
+// Drifts of hundreds and tens of metres, which bend every border on the land, [-1, 1].
+FN Real driftNoise(LandNoise noise) { return noise.grove * Real(0.6) + noise.tuft * Real(0.4); }
+
+// Hollows and ridges by the land's curvature, [0, 1].
+FN Real hollowness(Real curvature) { return saturate(-curvature * Real(4.0)); }
+FN Real ridgeness(Real curvature) { return saturate(curvature * Real(4.0)); }
+
+// The height by which the belts of vegetation, rock and snow go, m: borders between them are not contour lines.
+FN Real beltHeight(Real heightM, LandNoise noise) {
+  return heightM + driftNoise(noise) * (Real(4.0) + Real(0.1) * abs(heightM));
+}
+
+// Density of the woods at a place, [0, 1]: the share of the ground that crowns cover. Woods stand in patches of
+// hundreds of metres to kilometres (region and drifts of the noise; clod and grain do not count), rather in moist
+// hollows than on dry ridges, from 6 m above the sea up to the tree line (thinner from 540 m, none above 780 m), and
+// not on slopes steeper than 35 (thinner) to 46 degrees. heightM: above the sea; normalUp: upward part of the land's
+// normal, [0, 1]; curvature: as of landSurface. A pure function of the place: planting and shading that ask it agree.
+FN Real forestDensity(Real heightM, Real normalUp, Real curvature, LandNoise noise) {
+  Real height = beltHeight(heightM, noise);
+  return smoothRise(Real(-0.10), Real(0.34),
+                    noise.region * Real(0.5) + driftNoise(noise) * Real(0.75) + Real(0.5) * hollowness(curvature) -
+                        Real(0.2) * ridgeness(curvature)) *
+         smoothRise(Real(6.0), Real(30.0), height) * smoothRise(Real(780.0), Real(540.0), height) *
+         smoothRise(Real(0.70), Real(0.82), normalUp);
+}
+
 // The land at a height, with the upward part of its normal, its curvature (how much the normals 24 m apart diverge:
 // ridges positive, hollows negative), noise, strata in [-1, 1], the wood's crowns and how far a pixel tells trees apart.
 FN LandSurface landSurface(Real heightM, Real normalUp, Real curvature, LandNoise noise, Real strata, Crowns crowns,
                            Real treeShare) {
-  Real mixed = noise.grove * Real(0.6) + noise.tuft * Real(0.4);
+  Real mixed = driftNoise(noise);
   Real fine = noise.clod * Real(0.55) + noise.grain * Real(0.45);
-  Real hollow = saturate(-curvature * Real(4.0));
-  Real ridge = saturate(curvature * Real(4.0));
-  Real height = heightM + mixed * (Real(4.0) + Real(0.1) * abs(heightM));
+  Real hollow = hollowness(curvature);
+  Real ridge = ridgeness(curvature);
+  Real height = beltHeight(heightM, noise);
 
   // Grass: lush in hollows, dry on ridges, in drifts of tens of metres and tussocks.
   Real dry = saturate(Real(0.42) + Real(0.45) * noise.region + Real(0.40) * mixed + height * Real(0.0004) +
@@ -111,11 +141,8 @@ FN LandSurface landSurface(Real heightM, Real normalUp, Real curvature, LandNois
   Vec3 foliage = mix(Vec3(Real(0.018), Real(0.036), Real(0.014)), Vec3(Real(0.042), Real(0.066), Real(0.018)), leafy) *
                  (Real(1.0) + (Real(0.9) * crowns.tree + Real(0.8) * saturate(crowns.height) - Real(0.85)) * treeShare + Real(0.25) * noise.grain);
 
-  // How dense the wood stands; near by each tree stands or does not.
-  Real density = smoothRise(Real(-0.10), Real(0.34),
-                            noise.region * Real(0.5) + mixed * Real(0.75) + Real(0.5) * hollow - Real(0.2) * ridge) *
-                 smoothRise(Real(6.0), Real(30.0), height) * smoothRise(Real(780.0), Real(540.0), height) *
-                 smoothRise(Real(0.70), Real(0.82), normalUp);
+  // Near by each tree stands or does not.
+  Real density = forestDensity(heightM, normalUp, curvature, noise);
   Real stands = smoothRise(Real(-0.05), Real(0.05), density * Real(1.1) - Real(0.05) - crowns.tree) *
                 smoothRise(Real(-0.05), Real(0.10), crowns.height);
   Real wooded = mix(density, stands, treeShare);

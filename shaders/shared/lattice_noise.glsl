@@ -1,5 +1,8 @@
 // Smooth noise on an integer lattice for colours and ripples: exact far from the origin, because a place is a cell
 // (whole numbers, wrapped at 2^32) and a position inside it.
+#ifndef __cplusplus
+#include "shared/hash.glsl"
+#endif
 
 // The last rounds of lowbias32 (Wellons, "Prospecting for Hash Functions", 2018) over the sum of both coordinates'
 // products: half of the work of hash2, which matters in a shader that runs it sixteen times a pixel.

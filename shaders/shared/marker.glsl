@@ -1,6 +1,9 @@
 // The mark of a target: a ring on the ground and a beam of light that stands on its middle. Positions are relative to
 // the eye, in world axes, metres; `foot` is the target's place on the ground. Nothing here has a singular place: the
 // eye may stand in the beam, straight above it or below its foot.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
 
 // Across the ring, whose middle line is the target's radius: thin against 100 m, four pixels wide from 1 km.
 CONST Real kRingWidth = Real(4.0);

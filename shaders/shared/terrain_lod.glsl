@@ -1,10 +1,13 @@
 // The mesh of the land: how the level of detail depends on distance and how heights morph between two levels.
 // C++ tests and the vertex shader share it; include/skydrop/terrain/lod.h describes the scheme.
+#ifndef __cplusplus
+#include "shared/terrain_grid.glsl"
+#endif
 
 // Level of detail at a distance from the eye, metres: 0 up to morph[0], l at morph[l], linear between, below 10.
-FN Real lodLambda(Real distanceM, Real morph[11]) {
+FN Real lodLambda(Real distanceM, Real morph[kTopPatchLevel + 1]) {
   Real lambda = Real(0.0);
-  for (int l = 0; l < 10; ++l) {
+  for (int l = 0; l < kTopPatchLevel; ++l) {
     lambda += clamp((distanceM - morph[l]) / (morph[l + 1] - morph[l]), Real(0.0), Real(1.0));
   }
   return lambda < Real(9.999) ? lambda : Real(9.999);

@@ -1,5 +1,8 @@
 // From scene light to the screen. The curve is Stephen Hill's fit (2015) of the ACES reference rendering and output
 // transforms for sRGB screens: bright saturated light turns white, and middle grey stays near where it was.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
 
 FN Vec3 acesCurve(Vec3 v) {
   Vec3 a = v * (v + Vec3(Real(0.0245786), Real(0.0245786), Real(0.0245786))) -

@@ -1,4 +1,7 @@
 // Sea water seen from above: what it reflects, what it lets through, what it sends back.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
 
 // Share of light that a sea with waves reflects towards the eye, by the cosine of the mean view angle: Schlick's form
 // with the mean over slopes of Bruneton, Neyret, Holzschuch, "Real-time Realistic Ocean Lighting using Seamless

@@ -1,4 +1,3 @@
-#include "frame.glsl"
 #include "sky/sky.glsl"
 
 in vec2 ndc;

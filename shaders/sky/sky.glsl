@@ -1,7 +1,5 @@
-// The sky with the sun's disc; below the horizon an endless plain of average land at sea level. After frame.glsl.
-
-// The largest radiance that a half float keeps with room for blending.
-const float kBrightest = 60000.0;
+// The sky with the sun's disc; below the horizon an endless plain of average land at sea level.
+#include "frame.glsl"
 
 // The sun's disc, its edge smoothed over a pixel; the horizon cuts it.
 vec3 sunDisc(vec3 direction) {
@@ -16,15 +14,13 @@ vec3 sunDisc(vec3 direction) {
 vec3 plainShare(vec3 direction) {
   if (direction.y >= 0.0) return vec3(0.0);
 #ifdef HAZE
-  return exp(frame.depthToSea.xyz / min(direction.y, -1e-9));
+  return airTransmittanceToSea(direction);
 #else
   return vec3(1.0);
 #endif
 }
 
-// Below the horizon skySource is that of the horizon, which is what haze sends towards the eye.
 vec3 skyInDirection(vec3 direction) {
-  SkySource source = skySource(frameColumn(), frameAtmosphere(), direction.y);
-  vec3 scattered = skyRadiance(source, dot(direction, frame.toSun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
-  return min(mix(scattered, frame.groundLight.xyz / kPi, plainShare(direction)) + sunDisc(direction), vec3(kBrightest));
+  vec3 sky = mix(skyTowards(direction), frame.groundLight.xyz / kPi, plainShare(direction));
+  return min(sky + sunDisc(direction), vec3(kBrightest));
 }

@@ -1,10 +1,7 @@
 // What clouds leave of the sun at the pixels of the land.
-#include "frame.glsl"
-#include "shared/cloud_medium.glsl"
-#include "shared/cloud_light.glsl"
-#include "clouds/shade.glsl"
+#include "clouds/shadow_map.glsl"
 #include "terrain/surface.glsl"
 
 out float share;
 
-void main() { share = cloudShade(landPlace(ivec2(gl_FragCoord.xy))); }
+void main() { share = sunThroughClouds(landPlace(ivec2(gl_FragCoord.xy))); }

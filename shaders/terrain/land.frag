@@ -1,8 +1,3 @@
-#include "frame.glsl"
-#include "shared/lattice_noise.glsl"
-#include "shared/land_material.glsl"
-#include "terrain/surface.glsl"
-#include "terrain/noise.glsl"
 #include "terrain/land.glsl"
 
 in vec2 ndc;

@@ -1,21 +1,19 @@
-// Normals and colours of the land at any place. After terrain/noise.glsl and shared/land_material.glsl.
+// Normals and colours of the land at any place.
+#include "terrain/noise.glsl"
+#include "shared/land_material.glsl"
+#include "shared/terrain_grid.glsl"
 
 layout(binding = 1) uniform sampler2DArray chunkNormals;
-layout(binding = 2) uniform usampler2D chunkTable;  // slots by level and place: 32 x 32 cells a level; 0xffff: none
+layout(binding = 2) uniform usampler2D chunkTable;  // layers by level and place: 32 x 32 cells a level; 0xffff: none
 
-uniform float chunkSplit[7];  // from this distance on the samples of a level are fine enough
+uniform float chunkSplit[kMaxChunkLevel + 1];  // from this distance on the samples of a level are fine enough
 
-const float kNormalSide = 256.0;   // normals of a chunk (include/skydrop/terrain/chunk_data.h)
-const float kNormalMargin = 8.0;
-const float kNormalReachM = 24.0;
-const int kTopLevel = 6;
-const int kTableSide = 32;
 const uint kNoChunk = 0xffffu;
 
 // The coarsest level of chunks whose samples are fine enough at a distance.
 int levelAt(float distanceM) {
   int level = 0;
-  for (int l = 1; l <= kTopLevel; ++l) level += distanceM >= chunkSplit[l] ? 1 : 0;
+  for (int l = 1; l <= kMaxChunkLevel; ++l) level += distanceM >= chunkSplit[l] ? 1 : 0;
   return level;
 }
 
@@ -34,15 +32,16 @@ struct LandTexel {
 
 // At a position (metres) inside a chunk of level 0, from the finest chunk at hand that is not finer than `level`.
 LandTexel texelInChunk(ivec2 chunk, vec2 inside, int level) {
-  uint slot = kNoChunk;
-  for (; level <= kTopLevel; ++level) {
-    ivec2 entry = (chunk >> level) & (kTableSide - 1);
-    slot = texelFetch(chunkTable, ivec2(entry.x, entry.y + level * kTableSide), 0).r;
-    if (slot != kNoChunk) break;
+  uint layer = kNoChunk;
+  for (; level <= kMaxChunkLevel; ++level) {
+    ivec2 entry = (chunk >> level) & (kChunkTableSide - 1);
+    layer = texelFetch(chunkTable, ivec2(entry.x, entry.y + level * kChunkTableSide), 0).r;
+    if (layer != kNoChunk) break;
   }
-  if (slot == kNoChunk) return LandTexel(vec3(0.0), 0.0);
-  vec2 sampleAt = (vec2(chunk & ((1 << level) - 1)) * 240.0 + inside * 0.25) / float(1 << level);
-  return LandTexel(vec3((sampleAt + (kNormalMargin + 0.5)) / kNormalSide, float(slot)), float(4 << level));
+  if (layer == kNoChunk) return LandTexel(vec3(0.0), 0.0);
+  vec2 sampleAt = (vec2(chunk & ((1 << level) - 1)) * float(kChunkCells) + inside * 0.25) / float(1 << level);
+  vec2 at = (sampleAt + (float(kNormalMargin) + 0.5)) / float(kNormalSide);
+  return LandTexel(vec3(at, float(layer)), float(4 << level));
 }
 
 // At a place, metres from the base.
@@ -60,7 +59,7 @@ vec3 normalAt(LandTexel texel, vec2 aside) {
 // two neighbours on each axis, which every chunk has also for the places on its border.
 float landCurvature(LandTexel texel) {
   if (texel.metres <= 0.0) return 0.0;
-  float aside = max(kNormalReachM / texel.metres, 1.0) / kNormalSide;
+  float aside = max(kNormalReachM / texel.metres, 1.0) / float(kNormalSide);
   vec2 east = vec2(aside, 0.0);
   return 0.5 * (normalAt(texel, east).x - normalAt(texel, -east).x + normalAt(texel, east.yx).z -
                 normalAt(texel, -east.yx).z);
@@ -154,5 +153,5 @@ vec3 landLight(vec3 relative, float sunShare) {
 
 vec3 landAsSeen(vec3 relative, ivec2 pixel) {
   vec3 light = landLight(relative, sunShareAt(pixel));
-  return mix(horizonRadiance(normalize(relative)), throughHaze(light, relative), leftOfLight(relative));
+  return mix(horizonRadiance(normalize(relative)), applyAerialPerspective(light, relative), leftOfLight(relative));
 }

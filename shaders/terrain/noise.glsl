@@ -1,4 +1,6 @@
-// Noise at places of the land and the sea. After shared/lattice_noise.glsl and terrain/surface.glsl.
+// Noise at places of the land and the sea.
+#include "shared/lattice_noise.glsl"
+#include "terrain/surface.glsl"
 
 // What lattice and position a place has; `perChunk` cells to the side of a chunk of level 0.
 void latticeOf(vec2 place, int perChunk, out uvec2 cell, out vec2 inside) {

@@ -1,6 +1,3 @@
-#include "frame.glsl"
-#include "shared/terrain_lod.glsl"
-#include "terrain/patch.glsl"
 #include "terrain/vertex_normal.glsl"
 
 out VertexOut {

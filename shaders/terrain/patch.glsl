@@ -1,20 +1,21 @@
 // The vertices of the patches of land (include/skydrop/terrain/terrain_frame.h): heights from the chunks' textures,
-// levels of detail from the distance. After frame.glsl and shared/terrain_lod.glsl.
+// levels of detail from the distance.
+#include "frame.glsl"
+#include "shared/terrain_lod.glsl"
 
-layout(location = 0) in ivec4 patchPlace;   // north-west corner in metres from the base: x, z; slot; level
+layout(location = 0) in ivec4 patchPlace;   // north-west corner in metres from the base: x, z; layer; level
 layout(location = 1) in ivec4 patchSource;  // its sample in the chunk: x, z; the chunk's level; coarser edges, 4 bits each
 layout(binding = 0) uniform usampler2DArray chunkHeights;
 
 uniform vec3 eyeFromBase;  // x, z: metres from the base; y: height above the sea
-uniform vec2 heightCode;   // height = x + y * code
-uniform float lodMorph[11];
+uniform vec2 heightRange;  // lowest, and metres a code (include/skydrop/terrain/height_range.h)
+uniform float lodMorph[kTopPatchLevel + 1];
 
-const int kPatchSide = 16;    // vertices
-const int kLastSample = 240;  // of a chunk
+const int kPatchSide = kPatchCells + 1;  // vertices
 
 float storedHeight(ivec2 place) {
-  uint code = texelFetch(chunkHeights, ivec3(min(place, kLastSample), patchPlace.z), 0).r;
-  return heightCode.x + heightCode.y * float(code);
+  uint code = texelFetch(chunkHeights, ivec3(min(place, kChunkCells), patchPlace.z), 0).r;
+  return heightRange.x + heightRange.y * float(code);
 }
 
 // The height at a sample on the mesh whose cells are `stride` samples wide.

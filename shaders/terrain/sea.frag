@@ -1,9 +1,4 @@
 // Drawn over the land with dual-source blending: color + what is there * passed.
-#include "frame.glsl"
-#include "shared/lattice_noise.glsl"
-#include "shared/water.glsl"
-#include "terrain/surface.glsl"
-#include "terrain/noise.glsl"
 #include "terrain/sea.glsl"
 
 layout(location = 0, index = 0) out vec4 color;

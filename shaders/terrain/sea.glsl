@@ -1,11 +1,12 @@
-// The sea: a level plane with small waves. After terrain/noise.glsl and shared/water.glsl.
+// The sea: a level plane with small waves.
+#include "terrain/noise.glsl"
+#include "shared/water.glsl"
 
 uniform float seaFloorM;  // depth of the floor where none is drawn
 
 // Standard deviation of the waves' slope along each axis: a breeze of 7 m/s (Cox and Munk 1954: mean square of both
 // axes together 0.003 + 0.00512 m/s of wind).
 const float kSeaSlope = 0.14;
-const float kBrightest = 60000.0;   // what a half float keeps, with room for blending
 
 // Corners of four triangles from below the eye to infinity, relative to the eye and in homogeneous coordinates.
 vec4 seaCorner(int vertex) {
@@ -52,8 +53,7 @@ SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
 
   vec3 mirrored = reflect(-toEye, normal);
   mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.02), mirrored.z));
-  SkySource source = skySource(frameColumn(), frameAtmosphere(), mirrored.y);
-  vec3 sky = skyRadiance(source, dot(mirrored, frame.toSun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
+  vec3 sky = skyTowards(mirrored);
 
   // Waves that pixels do not show tilt the mirror: the slope that would send the sun here, against that of
   // the waves that they show.
@@ -63,7 +63,7 @@ SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
                  sunGlitter(tilted, cosView, dot(halfway, toEye), waves.hidden));
 
   vec3 through = throughWater(depthM);
-  vec3 body = litByFrame(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), sunShare) * (1.0 - through);
+  vec3 body = shadeLambert(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), sunShare) * (1.0 - through);
   SeaLight light;
   light.own = min(sky * reflectance + glitter + body * (1.0 - reflectance), vec3(kBrightest));
   light.passed = through * (1.0 - reflectance);
@@ -99,8 +99,8 @@ SeaLight seaAsSeen(SeaSight sight) {
   float left = leftOfLight(relative);
   vec3 horizon = horizonRadiance(normalize(relative));
   if (sight.floorShare <= 0.0) light.passed = vec3(0.0);
-  vec3 hazeAlone = mix(horizon, throughHaze(vec3(0.0), relative), left);
-  vec3 withLight = mix(horizon, throughHaze(light.own, relative), left);
+  vec3 hazeAlone = mix(horizon, applyAerialPerspective(vec3(0.0), relative), left);
+  vec3 withLight = mix(horizon, applyAerialPerspective(light.own, relative), left);
   light.own = withLight - hazeAlone * light.passed;
   return light;
 }

@@ -1,5 +1,4 @@
 // What one caster leaves of the sun at the pixels of the land where its shadow may fall.
-#include "frame.glsl"
 #include "shadow/cast_shadows.glsl"
 #include "terrain/surface.glsl"
 

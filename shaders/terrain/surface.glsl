@@ -1,10 +1,10 @@
-// Where a frame's land and sea are, for the programs that give them light. After frame.glsl.
+// Where a frame's land and sea are, for the programs that give them light.
+#include "frame.glsl"
+#include "shared/terrain_grid.glsl"
 
 uniform vec3 eyeFromBase;  // x, z: metres from the base (a chunk corner near the eye); y: height above the sea
 uniform ivec2 baseChunk;   // of the base, level 0, wrapped to 20 bits with sign
 uniform float farM;        // where land ends
-
-const float kChunkMetres = 960.0;
 
 // Towards the end of the land everything turns into the haze that stands at the horizon, so that the end is not seen:
 // the share of a surface's own light that is left.

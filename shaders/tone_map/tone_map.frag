@@ -1,7 +1,4 @@
 // Scene light to encoded 8-bit colour: the last shader that sees light.
-#include "shared/dialect.glsl"
-#include "shared/guards.glsl"
-#include "shared/hash.glsl"
 #include "shared/tone_map.glsl"
 #include "tone_map/dither.glsl"
 

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
-#include <numbers>
 #include <string>
 
 #include "skydrop/core/error.h"
@@ -116,55 +115,51 @@ double inPeriods(double metres, double period) {
 
 }  // namespace
 
-FoldedNoise foldNoise(const core::TextureData& shape, const core::TextureData& detail,
+PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::TextureData& detail,
                       const core::TextureData& weather) {
   requireNoise(shape, "shape", true);
   requireNoise(detail, "detail", true);
   requireNoise(weather, "weather", false);
-  FoldedNoise folded;
-  folded.shapeSide = shape.width;
-  folded.detailSide = detail.width;
-  folded.weatherSide = weather.width;
-  folded.base.resize(shape.texels.size() / 4);
-  for (std::size_t i = 0; i < folded.base.size(); ++i) folded.base[i] = f32::cloudBase(texelOf(shape, i));
-  folded.detail.resize(detail.texels.size() / 4);
-  for (std::size_t i = 0; i < folded.detail.size(); ++i)
-    folded.detail[i] = f32::cloudDetail(texelOf(detail, i));
-  folded.weather.resize(weather.texels.size() / 4);
-  for (std::size_t i = 0; i < folded.weather.size(); ++i) folded.weather[i] = glm::vec3(texelOf(weather, i));
-  return folded;
+  PackedCloudNoise packed;
+  packed.shapeSide = shape.width;
+  packed.detailSide = detail.width;
+  packed.weatherSide = weather.width;
+  packed.base.resize(shape.texels.size() / 4);
+  for (std::size_t i = 0; i < packed.base.size(); ++i) packed.base[i] = f32::cloudBase(texelOf(shape, i));
+  packed.detail.resize(detail.texels.size() / 4);
+  for (std::size_t i = 0; i < packed.detail.size(); ++i)
+    packed.detail[i] = f32::cloudDetail(texelOf(detail, i));
+  packed.weather.resize(weather.texels.size() / 4);
+  for (std::size_t i = 0; i < packed.weather.size(); ++i) packed.weather[i] = glm::vec3(texelOf(weather, i));
+  return packed;
 }
 
-CloudField::CloudField(std::shared_ptr<const FoldedNoise> noise, const CloudSettings& settings)
-    : noise_(std::move(noise)), settings_(settings) {}
-
-glm::dvec2 CloudField::drift(const CloudSettings& settings, double seconds) {
-  const double from = settings.windDirection * std::numbers::pi / 180;  // compass: 0 = -z, 90 = +x
-  return glm::dvec2(-std::sin(from), std::cos(from)) * (settings.windSpeed * seconds);
-}
+CloudField::CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
+                       std::size_t layer)
+    : noise_(std::move(noise)), layer_(settings.layers.at(layer)), fadeDistance_(settings.fadeDistance) {}
 
 template <class Shared>
 typename Shared::Real CloudField::densityAs(const glm::dvec3& position) const {
   using Real = typename Shared::Real;
   using Vec2 = typename Shared::Vec2;
   using Vec3 = typename Shared::Vec3;
-  const double height = (position.y - settings_.cloudHeight) / settings_.thickness;
+  const double height = (position.y - layer_.cloudHeight) / layer_.thickness;
   if (!(height > 0 && height < 1)) return 0;
   const glm::dvec3 carried = position - glm::dvec3(drift_.x, 0, drift_.y);
   const auto placeIn = [&](double period) {
     return Vec3(inPeriods(carried.x, period), inPeriods(carried.y, period), inPeriods(carried.z, period));
   };
   const typename Shared::Medium medium{
-      static_cast<Real>(settings_.densityThreshold), static_cast<Real>(settings_.coverage),
-      static_cast<Real>(settings_.typeShift), static_cast<Real>(settings_.erosion)};
-  const Vec3 inMap = placeIn(weatherPeriod(settings_));
+      static_cast<Real>(layer_.densityThreshold), static_cast<Real>(layer_.coverage),
+      static_cast<Real>(layer_.typeShift), static_cast<Real>(layer_.erosion)};
+  const Vec3 inMap = placeIn(weatherPeriod(layer_, fadeDistance_));
   const Real shape =
       Shared::shapeDensity(medium, static_cast<Real>(height),
                            mapAt<Shared>(noise_->weather, noise_->weatherSide, Vec2(inMap.x, inMap.z)),
-                           volumeAt<Real>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(settings_))));
+                           volumeAt<Real>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(layer_))));
   if (!(shape > 0)) return 0;  // most places: the detail is not even fetched
   return Shared::eroded(medium, static_cast<Real>(height), shape,
-                        volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(settings_))));
+                        volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(layer_))));
 }
 
 double CloudField::density(const glm::dvec3& position) const { return densityAs<InDouble>(position); }

@@ -15,83 +15,17 @@ namespace {
 constexpr double kShapePeriodAtOne = 2400, kDetailPeriodAtOne = 8000, kWeatherPeriodAtOne = 1000;
 
 // The period in force, and why it is not the one that the scale asks for.
-std::string weatherNote(const CloudSettings& s) {
+std::string weatherNote(const CloudLayerSettings& layer, double fadeDistance) {
   char text[128];
-  const bool isBound = kWeatherPeriodAtOne / s.weatherScale < 2 * s.fadeDistance;
-  std::snprintf(text, sizeof text, "The map repeats after %.1f km%s.", weatherPeriod(s) / 1000,
+  const bool isBound = kWeatherPeriodAtOne / layer.weatherScale < 2 * fadeDistance;
+  const double km = weatherPeriod(layer, fadeDistance) / 1000;
+  std::snprintf(text, sizeof text, "The map repeats after %.1f km%s.", km,
                 isBound ? ": twice the fade distance, whatever more is asked for" : "");
   return text;
 }
 
-}  // namespace
-
-void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
-  const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
-                          std::string_view help, std::string_view aliases = {}, core::FieldNote note = {},
-                          std::optional<core::Range> slider = std::nullopt) {
-    visitor.number(name, value,
-                   {.unit = unit,
-                    .min = min,
-                    .max = max,
-                    .help = help,
-                    .logarithmic = true,
-                    .slider = slider,
-                    .aliases = aliases,
-                    .note = std::move(note)});
-  };
-  const core::FieldNote needsGrid =
-      core::noteWhile([&s] { return !s.lightGrid; }, "Does nothing while the light grid is off.");
-  visitor.choice("resolution", s.resolution, kMarchResolutionNames,
-                 {.help = "Rays a pixel: one for each, for each 2 x 2 or for each 4 x 4; the tolerance says "
-                          "which pixels get one of their own all the same.",
-                  .takesEffect = core::TakesEffect::variant,
-                  .aliases = "downsampling, upscaling"});
-  number("tolerance", s.tolerance, "1", 0.005, 10,
-         "Where the rays around a pixel differ by more, it gets one of its own; more leaves edges softer.",
-         "edge threshold",
-         core::noteWhile([&s] { return s.resolution == MarchResolution::full; },
-                         "Does nothing in full resolution: every pixel has a ray."),
-         core::Range{0.005, 4});
-  number("seekSteps", s.seekSteps, "1", 1, 16, "Steps at a time through clear air; more may miss thin wisps.",
-         "stride");
-  number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.",
-         "step size, LOD");
-  number(
-      "stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
-      "Length of a step far from the eye, about, as a share of the distance; less finds smaller wisps there.",
-      "step size, LOD", {}, core::Range{0.001, 0.1});
-  number("stepDepth", s.stepDepth, "1", 0.02, 5,
-         "Most optical depth, about, that shares one look at the light, over four steps at most; less "
-         "resolves light and shade in dense cloud.",
-         "light samples");
-  number("leastTransmittance", s.leastTransmittance, "1", 1e-5, 0.1,
-         "A ray ends where no more than this comes through; less goes deeper into dense cloud.",
-         "early exit, cutoff");
-  visitor.integer("sunSamples", s.sunSamples,
-                  {.unit = "1",
-                   .min = 1,
-                   .max = 128,
-                   .help = "Samples of density on the way to the sun, closer together near the cloud that is "
-                           "lit; more makes shade within clouds more exact.",
-                   .aliases = "light samples, shadow samples"});
-  number("sunReachM", s.sunReachM, "m", 10, 2000,
-         "With the light grid: how far those samples reach before the grid takes over.", "light samples",
-         needsGrid);
-  visitor.flag("lightGrid", s.lightGrid,
-               {.help = "Looks the far part of the way to the sun up in a grid; off, samples go all the way, "
-                        "which is more exact.",
-                .takesEffect = core::TakesEffect::variant,
-                .aliases = "light volume, shadow volume"});
-  number("lightCellM", s.lightCellM, "m", 20, 400,
-         "Cell of the light grid near the eye, five times as much far away; less is sharper.", "voxel size",
-         needsGrid);
-  visitor.flag("detail", s.detail,
-               {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
-                .takesEffect = core::TakesEffect::variant,
-                .aliases = "erosion"});
-}
-
-void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
+// The rows of one layer; `all` has what their notes depend on besides.
+void describeLayer(core::SettingsVisitor& visitor, CloudLayerSettings& s, const CloudSettings& all) {
   struct Row {
     std::string_view help;
     std::string_view aliases = {};
@@ -135,7 +69,7 @@ void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
           .aliases = "detail scale, high frequency",
           .logarithmic = true,
           .slider = core::Range{2, 30},
-          .note = core::noteWhile([&s] { return !(s.erosion > 0) || !s.march.detail; },
+          .note = core::noteWhile([&s, &all] { return !(s.erosion > 0) || !all.march.detail; },
                                   "Does nothing without erosion by detail.")});
   number("weatherScale", s.weatherScale, "1/km", 0.005, 0.1,
          {.help = "Of the weather map; more brings different weather nearer together. The map is never "
@@ -143,7 +77,7 @@ void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
           .aliases = "weather map, coverage scale",
           .logarithmic = true,
           .slider = core::Range{0.005, 0.02},
-          .note = [&s] { return weatherNote(s); }});
+          .note = [&s, &all] { return weatherNote(s, all.fadeDistance); }});
   number("cloudHeight", s.cloudHeight, "m", 100, 8000,
          {.help = "Height of the base above the sea.", .aliases = "altitude, cloud base, ceiling"});
   number("thickness", s.thickness, "m", 50, 6000,
@@ -163,27 +97,111 @@ void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
   number("forwardShare", s.forwardShare, "1", 0, 1,
          {.help = "Share of the light that goes nearly straight on; more makes silver edges against the sun.",
           .aliases = "silver lining, phase function, scattering"});
-  number("fadeDistance", s.fadeDistance, "m", 1000, 60000,
-         {.help = "Clouds have faded out at this distance; more costs time.",
-          .aliases = "draw distance, view distance, range"});
-  number("windSpeed", s.windSpeed, "m/s", 0, 60,
-         {.help = "How fast the clouds drift while time goes on.", .aliases = "drift"});
-  number("windDirection", s.windDirection, "deg", 0, 360,
-         {.help = "Compass direction from which the wind that moves the clouds blows.",
-          .aliases = "drift, heading",
-          .note = core::noteWhile([&s] { return !(s.windSpeed > 0); }, "Does nothing without wind.")});
+}
+
+}  // namespace
+
+void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
+  const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
+                          std::string_view help, std::string_view aliases = {}, core::FieldNote note = {},
+                          std::optional<core::Range> slider = std::nullopt) {
+    visitor.number(name, value,
+                   {.unit = unit,
+                    .min = min,
+                    .max = max,
+                    .help = help,
+                    .logarithmic = true,
+                    .slider = slider,
+                    .aliases = aliases,
+                    .note = std::move(note)});
+  };
+  const core::FieldNote needsGrid =
+      core::noteWhile([&s] { return !s.lightGrid; }, "Does nothing while the light grid is off.");
+  visitor.choice("resolution", s.resolution, kMarchResolutionNames,
+                 {.help = "Rays a pixel: one for each, for each 2 x 2 or for each 4 x 4; the tolerance says "
+                          "which pixels get one of their own all the same.",
+                  .takesEffect = core::TakesEffect::variant,
+                  .aliases = "downsampling, upscaling"});
+  number("tolerance", s.tolerance, "1", 0.005, 10,
+         "Where the rays around a pixel differ by more, it gets one of its own; more leaves edges softer.",
+         "edge threshold",
+         core::noteWhile([&s] { return s.resolution == MarchResolution::full; },
+                         "Does nothing in full resolution: every pixel has a ray."),
+         core::Range{0.005, 4});
+  number("emptyStepMultiplier", s.emptyStepMultiplier, "1", 1, 16, "Steps at a time through clear air; more may miss thin wisps.",
+         "stride");
+  number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.",
+         "step size, LOD");
+  number(
+      "stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
+      "Length of a step far from the eye, about, as a share of the distance; less finds smaller wisps there.",
+      "step size, LOD", {}, core::Range{0.001, 0.1});
+  number("maxSegmentOpticalDepth", s.maxSegmentOpticalDepth, "1", 0.02, 5,
+         "Most optical depth, about, that shares one look at the light, over four steps at most; less "
+         "resolves light and shade in dense cloud.",
+         "light samples");
+  number("transmittanceCutoff", s.transmittanceCutoff, "1", 1e-5, 0.1,
+         "A ray ends where no more than this comes through; less goes deeper into dense cloud.",
+         "early exit, cutoff");
+  visitor.integer("sunSamples", s.sunSamples,
+                  {.unit = "1",
+                   .min = 1,
+                   .max = 128,
+                   .help = "Samples of density on the way to the sun, closer together near the cloud that is "
+                           "lit; more makes shade within clouds more exact.",
+                   .aliases = "light samples, shadow samples"});
+  number("sunMarchDistanceM", s.sunMarchDistanceM, "m", 10, 2000,
+         "With the light grid: how far those samples reach before the grid takes over.", "light samples",
+         needsGrid);
+  visitor.flag("lightGrid", s.lightGrid,
+               {.help = "Looks the far part of the way to the sun up in a grid; off, samples go all the way, "
+                        "which is more exact.",
+                .takesEffect = core::TakesEffect::variant,
+                .aliases = "light volume, shadow volume"});
+  number("lightCellM", s.lightCellM, "m", 20, 400,
+         "Cell of the light grid near the eye, five times as much far away; less is sharper.", "voxel size",
+         needsGrid);
+  visitor.flag("detail", s.detail,
+               {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
+                .takesEffect = core::TakesEffect::variant,
+                .aliases = "erosion"});
+  visitor.renamed("seekSteps", "emptyStepMultiplier");
+  visitor.renamed("stepDepth", "maxSegmentOpticalDepth");
+  visitor.renamed("leastTransmittance", "transmittanceCutoff");
+  visitor.renamed("sunReachM", "sunMarchDistanceM");
+}
+
+void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
+  visitor.enterGroup("layers", "The cloud layers.");
+  for (std::size_t i = 0; i < s.layers.size(); ++i) {
+    visitor.enterGroup(std::to_string(i), "A cloud layer.");
+    describeLayer(visitor, s.layers[i], s);
+    visitor.leaveGroup();
+  }
+  visitor.leaveGroup();
+  visitor.number("fadeDistance", s.fadeDistance,
+                 {.unit = "m",
+                  .min = 1000,
+                  .max = 60000,
+                  .help = "Clouds have faded out at this distance; more costs time.",
+                  .aliases = "draw distance, view distance, range"});
   visitor.choice("tier", s.tier, kCloudTierNames,
                  {.help = "How exactly clouds are drawn: sets the rows of the march.",
                   .takesEffect = core::TakesEffect::variant,
                   .aliases = "quality, LOD"});
   visitor.group("march", s.march, "How exactly clouds are drawn, row by row.");
+  for (const std::string_view name :
+       {"densityThreshold", "scale", "anisotropy", "extinction", "higherScale", "weatherScale", "cloudHeight",
+        "thickness", "coverage", "typeShift", "erosion", "forwardShare"}) {
+    visitor.renamed(name, "layers.0." + std::string(name));
+  }
 }
 
-double shapePeriod(const CloudSettings& settings) { return kShapePeriodAtOne / settings.scale; }
-double detailPeriod(const CloudSettings& settings) { return kDetailPeriodAtOne / settings.higherScale; }
-double weatherPeriod(const CloudSettings& settings) {
-  const double least = std::max(kWeatherPeriodAtOne / settings.weatherScale, 2 * settings.fadeDistance);
-  const double shape = shapePeriod(settings);
+double shapePeriod(const CloudLayerSettings& layer) { return kShapePeriodAtOne / layer.scale; }
+double detailPeriod(const CloudLayerSettings& layer) { return kDetailPeriodAtOne / layer.higherScale; }
+double weatherPeriod(const CloudLayerSettings& layer, double fadeDistance) {
+  const double least = std::max(kWeatherPeriodAtOne / layer.weatherScale, 2 * fadeDistance);
+  const double shape = shapePeriod(layer);
   return std::ceil(least / shape) * shape;
 }
 

@@ -95,27 +95,28 @@ void maximaAcross(const Windows& windows, const float* lines, std::size_t length
 }
 
 // Largest base density of each cell, at (z * kRows + row) * kSide + x.
-std::vector<float> largestBase(const FoldedNoise& noise, const CloudSettings& settings) {
+std::vector<float> largestBase(const PackedCloudNoise& noise, const CloudLayerSettings& layer,
+                               double weatherPeriodM) {
   const int side = noise.shapeSide;
   const auto n = static_cast<std::size_t>(side);
-  const double period = shapePeriod(settings), texelsPerMetre = side / period;
+  const double period = shapePeriod(layer), texelsPerMetre = side / period;
   // The weather map repeats after a whole number of shapes.
-  const double texelsPerCell = std::round(weatherPeriod(settings) / period) * side / kSide;
+  const double texelsPerCell = std::round(weatherPeriodM / period) * side / kSide;
   const Windows level = windowsOf(side, kSide, -0.5, texelsPerCell);
-  const Windows rows = windowsOf(side, kRows, settings.cloudHeight * texelsPerMetre - 0.5,
-                                 settings.thickness / kRows * texelsPerMetre);
-  std::vector<float> layer(kRows * n), layers(n * kRows * kSide), cells(std::size_t{kSide} * kRows * kSide);
+  const Windows rows = windowsOf(side, kRows, layer.cloudHeight * texelsPerMetre - 0.5,
+                                 layer.thickness / kRows * texelsPerMetre);
+  std::vector<float> slice(kRows * n), slices(n * kRows * kSide), cells(std::size_t{kSide} * kRows * kSide);
   for (std::size_t z = 0; z < n; ++z) {
-    maximaAcross(rows, &noise.base[z * n * n], n, layer.data());
-    maximaAlong(level, layer.data(), kRows, &layers[z * kRows * kSide]);
+    maximaAcross(rows, &noise.base[z * n * n], n, slice.data());
+    maximaAlong(level, slice.data(), kRows, &slices[z * kRows * kSide]);
   }
-  maximaAcross(level, layers.data(), std::size_t{kRows} * kSide, cells.data());
+  maximaAcross(level, slices.data(), std::size_t{kRows} * kSide, cells.data());
   return cells;
 }
 
 // Largest value of a quantity of the weather map in each column of cells, at z * kSide + x.
 template <class Quantity>
-std::vector<float> largestWeather(const FoldedNoise& noise, Quantity quantity) {
+std::vector<float> largestWeather(const PackedCloudNoise& noise, Quantity quantity) {
   const auto n = static_cast<std::size_t>(noise.weatherSide);
   const Windows windows =
       windowsOf(noise.weatherSide, kSide, -0.5, static_cast<double>(noise.weatherSide) / kSide);
@@ -248,26 +249,26 @@ void countMissing(const BitVolume& volume, std::vector<std::uint8_t>& distances)
   }
 }
 
-BitVolume occupiedCells(const FoldedNoise& noise, const CloudSettings& settings) {
+BitVolume occupiedCells(const PackedCloudNoise& noise, const CloudLayerSettings& layer,
+                        double weatherPeriodM) {
   BitVolume occupied(std::size_t{kSide} * kRows, BitRow{});
-  if (!(settings.coverage > 0 && settings.thickness > 0)) return occupied;
-  const std::vector<float> base = largestBase(noise, settings);
+  if (!(layer.coverage > 0 && layer.thickness > 0)) return occupied;
+  const std::vector<float> base = largestBase(noise, layer, weatherPeriodM);
   const std::vector<float> coverage = largestWeather(noise, [](const glm::vec3& w) { return w.x; });
   const std::vector<float> highestType = largestWeather(noise, [](const glm::vec3& w) { return w.z; });
   const std::vector<float> lowestType = largestWeather(noise, [](const glm::vec3& w) { return -w.z; });
   static const ProfileTable kProfiles;
-  const auto threshold = static_cast<float>(settings.densityThreshold),
-             coverageScale = static_cast<float>(2 * settings.coverage),
-             typeShift = static_cast<float>(settings.typeShift);
+  const f32::CloudMedium medium{
+      static_cast<float>(layer.densityThreshold), static_cast<float>(layer.coverage),
+      static_cast<float>(layer.typeShift), static_cast<float>(layer.erosion)};
   for (std::size_t column = 0; column < coverage.size(); ++column) {
     const std::size_t x = column % kSide, z = column / kSide;
-    const float covered = f32::saturate((coverage[column] + kSlack) * coverageScale);
-    const ProfileTable::Rows profile =
-        kProfiles.largest(typeShift - lowestType[column] - kSlack, typeShift + highestType[column] + kSlack);
+    const float covered = f32::localCoverage(medium, coverage[column] + kSlack);
+    const ProfileTable::Rows profile = kProfiles.largest(medium.typeShift - lowestType[column] - kSlack,
+                                                         medium.typeShift + highestType[column] + kSlack);
     for (std::size_t row = 0; row < kRows; ++row) {
-      const float above = base[(z * kRows + row) * kSide + x] + kSlack - threshold;
-      // As cloudShapeDensity() has it.
-      const bool isOccupied = above > 0 && above * profile[row] > (1 - covered) * (1 - threshold);
+      const float mostBase = base[(z * kRows + row) * kSide + x] + kSlack;
+      const bool isOccupied = f32::profiledDensity(medium, mostBase, profile[row], covered) > 0;
       occupied[z * kRows + row][x / 64] |= std::uint64_t{isOccupied} << (x % 64);
     }
   }
@@ -276,9 +277,12 @@ BitVolume occupiedCells(const FoldedNoise& noise, const CloudSettings& settings)
 
 }  // namespace
 
-Occupancy::Occupancy(const FoldedNoise& noise, const CloudSettings& settings)
-    : settings_(settings), distances_(std::size_t{kSide} * kRows * kSide, 0) {
-  BitVolume reached = occupiedCells(noise, settings);
+Occupancy::Occupancy(const PackedCloudNoise& noise, const CloudSettings& settings, std::size_t layer)
+    : baseM_(settings.layers.at(layer).cloudHeight),
+      thicknessM_(settings.layers[layer].thickness),
+      periodM_(weatherPeriod(settings.layers[layer], settings.fadeDistance)),
+      distances_(std::size_t{kSide} * kRows * kSide, 0) {
+  BitVolume reached = occupiedCells(noise, settings.layers[layer], periodM_);
   for (const BitRow& row : reached) {
     for (const std::uint64_t word : row) occupied_ += std::popcount(word);
   }
@@ -295,11 +299,11 @@ int Occupancy::distance(const glm::ivec3& cell) const {
 
 glm::ivec3 Occupancy::cellOf(const glm::dvec3& place) const {
   const auto along = [&](double metres) {
-    const double periods = metres / weatherPeriod(settings_);
+    const double periods = metres / periodM_;
     return static_cast<int>((periods - std::floor(periods)) * kSide);
   };
   constexpr double kFarRow = 1e9;  // any place has a row that an int holds
-  const double row = std::floor((place.y - settings_.cloudHeight) / settings_.thickness * kRows);
+  const double row = std::floor((place.y - baseM_) / thicknessM_ * kRows);
   return {along(place.x), static_cast<int>(std::clamp(row, -kFarRow, kFarRow)), along(place.z)};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "skydrop/clouds/raised_sun.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/shared.h"
 
@@ -18,27 +19,17 @@ void requireUnit(const glm::dvec3& direction, std::string_view name) {
   throw core::RangeError("the direction " + std::string(name) + " has to be of length 1");
 }
 
-// With the sine of its elevation raised to what light is worked out for.
-glm::dvec3 raised(const glm::dvec3& toSun) {
-  if (toSun.y >= f64::kLeastSunSine) return toSun;
-  const double sine = f64::kLeastSunSine, level = std::hypot(toSun.x, toSun.z);
-  // Straight down has no compass direction; any does for light that is not there.
-  const glm::dvec2 towards = level > 0 ? glm::dvec2(toSun.x, toSun.z) / level : glm::dvec2(1, 0);
-  const double cosine = std::sqrt(1 - sine * sine);
-  return {towards.x * cosine, sine, towards.y * cosine};
-}
-
 }  // namespace
 
 MarchMedium mediumOf(const CloudField& field) {
-  const CloudSettings& settings = field.settings();
-  return {[&field](const glm::dvec3& place) { return field.density(place) * field.settings().extinction; },
-          settings.cloudHeight, settings.cloudHeight + settings.thickness, settings.fadeDistance};
+  const CloudLayerSettings& layer = field.layer();
+  return {[&field](const glm::dvec3& place) { return field.density(place) * field.layer().extinction; },
+          layer.cloudHeight, layer.cloudHeight + layer.thickness, field.fadeDistance()};
 }
 
 double sunDepth(const MarchMedium& medium, const glm::dvec3& toSun, const glm::dvec3& place, int samples) {
   requireUnit(toSun, "to the sun");
-  const glm::dvec3 direction = raised(toSun);
+  const glm::dvec3 direction = raisedSun(toSun);
   const f64::RaySpan span = f64::raySpanBetween(place.y, direction.y, medium.baseM, medium.topM);
   const double way = span.end - span.begin;
   double depth = 0;

@@ -1,7 +1,6 @@
 #include "skydrop/core/job_pool.h"
 
 #include <algorithm>
-#include <exception>
 
 #if defined(__linux__)
 #include <sys/resource.h>
@@ -101,11 +100,6 @@ JobStatistics JobPool::statistics() const {
   return result;
 }
 
-std::string JobPool::firstEscapedReason() const {
-  const std::scoped_lock lock(mutex_);
-  return firstEscapedReason_;
-}
-
 void JobPool::work(std::stop_token quit) {
   lowerOwnPriority();
   std::unique_lock lock(mutex_);
@@ -122,22 +116,17 @@ void JobPool::work(std::stop_token quit) {
     ++statistics_.started;
     lock.unlock();
 
-    std::string reason;
     bool escaped = false;
     try {
       job(stop);
-    } catch (const std::exception& error) {
-      escaped = true;
-      reason = error.what();
     } catch (...) {
       escaped = true;
-      reason = "an exception of unknown type";
     }
     job = nullptr;  // what the job owned goes before it counts as done
 
     lock.lock();
     running_.erase(id);
-    if (escaped && statistics_.escaped++ == 0) firstEscapedReason_ = reason;
+    if (escaped) ++statistics_.escaped;
   }
 }
 

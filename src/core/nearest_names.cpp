@@ -120,11 +120,15 @@ std::vector<std::string> nearestNames(std::string_view wanted, std::span<const K
                                       std::size_t most) {
   const std::string lower = lowered(wanted);
   std::vector<std::pair<double, std::string_view>> ranked;
-  for (const KnownName& name : known) ranked.emplace_back(cost(lower, name), name.name);
+  for (const KnownName& name : known) {
+    ranked.emplace_back(cost(lower, name), name.shownAs.empty() ? name.name : name.shownAs);
+  }
   std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first; });
-  if (ranked.size() > most) ranked.resize(most);
   std::vector<std::string> names;
-  for (const auto& [ignored, name] : ranked) names.emplace_back(name);
+  for (const auto& [ignored, name] : ranked) {
+    if (names.size() == most) break;
+    if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
+  }
   return names;
 }
 

@@ -167,7 +167,8 @@ bool isAccepted(int descriptor) {
   return copy >= 0 && ::close(copy) == 0;
 }
 
-// Owner, group and permissions of the file that is replaced. What a group may do is not handed to another one.
+// Owner, group and permissions of the file that is replaced. What a group may do is not handed to another
+// one.
 void takeOver(const struct stat& old, int descriptor) {
   mode_t mode = old.st_mode & 0777;
   const bool owned = ::fchown(descriptor, old.st_uid, old.st_gid) == 0;
@@ -254,7 +255,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
     descriptor_ = openStream(path_, target.path, status.st_mode).release();
     return;
   }
-  // What opens for writing without being created may be written; a missing file is said by ENOENT.
+  // What opens for writing without being created may be written; a missing file is reported by ENOENT.
   if (!openToWrite(target.path) && (exists || errno != ENOENT)) fail(path_, errno);
   if (!takesFiles(folderOf(target.path)) && !(exists && isForbidden(errno))) fail(path_, errno);
 }

@@ -1,6 +1,7 @@
 #include "skydrop/core/settings_table.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -15,8 +16,10 @@ namespace {
 // Collects the fields of one walk.
 class TableBuilder final : public SettingsVisitor {
  public:
-  TableBuilder(std::vector<Field>& fields, std::vector<GroupInfo>& groups)
-      : fields_(fields), groups_(groups) {}
+  using Renamed = std::vector<std::pair<std::string, std::string>>;
+
+  TableBuilder(std::vector<Field>& fields, std::vector<GroupInfo>& groups, Renamed& renamed)
+      : fields_(fields), groups_(groups), renamed_(renamed) {}
 
   void number(std::string_view name, double& value, const NumberInfo& info) override {
     Field& field = add(name, FieldKind::number, info);
@@ -56,7 +59,15 @@ class TableBuilder final : public SettingsVisitor {
     prefixLengths_.pop_back();
   }
 
+  void renamed(std::string_view formerly, std::string_view now) override {
+    renamed_.emplace_back(pathOf(formerly), pathOf(now));
+  }
+
  private:
+  std::string pathOf(std::string_view name) const {
+    return prefix_.empty() ? std::string(name) : prefix_ + "." + std::string(name);
+  }
+
   static NumberInfo whole(double max, const ChoiceInfo& info) {
     NumberInfo number{"", 0, max, info.help, info.takesEffect};
     number.aliases = info.aliases;
@@ -68,7 +79,7 @@ class TableBuilder final : public SettingsVisitor {
     Field field;
     field.name = name;
     field.group = prefix_;
-    field.path = prefix_.empty() ? field.name : prefix_ + "." + field.name;
+    field.path = pathOf(name);
     field.kind = kind;
     field.unit = info.unit;
     field.help = info.help;
@@ -87,6 +98,7 @@ class TableBuilder final : public SettingsVisitor {
 
   std::vector<Field>& fields_;
   std::vector<GroupInfo>& groups_;
+  Renamed& renamed_;
   std::string prefix_;
   std::vector<std::size_t> prefixLengths_;
 };
@@ -131,7 +143,20 @@ std::string parseValue(const Field& field, std::string_view text, double& value)
   return refusal(field, value);
 }
 
-using Change = std::pair<const Field*, double>;
+struct Change {
+  const Field* field;
+  double value;
+  bool byFormerName;
+};
+
+// Those by a current name last, so that they count.
+void apply(const std::vector<Change>& changes) {
+  for (const bool byFormerName : {true, false}) {
+    for (const Change& change : changes) {
+      if (change.byFormerName == byFormerName) change.field->set(change.value);
+    }
+  }
+}
 
 const std::string kUnknown = "unknown setting";
 
@@ -145,9 +170,7 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
     const std::string path = prefix.empty() ? name : prefix + "." + name;
     const Field* field = table.find(path);
     if (!field) {
-      const bool isGroup = std::any_of(table.groups().begin(), table.groups().end(),
-                                       [&](const GroupInfo& group) { return group.path == path; });
-      if (!isGroup) {
+      if (!table.isGroup(path)) {
         complain(path, kUnknown);
       } else if (value.is_array()) {
         for (std::size_t i = 0; i < value.size(); ++i) {
@@ -184,7 +207,7 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
         break;
     }
     if (reason.empty()) {
-      changes.emplace_back(field, number);
+      changes.push_back({field, number, field->path != path});
     } else {
       complain(path, value.dump() + " " + reason);
     }
@@ -209,13 +232,20 @@ nlohmann::json valueJson(const Field& field) {
 }  // namespace
 
 void SettingsTable::build(Visit visit, void* settings, void* defaults) {
-  TableBuilder builder(fields_, groups_);
+  TableBuilder builder(fields_, groups_, renamed_);
   visit(builder, settings);
   std::vector<Field> defaultFields;
-  std::vector<GroupInfo> ignored;
-  TableBuilder defaultBuilder(defaultFields, ignored);
+  std::vector<GroupInfo> ignoredGroups;
+  TableBuilder::Renamed ignoredNames;
+  TableBuilder defaultBuilder(defaultFields, ignoredGroups, ignoredNames);
   visit(defaultBuilder, defaults);
   for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i].defaultValue = defaultFields[i].get();
+  for (const auto& [formerly, now] : renamed_) {
+    const auto field = std::ranges::find(fields_, now, &Field::path);
+    assert(field != fields_.end() && std::ranges::find(fields_, formerly, &Field::path) == fields_.end());
+    const std::string name = formerly.substr(formerly.rfind('.') + 1);
+    if (name != field->name) field->aliases += (field->aliases.empty() ? "" : ", ") + name;
+  }
 }
 
 void SettingsTable::takeDefaults(const SettingsTable& base) {
@@ -226,7 +256,24 @@ const Field* SettingsTable::find(std::string_view path) const {
   for (const Field& field : fields_) {
     if (field.path == path) return &field;
   }
+  for (const auto& [formerly, now] : renamed_) {
+    if (formerly == path) return find(now);
+  }
   return nullptr;
+}
+
+bool SettingsTable::isGroup(std::string_view path) const {
+  const std::string below = std::string(path) + ".";
+  return std::ranges::any_of(groups_, [&](const GroupInfo& group) { return group.path == path; }) ||
+         std::ranges::any_of(renamed_, [&](const auto& names) { return names.first.starts_with(below); });
+}
+
+std::vector<std::string> SettingsTable::formerPaths(std::string_view path) const {
+  std::vector<std::string> paths;
+  for (const auto& [formerly, now] : renamed_) {
+    if (now == path) paths.push_back(formerly);
+  }
+  return paths;
 }
 
 const Field& SettingsTable::at(std::string_view path) const {
@@ -236,8 +283,9 @@ const Field& SettingsTable::at(std::string_view path) const {
 
 std::string SettingsTable::nearestText(std::string_view path) const {
   std::vector<KnownName> known;
-  known.reserve(fields_.size());
+  known.reserve(fields_.size() + renamed_.size());
   for (const Field& field : fields_) known.push_back({field.path, field.aliases});
+  for (const auto& [formerly, now] : renamed_) known.push_back({formerly, {}, now});
   return core::nearestText(path, known);
 }
 
@@ -297,7 +345,7 @@ void applyJson(const SettingsTable& table, const nlohmann::json& json, std::stri
     throw DataError(file, place, reason == kUnknown ? reason + table.nearestText(place) : reason);
   };
   collectChanges(table, json, "", refuse, changes);
-  for (const auto& [field, value] : changes) field->set(value);
+  apply(changes);
 }
 
 std::vector<std::string> applyJsonWhereItFits(const SettingsTable& table, const nlohmann::json& json) {
@@ -307,7 +355,7 @@ std::vector<std::string> applyJsonWhereItFits(const SettingsTable& table, const 
     complaints.push_back(place + ": " + reason);
   };
   collectChanges(table, json, "", note, changes);
-  for (const auto& [field, value] : changes) field->set(value);
+  apply(changes);
   return complaints;
 }
 

@@ -48,17 +48,17 @@ flight::PointState releaseState(const flight::BodyState& aircraft) {
 
 }  // namespace
 
-Deliveries::Deliveries(const WorldSetup& setup, core::RandomStream& random, Journal& journal)
-    : setup_(&setup), random_(&random), journal_(&journal) {}
+Deliveries::Deliveries(const WorldSetup& setup, core::RandomStream& random, EventLog& eventLog)
+    : setup_(&setup), random_(&random), eventLog_(&eventLog) {}
 
 void Deliveries::drawNextTarget(const glm::dvec3& around) {
   target_.reset();
   stepsToTargetRetry_ = kTargetRetrySteps;
   if (const auto position = drawTarget(*setup_->ground, around, setup_->game, *random_)) {
     target_ = Target{++targetsDrawn_, *position, setup_->game.targetRadius};
-    journal_->report(GameEventKind::targetDrawn, *position, target_->id);
+    eventLog_->report(GameEventKind::targetDrawn, *position, target_->id);
   } else {
-    journal_->say("No land for a target in reach", setup_->game.messageSeconds);
+    eventLog_->say("No land for a target in reach", setup_->game.messageSeconds);
   }
 }
 
@@ -69,7 +69,7 @@ void Deliveries::coolDown() {
 void Deliveries::drop(const flight::BodyState& aircraft) {
   if (stepsToDrop_ > 0) return;
   if (packages_.size() >= kMostPackages) {
-    journal_->say("Too many packages in the air", setup_->game.messageSeconds);
+    eventLog_->say("Too many packages in the air", setup_->game.messageSeconds);
     return;
   }
   const flight::PointState release = releaseState(aircraft);
@@ -84,7 +84,7 @@ void Deliveries::drop(const flight::BodyState& aircraft) {
                        false,
                        {0, 1, 0}});
   stepsToDrop_ = stepsOf(setup_->game.dropCooldown);
-  journal_->report(GameEventKind::drop, release.position, id);
+  eventLog_->report(GameEventKind::drop, release.position, id);
   const auto landing = target_ ? predictLanding(aircraft) : std::nullopt;
   if (landing && isInTarget(*landing)) drawNextTarget(aircraft.position);
 }
@@ -111,7 +111,7 @@ void Deliveries::step(const std::optional<glm::dvec3>& aircraft) {
   }
   std::erase_if(packages_, [this](const FlyingPackage& p) {
     const bool gone = p.body.landed() && p.stepsToRemoval == 0;
-    if (gone) journal_->report(GameEventKind::packageRemoved, p.body.state().position, p.id);
+    if (gone) eventLog_->report(GameEventKind::packageRemoved, p.body.state().position, p.id);
     return gone;
   });
   if (setup_->hasTargets && !target_ && stepsToTargetRetry_-- == 0) {
@@ -124,7 +124,7 @@ void Deliveries::fall(FlyingPackage& p, const std::optional<glm::dvec3>& aircraf
   const bool wasClosed = p.body.parachuteOpen() == 0;
   p.body.step(setup_->wind, FixedStep::kStepSeconds);
   const glm::dvec3 to = p.body.state().position;
-  if (wasClosed && p.body.parachuteOpen() > 0) journal_->report(GameEventKind::parachuteOpened, to, p.id);
+  if (wasClosed && p.body.parachuteOpen() > 0) eventLog_->report(GameEventKind::parachuteOpened, to, p.id);
   // The ground is asked only where what was left above it may be used up (1 microsecond a time on real land).
   p.clearance -= kSteepestSlope * horizontalDistance(from, to) + std::abs(to.y - from.y);
   if (p.clearance > 0) return;
@@ -139,7 +139,7 @@ void Deliveries::fall(FlyingPackage& p, const std::optional<glm::dvec3>& aircraf
     p.groundNormal = glm::dvec3(-slope.x, 1, -slope.y) / std::sqrt(1 + slope.x * slope.x + slope.y * slope.y);
   }
   p.stepsToRemoval = stepsOf(setup_->game.landedPackageSeconds);
-  journal_->report(GameEventKind::packageLanded, contact->position, p.id, 0, contact->water);
+  eventLog_->report(GameEventKind::packageLanded, contact->position, p.id, 0, contact->water);
   judge(p, aircraft);
 }
 
@@ -149,14 +149,14 @@ void Deliveries::judge(const FlyingPackage& p, const std::optional<glm::dvec3>& 
   const double distance = horizontalDistance(position, p.target->position);
   if (distance <= p.target->radius) {
     ++score_;
-    journal_->say(withMetres("On target, %.0f m from the centre", distance), setup_->game.messageSeconds);
-    journal_->report(GameEventKind::scored, position, p.id, distance);
+    eventLog_->say(withMetres("On target, %.0f m from the centre", distance), setup_->game.messageSeconds);
+    eventLog_->report(GameEventKind::scored, position, p.id, distance);
     // A drop elsewhere that came down inside after all: this target is done.
     if (target_ && target_->id == p.target->id) drawNextTarget(aircraft.value_or(position));
   } else {
     ++misses_;
-    journal_->say(withMetres("Missed by %.0f m", distance - p.target->radius), setup_->game.messageSeconds);
-    journal_->report(GameEventKind::missed, position, p.id, distance);
+    eventLog_->say(withMetres("Missed by %.0f m", distance - p.target->radius), setup_->game.messageSeconds);
+    eventLog_->report(GameEventKind::missed, position, p.id, distance);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "game/journal.h"
+#include "game/event_log.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/flight/package.h"
 #include "skydrop/flight/rigid_body.h"
@@ -18,7 +18,7 @@ namespace skydrop::game {
 class Deliveries {
  public:
   // Keeps all three, which must outlive it; the settings may change between steps.
-  Deliveries(const WorldSetup& setup, core::RandomStream& random, Journal& journal);
+  Deliveries(const WorldSetup& setup, core::RandomStream& random, EventLog& eventLog);
 
   void drawNextTarget(const glm::dvec3& around);
 
@@ -60,7 +60,7 @@ class Deliveries {
 
   const WorldSetup* setup_;
   core::RandomStream* random_;
-  Journal* journal_;
+  EventLog* eventLog_;
   std::vector<FlyingPackage> packages_;
   std::optional<Target> target_;
   std::uint32_t targetsDrawn_ = 0;

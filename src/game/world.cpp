@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "game/deliveries.h"
-#include "game/flown_aircraft.h"
-#include "game/journal.h"
+#include "game/event_log.h"
+#include "game/player_aircraft.h"
 #include "game/snapshot_blend.h"
 #include "game/state_digest.h"
 #include "game/steps.h"
@@ -31,9 +31,13 @@ void requireUsable(const GameSettings& s) {
   if (s.targetRadius <= 0) throw core::RangeError("game: targetRadius must be positive");
 }
 
+void requireUsable(const glm::dvec3& wind) {
+  if (!core::isFinite(wind)) throw core::RangeError("world: the wind is not finite");
+}
+
 const WorldSetup& usable(const WorldSetup& setup) {
   if (!setup.ground) throw core::RangeError("world: there is no ground");
-  if (!core::isFinite(setup.wind)) throw core::RangeError("world: the wind is not finite");
+  requireUsable(setup.wind);
   requireUsable(setup.game);
   return setup;
 }
@@ -44,8 +48,8 @@ struct World::State {
   WorldSetup setup;
   core::RandomStream random;
   std::uint64_t steps = 0;
-  Journal journal;
-  std::optional<FlownAircraft> aircraft;
+  EventLog eventLog;
+  std::optional<PlayerAircraft> aircraft;
   Deliveries deliveries;
 
   // Derived, for the view.
@@ -64,8 +68,8 @@ struct World::State {
 };
 
 World::State::State(const WorldSetup& s)
-    : setup(usable(s)), random{core::mix64(s.seed), 0}, deliveries(setup, random, journal) {
-  if (setup.hasAircraft) aircraft.emplace(setup, journal);
+    : setup(usable(s)), random{core::mix64(s.seed), 0}, deliveries(setup, random, eventLog) {
+  if (setup.hasAircraft) aircraft.emplace(setup, eventLog);
   if (setup.hasTargets) deliveries.drawNextTarget(aircraftPosition().value_or(glm::dvec3(0)));
   predict();
   fill(now);
@@ -78,7 +82,7 @@ std::optional<glm::dvec3> World::State::aircraftPosition() const {
 }
 
 void World::State::advance(const Controls& wanted) {
-  journal.beginStep(++steps);
+  eventLog.beginStep(++steps);
   deliveries.coolDown();
   bool moved = false;  // otherwise than by flying
   if (aircraft) {
@@ -104,7 +108,7 @@ void World::State::fill(Snapshot& out) const {
   deliveries.fill(out, aircraftPosition());
   out.predictedLanding = predictedLanding;
   out.dropZone = predictedLanding && deliveries.isInTarget(*predictedLanding);
-  out.messages = journal.messages();
+  out.messages = eventLog.messages();
 }
 
 std::uint64_t World::State::hash() const {
@@ -133,7 +137,7 @@ void World::step(const Controls& controls) {
 const Snapshot& World::now() const { return state_->now; }
 const Snapshot& World::before() const { return state_->before; }
 Snapshot World::interpolated(double alpha) const { return blended(state_->before, state_->now, alpha); }
-std::vector<GameEvent> World::takeEvents() { return state_->journal.takeEvents(); }
+std::vector<GameEvent> World::takeEvents() { return state_->eventLog.takeEvents(); }
 std::uint64_t World::stateHash() const { return state_->hash(); }
 std::uint64_t World::stepCount() const { return state_->steps; }
 
@@ -150,6 +154,11 @@ void World::apply(const flight::PackageSettings& settings) {
 void World::apply(const GameSettings& settings) {
   requireUsable(settings);
   state_->setup.game = settings;
+}
+
+void World::setWind(const glm::dvec3& velocity) {
+  requireUsable(velocity);
+  state_->setup.wind = velocity;
 }
 
 void World::placeAircraft(const StartPose& pose) {

@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skydrop/terrain/chunk_data.h"
-
 namespace skydrop::terrain {
 namespace {
 
 class TiltedPlane final : public HeightSource {
  public:
-  TiltedPlane(double height, glm::dvec2 gradient) : height_(height), gradient_(gradient) {}
+  TiltedPlane(double height, glm::dvec2 gradient, const HeightRange& stored)
+      : height_(height), gradient_(gradient), stored_(stored) {}
 
   HeightSample sample(glm::dvec2 xz) const override {
     const double h = height_ + gradient_.x * xz.x + gradient_.y * xz.y;
-    if (h < kLowestHeight || h > kHighestHeight)
-      return {std::clamp(h, kLowestHeight, kHighestHeight), {0, 0}};
+    if (h < stored_.lowest || h > stored_.highest)
+      return {std::clamp(h, stored_.lowest, stored_.highest), {0, 0}};
     return {h, gradient_};
   }
   HeightBounds bounds(glm::dvec2 lo, glm::dvec2 hi) const override {
@@ -24,12 +23,14 @@ class TiltedPlane final : public HeightSource {
   }
   HeightBounds range() const override {
     if (gradient_ == glm::dvec2(0, 0)) return {height({0, 0}), height({0, 0})};
-    return {kLowestHeight, kHighestHeight};
+    return {stored_.lowest, stored_.highest};
   }
+  HeightRange storedRange() const override { return stored_; }
 
  private:
   double height_;
   glm::dvec2 gradient_;
+  HeightRange stored_;
 };
 
 class Ridge final : public HeightSource {
@@ -72,10 +73,11 @@ class Step final : public HeightSource {
 }  // namespace
 
 std::shared_ptr<const HeightSource> makeFlatSource(double height) {
-  return std::make_shared<TiltedPlane>(height, glm::dvec2(0, 0));
+  return std::make_shared<TiltedPlane>(height, glm::dvec2(0, 0), HeightRange{});
 }
-std::shared_ptr<const HeightSource> makeTiltedPlaneSource(double heightAtOrigin, glm::dvec2 gradient) {
-  return std::make_shared<TiltedPlane>(heightAtOrigin, gradient);
+std::shared_ptr<const HeightSource> makeTiltedPlaneSource(double heightAtOrigin, glm::dvec2 gradient,
+                                                          const HeightRange& stored) {
+  return std::make_shared<TiltedPlane>(heightAtOrigin, gradient, stored);
 }
 std::shared_ptr<const HeightSource> makeRidgeSource(double crestX, double crest, double slope, double foot) {
   return std::make_shared<Ridge>(crestX, crest, slope, foot);

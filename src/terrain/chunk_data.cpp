@@ -11,12 +11,6 @@ glm::dvec3 normalOf(const HeightSample& sample) {
   return {-sample.gradient.x * scale, scale, -sample.gradient.y * scale};
 }
 
-std::uint16_t encodeHeight(double height) {
-  const double code = std::floor((height - kLowestHeight) / kHeightStep + 0.5);
-  if (!(code > 0)) return 0;
-  return code < 65535 ? static_cast<std::uint16_t>(code) : 65535;
-}
-
 std::uint16_t encodeNormal(glm::dvec2 gradient) {
   // With the normal (-gx, 1, -gz): s scales with it, so it need not be normalised.
   const double x = -gradient.x, z = -gradient.y;
@@ -45,7 +39,7 @@ bool HeightSource::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkDat
       const HeightSample s = sample(origin + glm::dvec2(column, row) * cell);
       out.normals[static_cast<std::size_t>(normalIndex(column, row))] = encodeNormal(s.gradient);
       if (!isInside(row) || !isInside(column)) continue;
-      out.heights[static_cast<std::size_t>(sampleIndex(column, row))] = encodeHeight(s.height);
+      out.heights[static_cast<std::size_t>(sampleIndex(column, row))] = out.heightRange.encode(s.height);
     }
   }
   return true;
@@ -54,6 +48,7 @@ bool HeightSource::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkDat
 ChunkData makeChunk(const HeightSource& source, const ChunkKey& key, std::stop_token stop) {
   ChunkData chunk;
   chunk.key = key;
+  chunk.heightRange = source.storedRange();
   chunk.heights.resize(static_cast<std::size_t>(kChunkSamples) * kChunkSamples);
   chunk.normals.resize(static_cast<std::size_t>(kNormalSide) * kNormalSide);
   if (!source.fillChunk(key, stop, chunk)) {
@@ -62,7 +57,7 @@ ChunkData makeChunk(const HeightSource& source, const ChunkKey& key, std::stop_t
     return chunk;
   }
   const auto [lowest, highest] = std::minmax_element(chunk.heights.begin(), chunk.heights.end());
-  chunk.bounds = {decodeHeight(*lowest), decodeHeight(*highest)};
+  chunk.bounds = {chunk.heightRange.decode(*lowest), chunk.heightRange.decode(*highest)};
   return chunk;
 }
 

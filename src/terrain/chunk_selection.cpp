@@ -17,9 +17,9 @@ class Selector {
   std::vector<WantedChunk> run() {
     const double reach = farDistance_;
     const glm::dvec2 eye{view_.position.x, view_.position.z};
-    const ChunkKey lo = chunkAt(eye - reach, kTopLevel), hi = chunkAt(eye + reach, kTopLevel);
+    const ChunkKey lo = chunkAt(eye - reach, kMaxChunkLevel), hi = chunkAt(eye + reach, kMaxChunkLevel);
     for (std::int64_t z = lo.z; z <= hi.z; ++z) {
-      for (std::int64_t x = lo.x; x <= hi.x; ++x) visit({x, z, kTopLevel});
+      for (std::int64_t x = lo.x; x <= hi.x; ++x) visit({x, z, kMaxChunkLevel});
     }
     std::stable_sort(chosen_.begin(), chosen_.end(),
                      [](const Chosen& a, const Chosen& b) { return a.urgency < b.urgency; });
@@ -42,12 +42,12 @@ class Selector {
     const double ground = nearestGroundDistance(view_, box);
     if (ground > farDistance_) return;
     if (!mayBeVisible(view_, box)) {
-      if (key.level == kTopLevel) chosen_.push_back({{key, false, false}, kUrgencyOutOfView});
+      if (key.level == kMaxChunkLevel) chosen_.push_back({{key, false, false}, kUrgencyOutOfView});
       return;
     }
     const double distance = nearestDistance(view_, box);
     const bool split = key.level > 0 && distance < lod_.split[static_cast<std::size_t>(key.level)];
-    const double urgency = ground > 0 ? distance / size : key.level - 1.0 - kTopLevel;
+    const double urgency = ground > 0 ? distance / size : key.level - 1.0 - kMaxChunkLevel;
     const std::size_t self = chosen_.size();
     chosen_.push_back({{key, true, true}, urgency});
     if (!split) return;

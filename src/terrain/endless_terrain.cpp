@@ -16,7 +16,7 @@ namespace skydrop::terrain {
 namespace {
 
 // Bytes of a chunk on the GPU.
-constexpr std::size_t kSlotBytes = kSampleBytes;
+constexpr std::size_t kArrayLayerBytes = kSampleBytes;
 
 // Chunk rectangles whose conservative bounds are remembered: some hundred views' worth.
 constexpr std::size_t kRememberedBounds = 1 << 15;
@@ -43,37 +43,37 @@ ChunkJobs::Make chunkMaker(std::shared_ptr<const HeightSource> source) {
   };
 }
 
-// The slots of the GPU, lent out one by one.
-class SlotPool {
+// The layers of the GPU, lent out one by one.
+class ArrayLayerPool {
  public:
-  // Gives its slot back when it dies.
+  // Gives its layer back when it dies.
   class Lease {
    public:
-    Lease(std::shared_ptr<std::vector<Slot>> free, Slot slot) : free_(std::move(free)), slot_(slot) {}
+    Lease(std::shared_ptr<std::vector<ArrayLayer>> free, ArrayLayer layer) : free_(std::move(free)), layer_(layer) {}
     Lease(Lease&& other) noexcept = default;
     Lease& operator=(Lease&&) = delete;
     ~Lease() {
-      if (free_) free_->push_back(slot_);
+      if (free_) free_->push_back(layer_);
     }
-    Slot slot() const { return slot_; }
+    ArrayLayer layer() const { return layer_; }
 
    private:
-    std::shared_ptr<std::vector<Slot>> free_;
-    Slot slot_;
+    std::shared_ptr<std::vector<ArrayLayer>> free_;
+    ArrayLayer layer_;
   };
 
-  explicit SlotPool(int count) : free_(std::make_shared<std::vector<Slot>>()) {
-    for (int slot = count; slot-- > 0;) free_->push_back(slot);
+  explicit ArrayLayerPool(int count) : free_(std::make_shared<std::vector<ArrayLayer>>()) {
+    for (int layer = count; layer-- > 0;) free_->push_back(layer);
   }
   bool empty() const { return free_->empty(); }
   Lease take() {
-    const Slot slot = free_->back();
+    const ArrayLayer layer = free_->back();
     free_->pop_back();
-    return Lease(free_, slot);
+    return Lease(free_, layer);
   }
 
  private:
-  std::shared_ptr<std::vector<Slot>> free_;
+  std::shared_ptr<std::vector<ArrayLayer>> free_;
 };
 
 }  // namespace
@@ -86,17 +86,19 @@ struct EndlessTerrain::State {
         relief(measureRelief(*source)),
         cache(0),
         remembered(kRememberedBounds),
-        slots(0),
+        layers(0),
         resident(0) {
+    frame.heightRange = source->storedRange();
+    frame.heightRange.requireValid();
     take(initial);
   }
 
   void take(const TerrainStreamingSettings& next) {
-    const int count = std::max(1, static_cast<int>(bytesOf(next.gpuMiB) / kSlotBytes));
-    if (count != slotCount) {
+    const int count = std::max(1, static_cast<int>(bytesOf(next.gpuMiB) / kArrayLayerBytes));
+    if (count != layerCount) {
       resident.clear();
-      slotCount = count;
-      slots = SlotPool(count);
+      layerCount = count;
+      layers = ArrayLayerPool(count);
       resident.setBudget(static_cast<std::size_t>(count));
     }
     if (!jobs || next.queueLimit != settings.queueLimit) {
@@ -122,7 +124,7 @@ struct EndlessTerrain::State {
     frame.lod = makeLodDistances(relief, view.pixelsPerRadian, settings);
     frame.farDistanceM = settings.farDistanceM;
     frame.seaFloorDepthM = settings.seaFloorDepthM;
-    frame.slotCount = slotCount;
+    frame.layerCount = layerCount;
     frame.base = chunkOrigin(chunkAt({view.position.x, view.position.z}));
     frame.chunks.clear();
 
@@ -144,9 +146,9 @@ struct EndlessTerrain::State {
   void dropWhatNoBudgetHolds() {
     const std::size_t chunkBytes = cache.statistics().entries > 0
                                        ? cache.statistics().bytes / cache.statistics().entries
-                                       : kSlotBytes + sizeof(ChunkData) + sizeof(PatchBounds);
+                                       : kArrayLayerBytes + sizeof(ChunkData) + sizeof(PatchBounds);
     const std::size_t room =
-        std::min(static_cast<std::size_t>(slotCount), bytesOf(settings.cacheMiB) / chunkBytes);
+        std::min(static_cast<std::size_t>(layerCount), bytesOf(settings.cacheMiB) / chunkBytes);
     statistics.overBudget = wanted.size() > room ? wanted.size() - room : 0;
     if (wanted.size() > room) wanted.resize(room);
     // After the chunk below, those come first that nothing can be drawn in place of.
@@ -190,7 +192,7 @@ struct EndlessTerrain::State {
   }
 
   static bool isCoarsestInView(const WantedChunk& chunk) {
-    return chunk.key.level == kTopLevel && chunk.inView;
+    return chunk.key.level == kMaxChunkLevel && chunk.inView;
   }
 
   void waitForCoarsest(std::chrono::milliseconds limit) {
@@ -217,15 +219,15 @@ struct EndlessTerrain::State {
         continue;
       }
       // One chunk may always pass, however small the budget.
-      if (sent > 0 && sent + kSlotBytes > budget) {
+      if (sent > 0 && sent + kArrayLayerBytes > budget) {
         settled = false;
         continue;
       }
-      if (slots.empty()) resident.makeRoom(1);
-      SlotPool::Lease lease = slots.take();
-      frame.uploads.push_back({lease.slot(), made->data});
+      if (layers.empty()) resident.makeRoom(1);
+      ArrayLayerPool::Lease lease = layers.take();
+      frame.uploads.push_back({lease.layer(), made->data});
       resident.insert(key, std::move(lease), 1);
-      sent += kSlotBytes;
+      sent += kArrayLayerBytes;
     }
     statistics.uploadedBytes = sent;
   }
@@ -238,12 +240,12 @@ struct EndlessTerrain::State {
     std::stable_sort(inOrder.begin(), inOrder.end(),
                      [](const ChunkKey& a, const ChunkKey& b) { return a.level > b.level; });
     for (const ChunkKey& key : inOrder) {
-      const SlotPool::Lease* lease = resident.peek(key);
+      const ArrayLayerPool::Lease* lease = resident.peek(key);
       const MadeChunk* made = cache.peek(key);
       if (lease == nullptr || made == nullptr) continue;
-      if (key.level < kTopLevel && !usable.contains(parentOf(key))) continue;
-      usable.emplace(key, UsableChunk{lease->slot(), made->bounds.get()});
-      frame.chunks.push_back({key, lease->slot()});
+      if (key.level < kMaxChunkLevel && !usable.contains(parentOf(key))) continue;
+      usable.emplace(key, UsableChunk{lease->layer(), made->bounds.get()});
+      frame.chunks.push_back({key, lease->layer()});
     }
     return usable;
   }
@@ -264,9 +266,9 @@ struct EndlessTerrain::State {
   TerrainStreamingSettings settings;
   core::LRUCache<ChunkKey, MadeChunk, ChunkKeyHash> cache;          // bytes
   core::LRUCache<ChunkKey, HeightBounds, ChunkKeyHash> remembered;  // counts entries
-  int slotCount = 0;
-  SlotPool slots;
-  core::LRUCache<ChunkKey, SlotPool::Lease, ChunkKeyHash> resident;  // counts entries
+  int layerCount = 0;
+  ArrayLayerPool layers;
+  core::LRUCache<ChunkKey, ArrayLayerPool::Lease, ChunkKeyHash> resident;  // counts entries
   std::unique_ptr<ChunkJobs> jobs;
   std::vector<WantedChunk> wanted;
   std::vector<ChunkKey> keys;  // of wanted
@@ -300,7 +302,7 @@ const TerrainFrame& EndlessTerrain::settle(const ViewVolume& view, std::chrono::
     state_->jobs->waitForResult(end);
   }
   state_->frame.uploads = std::move(uploads);
-  state_->statistics.uploadedBytes = state_->frame.uploads.size() * kSlotBytes;
+  state_->statistics.uploadedBytes = state_->frame.uploads.size() * kArrayLayerBytes;
   return state_->frame;
 }
 

@@ -84,7 +84,7 @@ LodDistances makeLodDistances(const ReliefErrors& relief, double pixelsPerRadian
     lod.morph[l] = withFarGrowth(reach, settings.viewDistanceM);
     // Far enough apart that no level is passed in one step.
     if (level > 1) lod.morph[l] = std::max(lod.morph[l], lod.morph[l - 1] * std::sqrt(2.0));
-    if (level <= kTopLevel) {
+    if (level <= kMaxChunkLevel) {
       // Patches beside much finer ones are split too (patch_selection.cpp): their finer samples must be
       // there.
       const double beside = lod.morph[l - 1] + 2 * chunkMetres(level) / kPatchesPerChunk;

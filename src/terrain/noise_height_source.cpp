@@ -32,7 +32,8 @@ class NoiseHeightSource final : public HeightSource {
   HeightBounds bounds(glm::dvec2 lo, glm::dvec2 hi) const override {
     return landBounds(shape_, octaves_, insideWorld(lo), insideWorld(hi));
   }
-  HeightBounds range() const override { return {kLowestHeight, kHighestHeight}; }
+  HeightBounds range() const override { return {storedRange().lowest, storedRange().highest}; }
+  HeightRange storedRange() const override { return {}; }  // row_kernels.inl encodes over it
 
   bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const override {
     return fillNoiseChunk(rowShape_, octaves_, kernels_, key, stop, out);

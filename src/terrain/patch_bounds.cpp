@@ -4,7 +4,7 @@
 
 namespace skydrop::terrain {
 
-PatchBounds::PatchBounds(const ChunkData& chunk) {
+PatchBounds::PatchBounds(const ChunkData& chunk) : heightRange_(chunk.heightRange) {
   constexpr int kReachCells = 7;
   for (int step = 0; step < kLodCount; ++step) {
     const int cells = kPatchCells << step, reach = kReachCells << step, patches = kPatchesPerChunk >> step;

@@ -20,7 +20,7 @@ class PatchBounds {
   HeightBounds at(int step, int x, int z) const {
     const Codes& codes = codes_[static_cast<std::size_t>(kFirst[static_cast<std::size_t>(step)] +
                                                          z * (kPatchesPerChunk >> step) + x)];
-    return {decodeHeight(codes.lowest), decodeHeight(codes.highest)};
+    return {heightRange_.decode(codes.lowest), heightRange_.decode(codes.highest)};
   }
 
  private:
@@ -28,6 +28,7 @@ class PatchBounds {
     std::uint16_t lowest, highest;
   };
   static constexpr std::array<int, kLodCount> kFirst{0, 256, 320, 336, 340};
+  HeightRange heightRange_;
   std::array<Codes, 341> codes_;
 };
 

@@ -29,7 +29,7 @@ class Selector {
   PatchSelection run() {
     // A patch of the top level covers a chunk of the top level.
     for (const auto& [key, chunk] : chunks_) {
-      if (key.level == kTopLevel) visit({key.x, key.z, kTopPatchLevel});
+      if (key.level == kMaxChunkLevel) visit({key.x, key.z, kTopPatchLevel});
     }
     splitBesideFine();
     mergeBesideCoarse();
@@ -49,7 +49,7 @@ class Selector {
 
   // The chunk from which a patch takes its heights.
   static ChunkKey chunkOf(const PatchKey& patch) {
-    const std::int32_t level = std::min(patch.level, kTopLevel);
+    const std::int32_t level = std::min(patch.level, kMaxChunkLevel);
     const int shift = kLodCount - 1 - (patch.level - level);
     return {patch.x >> shift, patch.z >> shift, level};
   }
@@ -189,7 +189,7 @@ class Selector {
     draw.level = patch.level;
     draw.x = static_cast<std::int32_t>(box.lo.x - base_.x);
     draw.z = static_cast<std::int32_t>(box.lo.z - base_.y);
-    draw.slot = chunks_.at(chunk).slot;
+    draw.layer = chunks_.at(chunk).layer;
     draw.chunkLevel = chunk.level;
     draw.sampleX = static_cast<std::int32_t>(patch.x & mask) * (kPatchCells << step);
     draw.sampleZ = static_cast<std::int32_t>(patch.z & mask) * (kPatchCells << step);

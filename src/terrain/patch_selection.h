@@ -12,7 +12,7 @@
 namespace skydrop::terrain {
 
 struct UsableChunk {
-  Slot slot = 0;
+  ArrayLayer layer = 0;
   const PatchBounds* bounds = nullptr;  // lives at least as long as the call
 };
 

@@ -283,7 +283,7 @@ void gullyNodes(std::uint64_t rowSeed, std::int64_t first, int count, const RowS
   }
 }
 
-// encodeHeight and encodeNormal of chunk_data.h in float; off by one code at most, on ties.
+// HeightRange{}.encode and encodeNormal of chunk_data.h in float; off by one code at most, on ties.
 void finish(const LandShape<float>& shapeOfCaller, const RowState& state, int count,
             std::uint16_t* __restrict heights, std::uint16_t* __restrict normals) {
   const LandShape<float> shape = shapeOfCaller;
@@ -294,8 +294,8 @@ void finish(const LandShape<float>& shapeOfCaller, const RowState& state, int co
     land.detail = load(state.land.detail, s);
     const Jet<float> height = shape.finish(land);
 
-    constexpr auto kLowest = static_cast<float>(kLowestHeight);
-    constexpr auto kStepsPerMetre = static_cast<float>(1.0 / kHeightStep);
+    constexpr auto kLowest = static_cast<float>(HeightRange{}.lowest);
+    constexpr auto kStepsPerMetre = static_cast<float>(1.0 / HeightRange{}.step());
     float code = (height.v - kLowest) * kStepsPerMetre + 0.5f;
     code = code > 0.0f ? code : 0.0f;
     code = code < 65535.0f ? code : 65535.0f;

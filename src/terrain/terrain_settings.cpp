@@ -27,7 +27,7 @@ void describe(core::SettingsVisitor& visitor, TerrainSettings& s) {
                     .min = min,
                     .max = max,
                     .help = help,
-                    .takesEffect = TakesEffect::rebuild,
+                    .takesEffect = TakesEffect::restart,
                     .aliases = aliases});
   };
   const auto wavelength = [&](std::string_view name, double& value, double min, double max,
@@ -37,7 +37,7 @@ void describe(core::SettingsVisitor& visitor, TerrainSettings& s) {
                     .min = min,
                     .max = max,
                     .help = help,
-                    .takesEffect = TakesEffect::rebuild,
+                    .takesEffect = TakesEffect::restart,
                     .logarithmic = true,
                     .powersOfTwo = true,
                     .aliases = aliases,

@@ -48,7 +48,7 @@ void describe(core::SettingsVisitor& visitor, TerrainStreamingSettings& s) {
                   .slider = core::Range{0, 150},
                   .aliases = "underwater, culling"});
   number("cacheMiB", s.cacheMiB, "MiB", 8, 4096,
-         "Memory for chunks on the processor's side; what does not fit is made anew, or drawn coarser.",
+         "Memory for chunks on the processor's side; what does not fit is made again, or drawn coarser.",
          "RAM, budget");
   visitor.number("gpuMiB", s.gpuMiB,
                  {.unit = "MiB",

@@ -47,10 +47,6 @@ double nearestDistance(const ViewVolume& view, const Box& box) {
   return glm::distance(view.position, glm::clamp(view.position, box.lo, box.hi));
 }
 
-double farthestDistance(const ViewVolume& view, const Box& box) {
-  return glm::length(glm::max(glm::abs(box.lo - view.position), glm::abs(box.hi - view.position)));
-}
-
 double nearestGroundDistance(const ViewVolume& view, const Box& box) {
   const double x = view.position.x - std::clamp(view.position.x, box.lo.x, box.hi.x);
   const double z = view.position.z - std::clamp(view.position.z, box.lo.z, box.hi.z);

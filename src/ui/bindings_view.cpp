@@ -7,7 +7,7 @@
 namespace skydrop::ui {
 namespace {
 
-using Kind = BindingWish::Kind;
+using Kind = BindingRequest::Kind;
 
 constexpr const char* kHowTo =
     "Click, then press a key or a button or push a stick. A click with the right button takes it away.";
@@ -38,7 +38,7 @@ class Section {
  public:
   Section(const BindingsContent& content, BindingsPlaces& places) : content_(content), places_(places) {}
 
-  BindingWish draw() {
+  BindingRequest draw() {
     const std::string gamepad = content_.gamepad.empty() ? "No gamepad." : "Gamepad: " + content_.gamepad;
     ImGui::TextUnformatted(fittingText(gamepad, ImGui::GetContentRegionAvail().x).c_str());
     tooltip(gamepad);
@@ -98,12 +98,12 @@ class Section {
 
   const BindingsContent& content_;
   BindingsPlaces& places_;
-  BindingWish wish_;
+  BindingRequest wish_;
 };
 
 }  // namespace
 
-BindingWish drawBindings(const BindingsContent& content, BindingsPlaces& places) {
+BindingRequest drawBindings(const BindingsContent& content, BindingsPlaces& places) {
   places = {};
   return Section(content, places).draw();
 }

@@ -34,8 +34,17 @@ constexpr int kRefusalLines = 2;   // kept free for a line that says what went w
 constexpr int kFramesToFocus = 3;  // Dear ImGui hands the keyboard over a frame later
 const ImVec4 kChangedColor{0.98f, 0.72f, 0.36f, 1};
 
-bool belongsTo(const Field& field, const std::string& group) {
-  return field.group == group || (!group.empty() && field.group.starts_with(group + "."));
+bool belongsTo(const std::string& fieldGroup, const std::string& group) {
+  return fieldGroup == group || (!group.empty() && fieldGroup.starts_with(group + "."));
+}
+
+// What is written above the rows of a group within a section. Nothing for the section's own group, and for an
+// array with a single element, whose number says nothing.
+std::string headingOf(const std::string& group, const MenuSection& section, const SettingsTable& table) {
+  if (group == section.group) return "";
+  if (group.ends_with(".0") && !table.isGroup(group.substr(0, group.size() - 1) + "1")) return "";
+  const bool isBelow = !section.group.empty() && belongsTo(group, section.group);
+  return humanName(group.substr(isBelow ? section.group.size() + 1 : 0));
 }
 
 }  // namespace
@@ -90,7 +99,9 @@ void remember(std::vector<std::string>& paths, const std::string& path) {
 const MenuSection* sectionOf(std::span<const MenuSection> sections, const Field& field) {
   const MenuSection* deepest = nullptr;
   for (const MenuSection& section : sections) {
-    if (!belongsTo(field, section.group)) continue;
+    const auto holds = [&](const std::string& group) { return belongsTo(field.group, group); };
+    if (std::ranges::any_of(section.moreGroups, holds)) return &section;
+    if (!holds(section.group)) continue;
     if (!deepest || section.group.size() > deepest->group.size()) deepest = &section;
   }
   return deepest;
@@ -231,10 +242,11 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
   for (const Field* field : shown) {
     if (field->group != group) {
       group = field->group;
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled(
-          "%s", humanName(group.substr(section.group.empty() ? 0 : section.group.size() + 1)).c_str());
+      if (const std::string heading = headingOf(group, section, content.table); !heading.empty()) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", heading.c_str());
+      }
     }
     drawRow(content.table, *field, result);
   }
@@ -333,7 +345,7 @@ void ConfigurationMenu::Parts::drawTools(const MenuContent& content, MenuResult&
   }
 }
 
-// A new window size places the menu anew, so that it is never left outside.
+// A new window size places the menu again, so that it is never left outside.
 void ConfigurationMenu::Parts::placeWindow(const Interface& context) {
   const float line = context.text().pixels;
   const auto width = static_cast<float>(context.width()), height = static_cast<float>(context.height());

@@ -41,7 +41,7 @@ std::string_view effectText(TakesEffect effect) {
     case TakesEffect::rebuild:
       return "Rebuilds a part when released.";
     case TakesEffect::restart:
-      return "From the next start on.";
+      return "Loads the flight again when released.";
   }
   return "";
 }

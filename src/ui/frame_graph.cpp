@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "skydrop/core/quantile.h"
 
 namespace skydrop::ui {
 namespace {
@@ -17,19 +18,10 @@ const ImVec4 kLineColor{1, 1, 1, 0.55f};
 
 }  // namespace
 
-double quantileOf(std::span<const double> values, double quantile) {
-  if (values.empty()) return 0;
-  std::vector<double> sorted(values.begin(), values.end());
-  const double rank = std::ceil(quantile * static_cast<double>(sorted.size())) - 1;
-  const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 0.0));
-  std::nth_element(sorted.begin(), nth, sorted.end());
-  return *nth;
-}
-
 void drawFrameGraph(std::span<const double> frameMs) {
   if (frameMs.empty()) return;
-  const double median = quantileOf(frameMs, 0.5), p99 = quantileOf(frameMs, 0.99),
-               worst = quantileOf(frameMs, 1);
+  const double median = core::quantileOf(frameMs, 0.5), p99 = core::quantileOf(frameMs, 0.99),
+               worst = core::quantileOf(frameMs, 1);
   ImGui::Text("Frame %.1f ms", median);
   ImGui::TextDisabled("99 %% under %.1f, worst %.1f", p99, worst);
 

@@ -5,9 +5,6 @@
 
 namespace skydrop::ui {
 
-// The value below which the share `quantile` in [0, 1] of the values lies (nearest rank); 0 without values.
-double quantileOf(std::span<const double> values, double quantile);
-
 // As wide as there is room: a bar a frame, a line at the median and one at the 99th of a hundred. Nothing
 // without frames.
 void drawFrameGraph(std::span<const double> frameMs);

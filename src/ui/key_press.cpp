@@ -14,7 +14,7 @@ constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
 #else
 
 bool pressed(ImGuiKey key, bool repeat) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat); }
-// Before 1.89 few letters have names; all keys stand in an array under the window's own codes.
+// Before 1.89 few letters have names; all keys are in an array under the window's own codes.
 bool findPressed() { return ImGui::IsKeyPressed('F', false); }
 constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeyPadEnter;
 

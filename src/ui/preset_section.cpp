@@ -26,11 +26,15 @@ std::optional<PresetRequest> PresetSection::draw(std::span<const PresetEntry> pr
   ImGui::SameLine();
   const bool save = placedButton("Save", "save preset", places, name_[0] != '\0');
   tooltip("Keeps the values that differ from their defaults. A preset of this name is replaced.");
-  if ((save || entered) && name_[0] != '\0')
-    request = PresetRequest{PresetRequest::Kind::save, name_, group_};
-
   const auto chosen = std::ranges::find(sections, group_, &MenuSection::group);
   if (chosen == sections.end()) group_.clear();
+  if ((save || entered) && name_[0] != '\0') {
+    request = PresetRequest{PresetRequest::Kind::save, name_};
+    if (!group_.empty()) {
+      request->groups = chosen->moreGroups;
+      request->groups.insert(request->groups.begin(), group_);
+    }
+  }
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("It holds");
   ImGui::SameLine();
@@ -48,13 +52,13 @@ std::optional<PresetRequest> PresetSection::draw(std::span<const PresetEntry> pr
   for (const PresetEntry& preset : presets) {
     ImGui::PushID(preset.name.c_str());
     if (placedButton("Load", "load " + preset.name, places, preset.usable)) {
-      request = PresetRequest{PresetRequest::Kind::load, preset.name, ""};
+      request = PresetRequest{PresetRequest::Kind::load, preset.name};
     }
     tooltip(preset.usable ? "Sets what it holds, and leaves the rest. It can be undone." : preset.holds);
     ImGui::SameLine();
     const bool confirming = confirmation_ == preset.name;
     if (placedButton(confirming ? "Really?###delete" : "Delete###delete", "delete " + preset.name, places)) {
-      if (confirming) request = PresetRequest{PresetRequest::Kind::remove, preset.name, ""};
+      if (confirming) request = PresetRequest{PresetRequest::Kind::remove, preset.name};
       confirmation_ = confirming ? "" : preset.name;
     } else if (confirming && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       if (!ImGui::IsItemHovered()) confirmation_.clear();  // a click elsewhere is a no

@@ -1,4 +1,4 @@
-// The widget of one setting: a slider, box or list, or the text field that stands in its place while a value
+// The widget of one setting: a slider, box or list, or the text field that replaces it while a value
 // is typed. Says what the user did; sets nothing itself. Between Interface::beginFrame and endFrame.
 #pragma once
 
@@ -27,7 +27,7 @@ class RowEditor {
   // Fills the width that is left. `place` is where the widget stands.
   RowOutcome draw(const core::Field& field, ScreenRect& place);
 
-  // From the next frame on a text field with the field's present value stands in its place. Numbers only.
+  // From the next frame on a text field with the field's present value replaces it. Numbers only.
   void type(const core::Field& field);
   static bool isTyped(const core::Field& field);
 

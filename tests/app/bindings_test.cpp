@@ -1,4 +1,4 @@
-#include "app/bindings.h"
+#include "app/input/bindings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/cloud_noise.h"
+#include "app/session/cloud_noise.h"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ TEST_F(CloudNoiseTest, aCacheThatCannotBeWrittenIsSaidOnceAndTheNoiseIsThere) {
   const std::vector<std::string> messages = noise.takeMessages();
   ASSERT_EQ(messages.size(), 1u);
   EXPECT_NE(messages[0].find((blocked / "cache").string()), std::string::npos) << messages[0];
-  EXPECT_NE(messages[0].find("anew at every start"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[0].find("again at every start"), std::string::npos) << messages[0];
   EXPECT_EQ(messages[0].find('\n'), std::string::npos);
 }
 

@@ -1,11 +1,11 @@
-#include "app/cloud_tier.h"
+#include "app/settings/cloud_tier.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/prepare.h"
+#include "app/session/run_config.h"
 #include "skydrop/core/error.h"
 #include "support/temporary_folder.h"
 
@@ -31,9 +31,9 @@ clouds::MarchSettings marchOf(CloudTier tier) {
 }
 
 // Sets it as the menu does; the paths that changed with it.
-std::vector<std::string> choose(Run& run, const std::string& assignment) {
+std::vector<std::string> choose(RunConfig& run, const std::string& assignment) {
   core::setField(run.table, assignment);
-  return takeMenuChanges(run, {assignment.substr(0, assignment.find('='))});
+  return takeMenuChanges(run, {assignment.substr(0, assignment.find('='))}).paths();
 }
 
 TEST(CloudTier, everyTierThatDrawsSaysEveryRowOfTheMarch) {
@@ -68,8 +68,8 @@ TEST(CloudTier, eachStepUpMarchesFiner) {
     const clouds::MarchSettings coarse = marchOf(kTiers[i - 1]), fine = marchOf(kTiers[i]);
     EXPECT_LT(fine.stepM, coarse.stepM);
     EXPECT_LT(fine.stepGrowth, coarse.stepGrowth);
-    EXPECT_LT(fine.stepDepth, coarse.stepDepth);
-    EXPECT_LT(fine.leastTransmittance, coarse.leastTransmittance);
+    EXPECT_LT(fine.maxSegmentOpticalDepth, coarse.maxSegmentOpticalDepth);
+    EXPECT_LT(fine.transmittanceCutoff, coarse.transmittanceCutoff);
     EXPECT_GE(fine.sunSamples, coarse.sunSamples);
     EXPECT_LE(fine.resolution, coarse.resolution);
   }
@@ -93,29 +93,29 @@ TEST(CloudTier, theQualityChoosesItAndEveryOtherSourceLiesAbove) {
   CommandLine line = headless({"clouds.march.sunSamples=9"});
   line.scene = folder.write(
       "a.json",
-      R"({"schema": 1, "settings": {"clouds": {"tier": "medium", "march": {"stepM": 21, "stepDepth": 2}}}})");
-  folder.write("settings.json", R"({"schema": 1, "settings": {"clouds": {"march": {"stepDepth": 3}}}})");
+      R"({"schema": 1, "settings": {"clouds": {"tier": "medium", "march": {"stepM": 21, "maxSegmentOpticalDepth": 2}}}})");
+  folder.write("settings.json", R"({"schema": 1, "settings": {"clouds": {"march": {"maxSegmentOpticalDepth": 3}}}})");
   line.userDir = folder.path();
   const auto run = prepareRun(line);
   EXPECT_EQ(run->settings.clouds.march.lightCellM, marchOf(CloudTier::medium).lightCellM);
   EXPECT_EQ(run->settings.clouds.march.stepM, 21);
-  EXPECT_EQ(run->settings.clouds.march.stepDepth, 3);
+  EXPECT_EQ(run->settings.clouds.march.maxSegmentOpticalDepth, 3);
   EXPECT_EQ(run->settings.clouds.march.sunSamples, 9);
 }
 
 TEST(CloudTier, oneThatIsPickedInTheMenuTakesItsRowsAlong) {
   // The rows of the march follow, whatever they were set to; the weather stays; --set is heard no more.
   const auto run = prepareRun(headless({"clouds.march.stepM=9"}));
-  choose(*run, "clouds.coverage=0.8");
-  choose(*run, "clouds.march.stepDepth=1.5");
+  choose(*run, "clouds.layers.0.coverage=0.8");
+  choose(*run, "clouds.march.maxSegmentOpticalDepth=1.5");
   const std::vector<std::string> changed = choose(*run, "clouds.tier=low");
   EXPECT_EQ(run->settings.clouds.march.stepM, marchOf(CloudTier::low).stepM);
-  EXPECT_EQ(run->settings.clouds.march.stepDepth, marchOf(CloudTier::low).stepDepth);
-  EXPECT_EQ(run->settings.clouds.coverage, 0.8);
-  for (const char* path : {"clouds.tier", "clouds.march.stepM", "clouds.march.stepDepth"}) {
+  EXPECT_EQ(run->settings.clouds.march.maxSegmentOpticalDepth, marchOf(CloudTier::low).maxSegmentOpticalDepth);
+  EXPECT_EQ(run->settings.clouds.layers[0].coverage, 0.8);
+  for (const char* path : {"clouds.tier", "clouds.march.stepM", "clouds.march.maxSegmentOpticalDepth"}) {
     EXPECT_EQ(std::count(changed.begin(), changed.end(), path), 1) << path;
   }
-  EXPECT_EQ(std::count(changed.begin(), changed.end(), "clouds.coverage"), 0);
+  EXPECT_EQ(std::count(changed.begin(), changed.end(), "clouds.layers.0.coverage"), 0);
   EXPECT_TRUE(run->table.at("clouds.march.stepM").isDefault());
   // The way back, as undo takes it: the value of before, as another change.
   choose(*run, "clouds.tier=high");

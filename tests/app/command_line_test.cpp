@@ -1,4 +1,4 @@
-#include "app/command_line.h"
+#include "app/cli/command_line_parser.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(CommandLine, everyFlagOfRenderArrives) {
                                   "--user-dir", "u", "--stats", "s.json", "--autopilot"})
                                .commandLine;
   EXPECT_EQ(line.verb, Verb::render);
-  EXPECT_EQ(line.backend, Backend::osmesa);
+  EXPECT_EQ(line.backend, render::gl::Backend::osmesa);
   EXPECT_EQ(line.size->width, 320);
   EXPECT_EQ(line.size->height, 180);
   EXPECT_EQ(line.out, "a-%d.png");
@@ -68,6 +68,13 @@ TEST(CommandLine, aCameraTakesCompassDegrees) {
   EXPECT_EQ(pose.rollDegrees, 15);
   EXPECT_TRUE(pose.aboveGround);
   EXPECT_EQ(parse({"render", "--camera", "0,1,0", "--heading=-300"}).commandLine.pose->yawDegrees, -30);
+}
+
+TEST(CommandLine, theReportOfAccuracyHasThreeFormats) {
+  EXPECT_EQ(parse({"accuracy"}).commandLine.reportFormat, ReportFormat::markdown);
+  EXPECT_EQ(parse({"accuracy", "--format", "json"}).commandLine.reportFormat, ReportFormat::json);
+  EXPECT_EQ(parse({"accuracy", "land", "--format", "csv"}).commandLine.reportFormat, ReportFormat::csv);
+  EXPECT_EQ(refusalOf({"accuracy", "--format", "xml"}), "--format: 'xml' is not one of markdown json csv");
 }
 
 TEST(CommandLine, flagsOfTheHudStandForItsSetting) {

@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "app/settings.h"
-#include "app/window_memory.h"
+#include "app/settings/settings.h"
+#include "app/window/window_memory.h"
 #include "support/paths.h"
 #include "support/struct_fields.h"
 
@@ -94,6 +94,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using audio::AudioSettings;
   using clouds::CloudSettings;
   using clouds::MarchSettings;
+  using core::WindSettings;
   using flight::AirplaneSettings;
   using flight::PackageSettings;
   using game::AutopilotSettings;
@@ -114,6 +115,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(AudioSettings),      SKYDROP_STRUCT(ViewSettings),
       SKYDROP_STRUCT(GamepadSettings),    SKYDROP_STRUCT(InputSettings),
       SKYDROP_STRUCT(Settings),           SKYDROP_STRUCT(WindowMemory),
+      SKYDROP_STRUCT(WindSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

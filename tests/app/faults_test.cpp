@@ -1,4 +1,4 @@
-#include "app/faults.h"
+#include "app/window/faults.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/flight_recorder.h"
+#include "app/session/flight_recorder.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "app/prepare.h"
-#include "app/user_settings.h"
+#include "app/session/run_config.h"
+#include "app/settings/user_settings.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "support/refusal.h"
@@ -32,11 +32,11 @@ CommandLine lineOf(const test::TemporaryFolder& folder) {
 }
 
 // A flight of so many steps with a moving stick, and a setting changed in its middle.
-void fly(Simulation& simulation, Run& run, int steps) {
+void fly(Simulation& simulation, RunConfig& run, int steps) {
   for (int i = 0; i < steps; ++i) {
     if (i == steps / 2) {
       core::setField(run.table, "aircraft.rollFactor=0.5");
-      simulation.applySettings({"aircraft.rollFactor"});
+      simulation.apply({"aircraft.rollFactor"});
     }
     simulation.step({.pitch = i % 300 < 40 ? 0.5 : 0.0, .roll = i % 200 < 50 ? -0.3 : 0.1});
   }
@@ -101,9 +101,32 @@ TEST(FlightRecorder, aFlightReplaysThroughEveryCheckpointWhateverBecameOfItsScen
   EXPECT_TRUE(gone.notes.empty());
 }
 
+TEST(FlightRecorder, aLogOlderThanTheWindOfTheAircraftIsFlownInStillAir) {
+  // Whatever the player has set since. A log of a flight in wind has its wind.
+  const test::TemporaryFolder folder;
+  const std::string log = record(folder, folder.write("a.json", kScene));
+  for (const char* row : {"speed", "direction", "movesAircraft"}) {
+    // With the comma before it: other rows come first.
+    std::string text = core::readTextFile(log);
+    const std::size_t at = text.find(std::string("[\"wind.") + row + "\",");
+    ASSERT_NE(at, std::string::npos) << row;
+    const std::size_t comma = text.rfind(',', at);
+    std::ofstream(log) << text.erase(comma, text.find(']', at) + 1 - comma);
+  }
+  std::filesystem::create_directories(folder.path() / "user");
+  folder.write("user/settings.json", R"({"schema": 1, "settings": {"wind": {"movesAircraft": true}}})");
+  EXPECT_EQ(replay(folder, log).divergence, "");
+  std::filesystem::remove(log);
+  const std::string windy = record(folder, folder.path() / "a.json");
+  folder.write("user/settings.json", R"({"schema": 1, "settings": {"wind": {"speed": 40}}})");
+  EXPECT_EQ(replay(folder, windy).divergence, "");
+  rewrite(windy, "[\"wind.speed\",\"8\"]", "[\"wind.speed\",\"9\"]");
+  EXPECT_NE(replay(folder, windy).divergence, "") << "the wind decides nothing";
+}
+
 TEST(FlightRecorder, aTamperedLogNamesTheFirstCheckpointThatDiffers) {
-  // A step more in the third second or at the end, another setting on the way or at the start: each is found at
-  // the first checkpoint behind it.
+  // A step more in the third second or at the end, another setting on the way or at the start: each is found
+  // at the first checkpoint behind it.
   const auto divergence = [](const std::string& what, const std::string& with) {
     const test::TemporaryFolder folder;
     const std::string log = record(folder, folder.write("a.json", kScene));
@@ -193,9 +216,9 @@ TEST(FlightRecorder, aLogOfSchema1IsComparedAtItsEndAndCanBeRecordedAnew) {
   CommandLine line = lineOf(folder);
   line.record = folder.path() / "new.log";
   EXPECT_EQ(replay(good, line).divergence, "");
-  const game::InputLog anew = game::readInputLog(*line.record);
-  EXPECT_EQ(anew.runs, flown.runs);
-  EXPECT_EQ(anew.changes, flown.changes);
+  const game::InputLog again = game::readInputLog(*line.record);
+  EXPECT_EQ(again.runs, flown.runs);
+  EXPECT_EQ(again.changes, flown.changes);
   EXPECT_EQ(replay(folder, line.record->string()).divergence, "");
   const std::string bad = folder.write("bad.log", schema1(flown.checkpoints.back().hash + 1));
   EXPECT_NE(replay(folder, bad).divergence.find("step 605 "), std::string::npos);
@@ -212,7 +235,7 @@ TEST(FlightRecorder, aChangeThatNoStepHasSeenIsNoPartOfTheFlight) {
     Simulation simulation(run->setup, run->settings, run->table);
     const auto set = [&](const std::string& assignment) {
       core::setField(run->table, assignment);
-      simulation.applySettings({"aircraft.rollFactor"});
+      simulation.apply({"aircraft.rollFactor"});
     };
     set("aircraft.rollFactor=0.6");
     set("aircraft.rollFactor=0.7");
@@ -279,26 +302,25 @@ TEST(FlightRecorder, aFullDiskEndsTheRecordAndNotTheFlight) {
 
 // A run of the scene with land, recorded or replayed, and what the menu and the player's file do to it.
 struct FixedSettings : testing::Test {
-  std::unique_ptr<app::Run> start(CommandLine line) {
+  std::unique_ptr<app::RunConfig> start(CommandLine line) {
     line.scene = line.replay ? std::nullopt : std::optional<std::string>("terrain");
     auto run = prepareRun(line);
     simulation.emplace(run->setup, run->settings, run->table);
     return run;
   }
   // Sets the value as the menu does; the reasons why it was taken back.
-  std::vector<std::string> choose(app::Run& run, const std::string& path, double value) {
+  std::vector<std::string> choose(app::RunConfig& run, const std::string& path, double value) {
     core::setField(run.table.at(path), value);
-    std::vector<std::string> paths = {path};
-    const std::vector<std::string> reasons = simulation->takeBackFixed(paths);
-    if (!paths.empty()) simulation->applySettings(takeMenuChanges(run, paths));
+    SettingsChange picked{path};
+    const std::vector<std::string> reasons = simulation->takeBackFixed(picked);
+    if (!picked.empty()) simulation->apply(takeMenuChanges(run, picked));
     return reasons;
   }
-  std::vector<std::string> edit(app::Run& run, const std::string& settings) {
+  std::vector<std::string> edit(app::RunConfig& run, const std::string& settings) {
     std::filesystem::create_directories(folder.path() / "user");
     folder.write("user/settings.json", R"({"schema": 1, "settings": )" + settings + "}");
     std::vector<std::string> reasons;
-    const std::vector<std::string> changed = reloadPlayer(run, &reasons);
-    simulation->applySettings(changed);
+    simulation->apply(reloadPlayer(run, &reasons));
     return reasons;
   }
 
@@ -307,8 +329,9 @@ struct FixedSettings : testing::Test {
 };
 
 TEST_F(FixedSettings, theLandOfARecordingStaysWhateverChangesIt) {
-  // By the menu and by the player's file the change is refused with its reason, what else was changed is taken;
-  // a quality that is picked moves no land. Nothing of a refused choice of the menu is kept for the player.
+  // By the menu and by the player's file the change is refused with its reason, what else was changed is
+  // taken; a quality that is picked moves no land. Nothing of a refused choice of the menu is kept for the
+  // player.
   CommandLine line = lineOf(folder);
   line.record = folder.path() / "flight.log";
   const auto run = start(line);
@@ -337,8 +360,8 @@ TEST_F(FixedSettings, theLandOfARecordingStaysWhateverChangesIt) {
 }
 
 TEST_F(FixedSettings, aReplayKeepsTheRecordedSettingsWhateverChangesThem) {
-  // Also those that the log itself changed on the way: an edit of the player's file or a picked quality brings
-  // neither the player's values nor those of the start back.
+  // Also those that the log itself changed on the way: an edit of the player's file or a picked quality
+  // brings neither the player's values nor those of the start back.
   const std::string log = record(folder, folder.write("a.json", kScene));
   CommandLine line = lineOf(folder);
   line.replay = log;

@@ -1,4 +1,4 @@
-#include "app/flight_trace.h"
+#include "app/session/flight_trace.h"
 
 #include <gtest/gtest.h>
 

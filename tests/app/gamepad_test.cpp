@@ -1,4 +1,4 @@
-#include "app/gamepad.h"
+#include "app/input/gamepad.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gamepads.h"
+#include "app/input/gamepads.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/core/settings_table.h"
 

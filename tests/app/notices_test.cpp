@@ -1,4 +1,4 @@
-#include "app/notices.h"
+#include "app/window/notices.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/player_camera.h"
+#include "app/session/player_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "app/pose_text.h"
+#include "app/cli/command_line_parser.h"
+#include "app/session/pose_text.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <random>
 
-#include "skydrop/render/camera.h"
+#include "skydrop/render/frame/camera.h"
 
 namespace skydrop::app {
 namespace {

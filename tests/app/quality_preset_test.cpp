@@ -1,11 +1,11 @@
-#include "app/quality_preset.h"
+#include "app/settings/quality_preset.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/prepare.h"
+#include "app/session/run_config.h"
 #include "skydrop/core/error.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
@@ -22,7 +22,7 @@ CommandLine headless(std::vector<std::string> set = {}) {
   return line;
 }
 
-std::unique_ptr<Run> inSoftware(const CommandLine& line) {
+std::unique_ptr<RunConfig> inSoftware(const CommandLine& line) {
   auto run = prepareRun(line);
   useSoftwareRenderer(*run);
   return run;
@@ -106,7 +106,7 @@ TEST(QualityPreset, oneThatIsPickedInTheMenuTakesItsRowsAlong) {
   const auto choose = [&](const char* assignment) {
     core::setField(run->table, assignment);
     const std::string text(assignment);
-    return takeMenuChanges(*run, {text.substr(0, text.find('='))});
+    return takeMenuChanges(*run, {text.substr(0, text.find('='))}).paths();
   };
   choose("aircraft.yawSpeed=40");
   choose("streaming.texelPixels=7");

@@ -1,4 +1,4 @@
-#include "app/screen_fit.h"
+#include "app/window/screen_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -15,15 +15,15 @@
 #include <string>
 #include <vector>
 
-#include "app/overlay.h"
-#include "app/player_input.h"
-#include "app/prepare.h"
+#include "app/input/player_input.h"
+#include "app/session/run_config.h"
+#include "app/window/overlay.h"
 #include "skydrop/audio/audio_manager.h"
 #include "skydrop/audio/sound_scene.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/core/job_pool.h"
 #include "skydrop/game/world.h"
-#include "skydrop/render/camera.h"
+#include "skydrop/render/frame/camera.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
@@ -61,6 +61,7 @@ game::WorldSetup worldOf(const Settings& settings, std::shared_ptr<const terrain
   game::WorldSetup setup;
   setup.ground = std::move(ground);
   setup.start.position = {0, startHeight, 0};
+  setup.wind = core::flownWind(settings.wind);
   setup.airplane = settings.aircraft;
   setup.package = settings.package;
   setup.game = settings.game;
@@ -223,7 +224,7 @@ std::uint64_t uploads(const Settings& settings) {
   other.gpuMiB = 120;
   endless.apply(other);
   endless.settle(small());
-  endless.apply(settings.streaming);  // a changed number of slots empties them all
+  endless.apply(settings.streaming);  // a changed number of layers empties them all
   endless.update(small());
   return endless.statistics().uploadedBytes;
 }
@@ -363,6 +364,7 @@ struct Probe {
 const std::vector<Probe> kProbes = {
     {"aircraft.", aerobatics},
     {"package.", packages},
+    {"wind.", aerobatics, {"wind.movesAircraft=true"}},
     {"game.target", firstTargets},
     {"game.dropCooldown", drops},
     {"game.landedPackageSeconds", removal},
@@ -450,7 +452,8 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
 }
 
 constexpr const char* kGroups[] = {"aircraft.", "package.", "game.",  "autopilot.", "terrain.", "streaming.",
-                                   "audio.",    "view.",    "input.", "quality",    "clouds.", "render."};
+                                   "audio.",    "view.",    "input.", "quality",    "clouds.", "render.",
+                                   "wind."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

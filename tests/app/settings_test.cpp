@@ -1,4 +1,4 @@
-#include "app/settings.h"
+#include "app/settings/settings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/parts.h"
-#include "app/prepare.h"
-#include "app/user_settings.h"
+#include "app/session/effect_table.h"
+#include "app/session/run_config.h"
+#include "app/settings/user_settings.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "support/as_nobody.h"
@@ -96,15 +96,16 @@ TEST(Settings, theThesisWeatherParametersHaveRowsThatTakeEffectAtOnce) {
   scene::EffectSet effects;
   effects.insert(scene::Effect::clouds);
   const auto sections = menuSections(effects);
-  const auto first = std::ranges::find(table.fields(), "clouds", &core::Field::group);
+  const std::string layer = "clouds.layers.0";
+  const auto first = std::ranges::find(table.fields(), layer, &core::Field::group);
   std::size_t i = 0;
-  for (auto field = first; field != table.fields().end() && field->group == "clouds"; ++field, ++i) {
+  for (auto field = first; field != table.fields().end() && field->group == layer; ++field, ++i) {
     EXPECT_EQ(ui::sectionOf(sections, *field)->title, "Weather") << field->path;
     if (field->kind == core::FieldKind::number) {
       EXPECT_EQ(field->takesEffect, core::TakesEffect::live) << field->path;
     }
     if (i >= std::size(values)) continue;
-    EXPECT_EQ(field->path, std::string("clouds.") + values[i].first);
+    EXPECT_EQ(field->path, layer + "." + values[i].first);
     EXPECT_EQ(field->defaultValue, values[i].second) << field->path;
   }
   EXPECT_GT(i, std::size(values));
@@ -195,13 +196,13 @@ TEST(Settings, anEditedPlayerFileTakesEffectWhereItFits) {
   const auto run = prepareRun(line);
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
-  EXPECT_EQ(reloadPlayer(*run), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
+  EXPECT_EQ(reloadPlayer(*run).paths(), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21);
   EXPECT_EQ(run->player.aircraft.yawSpeed, 22);
   EXPECT_EQ(run->warning, std::nullopt);
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 25, "yawSpeed": -1, "wings": 2}}})");
-  EXPECT_EQ(reloadPlayer(*run), std::vector<std::string>{"aircraft.pitchSpeed"});
+  EXPECT_EQ(reloadPlayer(*run).paths(), std::vector<std::string>{"aircraft.pitchSpeed"});
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 25);
   ASSERT_TRUE(run->warning);
   EXPECT_THAT(*run->warning, testing::HasSubstr("aircraft.yawSpeed: -1 is out of range"));
@@ -215,18 +216,18 @@ TEST(Settings, anEditedPlayerFileTakesEffectWhereItFits) {
 // A run whose player's file is in a folder of the test's.
 class UserSettingsTest : public testing::Test {
  protected:
-  std::unique_ptr<app::Run> start(const std::string& content = "") {
+  std::unique_ptr<app::RunConfig> start(const std::string& content = "") {
     if (!content.empty()) folder.write("settings.json", content);
     CommandLine line;
     line.verb = Verb::simulate;
     line.userDir = folder.path();
     return prepareRun(line);
   }
-  static void change(app::Run& run, const std::string& assignment) {
+  static void change(app::RunConfig& run, const std::string& assignment) {
     core::setField(run.table, assignment);
     takeMenuChanges(run, {assignment.substr(0, assignment.find('='))});
   }
-  static std::optional<std::string> save(app::Run& run) {
+  static std::optional<std::string> save(app::RunConfig& run) {
     return run.userSettings.save(run.playerTable, run.bindings);
   }
   nlohmann::json kept() const { return nlohmann::json::parse(core::readTextFile(file)); }
@@ -291,7 +292,7 @@ TEST_F(UserSettingsTest, aFileBrokenWhileFlyingIsKeptAsideForTheLastGoodOne) {
   const std::string broken = R"({"schema": 1, "settings": {"aircraft": {"mass": 1100},}})";
   folder.write("settings.json", broken);
   const auto untouched = save(*run);
-  ASSERT_TRUE(untouched) << "it is said";
+  ASSERT_TRUE(untouched) << "it is reported";
   EXPECT_EQ(core::readTextFile(file), broken) << "but nothing was to be written";
   int pitchSpeed = 20;
   for (const char* aside : {"settings.json.bad", "settings.json.bad2", "settings.json.bad3"}) {
@@ -352,8 +353,8 @@ TEST_F(UserSettingsTest, aFileThatMayNotBeReadIsLeftAlone) {
 }
 
 TEST_F(UserSettingsTest, boundKeysComeBack) {
-  // They stand beside the settings. Entries of other versions stay, and so do those of the player's that are not
-  // understood.
+  // They stand beside the settings. Entries of other versions stay, and so do those of the player's that are
+  // not understood.
   const auto run = start();
   run->bindings.bind(Action::drop, keyInput('W'));
   save(*run);

@@ -1,4 +1,4 @@
-#include "app/standard_output.h"
+#include "app/console/standard_output.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

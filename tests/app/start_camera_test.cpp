@@ -1,4 +1,4 @@
-#include "app/start_camera.h"
+#include "app/session/start_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/frame_times.h"
-#include "app/statistics_json.h"
+#include "app/measure/frame_times.h"
+#include "app/measure/statistics_json.h"
 
 namespace skydrop::app {
 namespace {

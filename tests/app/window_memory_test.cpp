@@ -1,4 +1,4 @@
-#include "app/window_memory.h"
+#include "app/window/window_memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/xdg_folder.h"
+#include "app/settings/xdg_folder.h"
 
 #include <gtest/gtest.h>
 

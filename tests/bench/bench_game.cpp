@@ -3,24 +3,25 @@
 #include <chrono>
 #include <glm/trigonometric.hpp>
 
-#include "app/bindings.h"
-#include "app/open_context.h"
+#include "app/input/bindings.h"
+#include "app/session/open_context.h"
 #include "support/shared_noise.h"
 
 namespace skydrop::bench {
 namespace {
 
-std::unique_ptr<app::Run> runOf(const BenchGame::Setup& setup) {
+std::unique_ptr<app::RunConfig> runOf(const BenchGame::Setup& setup) {
   app::CommandLine line;
   line.verb = app::Verb::render;
   line.scene = setup.scene;
-  std::unique_ptr<app::Run> run = app::prepareRun(line);
+  std::unique_ptr<app::RunConfig> run = app::prepareRun(line);
   if (setup.without) run->setup.scene.effects.erase(*setup.without);
   return run;
 }
 
-std::shared_ptr<const clouds::FoldedNoise> noiseFor(const scene::EffectSet& effects) {
-  return effects.contains(scene::Effect::clouds) ? test::sharedNoise() : nullptr;
+app::PreparedResources preparedFor(const scene::EffectSet& effects) {
+  return effects.contains(scene::Effect::clouds) ? app::PreparedResources(test::sharedNoise())
+                                                 : app::PreparedResources();
 }
 
 }  // namespace
@@ -29,25 +30,26 @@ BenchGame::BenchGame(const Setup& setup)
     : run_(runOf(setup)),
       context_(app::openContext(std::nullopt, kFrameSize)),
       simulation_(run_->setup, run_->settings, run_->table),
-      stage_(*context_,
-             {simulation_.effects(), simulation_.ground(), std::nullopt, setup.measuring,
-              noiseFor(simulation_.effects())},
-             run_->settings),
+      sceneRenderer_(*context_,
+                     {simulation_.effects(), simulation_.ground(), std::nullopt, setup.measuring,
+                      preparedFor(simulation_.effects())},
+                     run_->settings),
       overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::Bindings())) {
-  stage_.addOverlay();
-  stage_.warmUp(simulation_.world().now(), kFrameSize);
-  stage_.camera().setMode(render::CameraMode::free);
+  sceneRenderer_.addOverlay();
+  sceneRenderer_.warmUp(simulation_.world().now(), kFrameSize);
+  sceneRenderer_.camera().setMode(render::CameraMode::free);
 }
 
 double BenchGame::draw(const app::Pose& pose) {
   context_->makeCurrent();  // several games may take turns
   const auto begin = std::chrono::steady_clock::now();
-  stage_.camera().setPose(pose.position, glm::radians(pose.yawDegrees), glm::radians(pose.pitchDegrees),
-                          glm::radians(pose.rollDegrees));
+  sceneRenderer_.camera().setPose(pose.position, glm::radians(pose.yawDegrees),
+                                  glm::radians(pose.pitchDegrees), glm::radians(pose.rollDegrees));
   const game::Snapshot& snapshot = simulation_.world().now();
-  if (overlay_.build({snapshot, kFrameSize, 1.0 / 60, run_->table}).fontsChanged) stage_.uploadFonts();
-  stage_.draw(snapshot, kFrameSize, app::Streaming::asItComes);
-  stage_.renderer().finish();
+  const app::OverlayResult built = overlay_.build({snapshot, kFrameSize, 1.0 / 60, run_->table});
+  if (built.fontsChanged) sceneRenderer_.uploadFonts();
+  sceneRenderer_.draw(snapshot, kFrameSize, app::Streaming::asItComes);
+  sceneRenderer_.renderer().finish();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "app/overlay.h"
-#include "app/prepare.h"
-#include "app/stage.h"
+#include "app/session/run_config.h"
+#include "app/session/scene_renderer.h"
+#include "app/window/overlay.h"
 #include "skydrop/render/gl/context.h"
 
 namespace skydrop::bench {
@@ -25,8 +25,8 @@ class BenchGame {
   explicit BenchGame(const Setup& setup);
 
   const terrain::HeightSource& ground() const { return *simulation_.ground(); }
-  app::Stage& stage() { return stage_; }
-  const terrain::EndlessTerrain& land() const { return *stage_.land(); }
+  app::SceneRenderer& sceneRenderer() { return sceneRenderer_; }
+  const terrain::EndlessTerrain& land() const { return *sceneRenderer_.land(); }
   std::string renderer() const { return context_->renderer(); }
 
   // One frame from there, in ms. Metres; degrees as in app::Pose.
@@ -36,10 +36,10 @@ class BenchGame {
   void settle(const app::Pose& pose);
 
  private:
-  std::unique_ptr<app::Run> run_;
+  std::unique_ptr<app::RunConfig> run_;
   std::unique_ptr<render::gl::Context> context_;
   app::Simulation simulation_;
-  app::Stage stage_;
+  app::SceneRenderer sceneRenderer_;
   app::Overlay overlay_;
 };
 

@@ -97,7 +97,7 @@ class EightOctaves {
       for (int column = 0; column < kChunkSamples; ++column) {
         const Jet<double> height = at(origin + kCellMetres * glm::dvec2(column, row));
         const auto i = static_cast<std::size_t>(sampleIndex(column, row));
-        out.heights[i] = encodeHeight(height.v);
+        out.heights[i] = out.heightRange.encode(height.v);
         out.normals[static_cast<std::size_t>(normalIndex(column, row))] = encodeNormal({height.x, height.z});
       }
     }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/frame_times.h"
+#include "app/measure/frame_times.h"
 #include "bench/bench_game.h"
 #include "bench/cloud_study.h"
 #include "bench/expectation.h"
@@ -53,7 +53,7 @@ void checkPromise(const TierPromise& promise, const CloudView& view, double time
 
 struct TierRow {
   Cost whole,
-      later;  // with every update that a frame may need, the light grids filled anew; the frame after it
+      later;  // with every update that a frame may need, the light grids filled again; the frame after it
   double error = 0;
 };
 

@@ -1,5 +1,5 @@
-// What each knob of the march buys: the tier high with one of them changed, error against time. Runs only by
-// name.
+// What each parameter of the march buys: the tier high with one of them changed, error against time. Runs
+// only by name.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -31,16 +31,16 @@ constexpr Change kChanges[] = {
     {"sunSamples 8", [](MarchSettings& m) { m.sunSamples = 8; }},
     {"sunSamples 16", [](MarchSettings& m) { m.sunSamples = 16; }},
     {"sunSamples 32", [](MarchSettings& m) { m.sunSamples = 32; }},
-    {"stepDepth 0.35", [](MarchSettings& m) { m.stepDepth = 0.35; }},
-    {"stepDepth 2", [](MarchSettings& m) { m.stepDepth = 2; }},
+    {"maxSegmentOpticalDepth 0.35", [](MarchSettings& m) { m.maxSegmentOpticalDepth = 0.35; }},
+    {"maxSegmentOpticalDepth 2", [](MarchSettings& m) { m.maxSegmentOpticalDepth = 2; }},
     {"tolerance 0.1", [](MarchSettings& m) { m.tolerance = 0.1; }},
     {"tolerance 1", [](MarchSettings& m) { m.tolerance = 1; }},
-    {"lightGrid, sunReachM 60", [](MarchSettings& m) { m.lightGrid = true, m.sunReachM = 60; }},
-    {"lightGrid, sunReachM 200", [](MarchSettings& m) { m.lightGrid = true, m.sunReachM = 200; }},
+    {"lightGrid, sunMarchDistanceM 60", [](MarchSettings& m) { m.lightGrid = true, m.sunMarchDistanceM = 60; }},
+    {"lightGrid, sunMarchDistanceM 200", [](MarchSettings& m) { m.lightGrid = true, m.sunMarchDistanceM = 200; }},
 };
 
 struct FrontRow {
-  Cost whole, later;  // the light grids filled anew, if there are any; and not
+  Cost whole, later;  // the light grids filled again, if there are any; and not
   double error = 0;
 };
 

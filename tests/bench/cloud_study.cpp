@@ -8,10 +8,10 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
-#include "app/cloud_tier.h"
-#include "app/open_context.h"
-#include "app/settings.h"
-#include "skydrop/render/camera.h"
+#include "app/session/open_context.h"
+#include "app/settings/cloud_tier.h"
+#include "app/settings/settings.h"
+#include "skydrop/render/frame/camera.h"
 #include "support/shared_noise.h"
 
 namespace skydrop::bench {
@@ -24,9 +24,9 @@ class TimedPass final : public render::Pass {
   TimedPass(std::unique_ptr<render::Pass> pass, Cost& cost) : pass_(std::move(pass)), cost_(cost) {}
 
   std::string_view name() const override { return pass_->name(); }
-  render::Slot slot() const override { return pass_->slot(); }
-  std::optional<std::string> idleReason(const render::FrameInput& frame) const override {
-    return pass_->idleReason(frame);
+  render::RenderStage stage() const override { return pass_->stage(); }
+  std::optional<std::string> skipReason(const render::FrameInput& frame) const override {
+    return pass_->skipReason(frame);
   }
   void draw(render::FrameContext& context) override {
     const auto finish = context.gl.api().Finish;
@@ -91,8 +91,8 @@ clouds::CloudSettings settingsOf(clouds::CloudTier tier) {
 CloudStudy::CloudStudy(app::Size size)
     : size_(size), context_(app::openContext(std::nullopt, size)), renderer_(*context_, {}, false) {
   drawFrame(kCloudViews[0], false);
-  bytesWithoutClouds_ = context_->ledger().bytes();
-  auto clouds = std::make_unique<render::CloudSystem>(*context_, test::sharedNoise(), settings_);
+  bytesWithoutClouds_ = context_->resources().bytes();
+  auto clouds = std::make_unique<render::CloudSystem>(*context_, test::sharedNoise(), settings_, wind_);
   auto plain = std::make_unique<PlainMarch>();
   clouds_ = clouds.get();
   plain_ = plain.get();
@@ -100,24 +100,23 @@ CloudStudy::CloudStudy(app::Size size)
   renderer_.add(std::make_unique<TimedPass>(std::move(plain), plainCost_));
 }
 
-std::uint64_t CloudStudy::cloudBytes() const { return context_->ledger().bytes() - bytesWithoutClouds_; }
+std::uint64_t CloudStudy::cloudBytes() const { return context_->resources().bytes() - bytesWithoutClouds_; }
 
 void CloudStudy::use(const clouds::CloudSettings& settings) {
   settings_ = settings;
-  clouds_->apply(settings_);
+  clouds_->apply(settings_, wind_);
 }
 
 void CloudStudy::forgetLight() {
   clouds::CloudSettings others = settings_;
-  others.thickness += 1;  // another medium
-  clouds_->apply(others);
-  clouds_->apply(settings_);
+  others.layers[0].thickness += 1;  // another medium
+  clouds_->apply(others, wind_);
+  clouds_->apply(settings_, wind_);
 }
 
 void CloudStudy::drawFrame(const CloudView& view, bool plain) {
   if (plain_) plain_->asked = plain;
-  const game::Snapshot snapshot;
-  renderer_.draw({snapshot, viewOf(view, size_), {.haze = true}});
+  renderer_.draw({.view = viewOf(view, size_), .features = {.haze = true}});
   renderer_.finish();
 }
 

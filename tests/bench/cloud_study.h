@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.h"
+#include "app/types/pose.h"
+#include "app/types/size.h"
 #include "bench/plain_march.h"
 #include "skydrop/clouds/cloud_settings.h"
-#include "skydrop/render/cloud_system.h"
-#include "skydrop/render/renderer.h"
+#include "skydrop/render/clouds/cloud_system.h"
+#include "skydrop/render/frame/renderer.h"
 
 namespace skydrop::bench {
 
@@ -61,7 +62,7 @@ class CloudStudy {
 
   // For the next frames.
   void use(const clouds::CloudSettings& settings);
-  // The next frame fills its light grids anew, if it has any.
+  // The next frame fills its light grids again, if it has any.
   void forgetLight();
 
   Cost draw(const CloudView& view);
@@ -80,6 +81,7 @@ class CloudStudy {
   render::Renderer renderer_;
   std::uint64_t bytesWithoutClouds_ = 0;
   clouds::CloudSettings settings_;
+  core::WindSettings wind_;
   Cost cloudCost_, plainCost_;
   render::CloudSystem* clouds_ = nullptr;  // the renderer's, as the next
   PlainMarch* plain_ = nullptr;

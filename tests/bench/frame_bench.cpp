@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/frame_times.h"
+#include "app/measure/frame_times.h"
 #include "bench/bench_game.h"
 #include "bench/expectation.h"
 
@@ -98,13 +98,13 @@ void passesInFlight(benchmark::State& state) {
   BenchGame game({.measuring = true});
   LowFlight flight(game.ground());
   game.settle(flight.pose());
-  game.stage().renderer().clearTimes();
+  game.sceneRenderer().renderer().clearTimes();
   for (auto _ : state) {
     game.draw(flight.pose());
     flight.advance(1.0 / 60, kSpeedMps);
   }
   core::FrameStatistics statistics;
-  game.stage().writeTo(statistics);
+  game.sceneRenderer().writeTo(statistics);
   for (const auto& [pass, row] : statistics.passes) state.counters[pass] = row.ms;
   state.SetLabel(statistics.renderer + ", ms by " + statistics.clock);
 }

@@ -11,7 +11,7 @@ GLuint tilesOf(int pixels) { return (static_cast<GLuint>(pixels) + kTile - 1) / 
 
 }  // namespace
 
-std::optional<std::string> PlainMarch::idleReason(const render::FrameInput&) const {
+std::optional<std::string> PlainMarch::skipReason(const render::FrameInput&) const {
   if (!asked) return "not asked for";
   return std::nullopt;
 }

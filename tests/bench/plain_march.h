@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "skydrop/render/frame/pass.h"
 #include "skydrop/render/gl/texture.h"
-#include "skydrop/render/pass.h"
 
 namespace skydrop::bench {
 
@@ -21,8 +21,8 @@ class PlainMarch final : public render::Pass {
   const render::gl::Texture& light() const { return light_; }
 
   std::string_view name() const override { return "plainMarch"; }
-  render::Slot slot() const override { return render::Slot::clouds; }
-  std::optional<std::string> idleReason(const render::FrameInput& frame) const override;
+  render::RenderStage stage() const override { return render::RenderStage::clouds; }
+  std::optional<std::string> skipReason(const render::FrameInput& frame) const override;
   void draw(render::FrameContext& context) override;
 
  private:

@@ -15,7 +15,7 @@ namespace skydrop::bench {
 namespace {
 
 // A frame of 320 x 180, with the start of the program, all of the land, read-back and PNG, and every shader
-// compiled anew.
+// recompiled.
 void frameWithAColdShaderCache(benchmark::State& state) {
   const test::TemporaryFolder folder;
   const std::string command = "MESA_SHADER_CACHE_DISABLE=true '" + test::programFile() +

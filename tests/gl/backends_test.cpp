@@ -2,12 +2,12 @@
 #include <bit>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "skydrop/render/cloud_system.h"
+#include "skydrop/render/clouds/cloud_system.h"
+#include "skydrop/render/frame/renderer.h"
 #include "skydrop/render/gl/pass_timer.h"
 #include "skydrop/render/gl/shader.h"
-#include "skydrop/render/mesh.h"
-#include "skydrop/render/renderer.h"
-#include "skydrop/render/sky_pass.h"
+#include "skydrop/render/models/mesh.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "support/gl_test.h"
 #include "support/light_probe.h"
 #include "support/shared_noise.h"
@@ -89,10 +89,10 @@ TEST(Backends, eglAndOsMesaDrawTheSameBitsInOneProcess) {
   EXPECT_GT(covered, kWidth * kHeight / 4);  // the scene is in the picture
   for (const auto* context : {egl.get(), osmesa.get()}) {
     EXPECT_EQ(context->debugErrors(), 0u);
-    EXPECT_EQ(context->ledger().liveObjects(), 0);
-    EXPECT_EQ(context->ledger().bytes(), 0u);
+    EXPECT_EQ(context->resources().liveObjects(), 0);
+    EXPECT_EQ(context->resources().bytes(), 0u);
   }
-  EXPECT_EQ(osmesa->ledger().total().draws, 3u);
+  EXPECT_EQ(osmesa->resources().total().draws, 3u);
 }
 
 // Clouds before the sky, from below: the tier `low`'s light grid and rays of half resolution, or the
@@ -104,15 +104,14 @@ std::vector<glm::vec4> drawClouds(gl::Context& context, bool lightGrid) {
   clouds::CloudSettings clouds;
   clouds.march.lightGrid = lightGrid;
   renderer.add(std::make_unique<SkyPass>(context));
-  renderer.add(std::make_unique<CloudSystem>(context, test::sharedNoise(), clouds));
+  renderer.add(std::make_unique<CloudSystem>(context, test::sharedNoise(), clouds, core::WindSettings{}));
   renderer.add(std::make_unique<test::LightProbe>(light));
-  game::Snapshot snapshot;
   View view;
   view.position = {0, 600, 0};
   view.worldToView = glm::transpose(glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(15.0), {1, 0, 0})));
   view.width = kWidth;
   view.height = kHeight;
-  renderer.draw({snapshot, view, FrameFeatures{true}});
+  renderer.draw({.view = view, .features = {.haze = true}});
   return light;
 }
 

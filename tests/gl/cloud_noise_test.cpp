@@ -1,5 +1,5 @@
 // The clouds' noise as a graphics card makes it at the start of the program.
-#include "app/cloud_noise.h"
+#include "app/session/cloud_noise.h"
 
 #include "skydrop/clouds/noise_cache.h"
 #include "support/gl_test.h"
@@ -23,7 +23,7 @@ double largestDifference(std::span<const float> a, std::span<const float> b) {
 std::span<const float> floatsOf(const std::vector<glm::vec3>& map) { return {&map[0].x, 3 * map.size()}; }
 
 TEST_F(CloudNoiseGLTest, whatTheCardMakesIsTheProcessorsWithinOneStepAndIsKept) {
-  // With an empty cache, an eighth of a texture a call; folded it differs by no more than a step of 8 bits.
+  // With an empty cache, an eighth of a texture a call; packed it differs by no more than a step of 8 bits.
   constexpr double kStep = 1.0 / 255;
   const test::TemporaryFolder folder;
   CloudNoise noise(NoiseStore(folder.path()), CloudNoise::Maker::graphics);

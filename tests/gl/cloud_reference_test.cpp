@@ -24,12 +24,12 @@ class CloudReferenceGLTest : public test::CloudFrameTest {
     return pose(position, yaw, pitch, 0, kWidth, kHeight);
   }
   clouds::MarchLight marchLight() const {
-    return {directionToSun(settings_.sun), clouds_.anisotropy, clouds_.forwardShare};
+    return {directionToSun(settings_.sun), clouds_.layers[0].anisotropy, clouds_.layers[0].forwardShare};
   }
   // Radiance and transmittance of a ray: what a march gathers, in the light of the frame.
   glm::dvec4 litBy(const clouds::MarchResult& gathered, double eyeHeight) const {
     const SkyLight light = skyLight(settings_, eyeHeight);
-    const double middle = clouds_.cloudHeight + 0.5 * clouds_.thickness;
+    const double middle = clouds_.layers[0].cloudHeight + 0.5 * clouds_.layers[0].thickness;
     const glm::dvec3 sun = light.sunOutside * f64::sunTransmittance(light.air, middle, light.toSun.y) *
                            f64::sunVisibleShare(light.toSun.y);
     return {(sun * gathered.sun + light.sky * gathered.sky + light.ground * gathered.ground) * light.exposure,
@@ -130,7 +130,7 @@ class ProfileQuadrature {
 
   // For a ray from below the layer or above it.
   clouds::MarchResult along(const glm::dvec3& direction) const {
-    const double depth = settings_.extinction * settings_.thickness;
+    const double depth = settings_.layers[0].extinction * settings_.layers[0].thickness;
     const f64::Vec4 phases =
         f64::cloudPhases(glm::dot(direction, light_.toSun), light_.anisotropy, light_.forwardShare);
     clouds::MarchResult result;
@@ -169,7 +169,7 @@ TEST_F(CloudReferenceGLTest, aMediumOfTheHeightAloneHasItsQuadrature) {
   clouds_.fadeDistance = 60000;  // nothing within 36 km fades
   Worst worst;
   for (const double extinction : {2e-5, 2e-3, 0.02}) {
-    clouds_.extinction = extinction;
+    clouds_.layers[0].extinction = extinction;
     const ProfileQuadrature quadrature(clouds_, marchLight());
     for (const View& view :
          {small({0, 900, 0}, 30, 90), small({0, 900, 0}, 250, 40), small({0, 4000, 0}, 120, -60)}) {
@@ -207,15 +207,15 @@ class CountingPass final : public Pass {
   CountingPass(const CloudSystem& system, const test::TemporaryFolder& folder,
                const clouds::CloudSettings& clouds)
       : system_(system), clouds_(clouds), file_(folder.write("count.comp", R"(
-#include "frame.glsl"
-#include "shared/cloud_medium.glsl"
-#include "shared/cloud_light.glsl"
-#include "clouds/uniforms.glsl"
 #include "clouds/field.glsl"
 #include "clouds/occupancy.glsl"
 #include "clouds/sun_depth.glsl"
-#include "clouds/view.glsl"
 #include "clouds/tiles.glsl"
+#include "clouds/uniforms.glsl"
+#include "clouds/view.glsl"
+#include "frame.glsl"
+#include "shared/cloud_light.glsl"
+#include "shared/cloud_medium.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Tiles { uvec4 groups; Task tasks[]; } tiles;
@@ -263,7 +263,7 @@ void main() {
 )")) {}
 
   std::string_view name() const override { return "counting"; }
-  Slot slot() const override { return Slot::clouds; }
+  RenderStage stage() const override { return RenderStage::clouds; }
   void draw(FrameContext& context) override {
     const unsigned tiles = system_.lastWork().tiles;
     const std::size_t rays = std::size_t{tiles} * 64;
@@ -303,8 +303,8 @@ class CloudCountGLTest : public CloudReferenceGLTest {
 
   // Clouds that rays go through for 24 km.
   void fillWithMist() {
-    clouds_.extinction = 0.002;
-    clouds_.coverage = 1;
+    clouds_.layers[0].extinction = 0.002;
+    clouds_.layers[0].coverage = 1;
   }
   // What each dispatch of a tier's march does, with a ray for each pixel.
   const Dispatches& countFrom(const View& view, clouds::CloudTier tier = clouds::CloudTier::reference) {

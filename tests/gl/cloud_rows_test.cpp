@@ -27,7 +27,7 @@ TEST_F(CloudRowsGLTest, C02_noExtinctionShowsExactlyTheBackground) {
   addSky();
   addClouds(test::sharedNoise());
   const std::vector<glm::vec4> background = withoutClouds(below());
-  clouds_.extinction = 0;
+  clouds_.layers[0].extinction = 0;
   for (const clouds::CloudTier tier :
        {clouds::CloudTier::low, clouds::CloudTier::high, clouds::CloudTier::reference}) {
     clouds_.march = test::rowsOf(tier);
@@ -42,7 +42,7 @@ TEST_F(CloudRowsGLTest, C04_extinctionWithoutBoundShowsTheSourceWhereTheRayEnter
   // be cut.
   addClouds(test::plainNoise());
   clouds_ = test::plainSettings();
-  clouds_.extinction = 1e30;
+  clouds_.layers[0].extinction = 1e30;
   const View view = small({0, 2500, 0}, 30, 5);
   const SkyLight light = skyLight(settings_, view.position.y);
   for (const double stepM : {1.0, 4.0, 16.0}) {
@@ -51,7 +51,8 @@ TEST_F(CloudRowsGLTest, C04_extinctionWithoutBoundShowsTheSourceWhereTheRayEnter
     for (int y = 0; y < kHeight; ++y) {
       const glm::vec4& ray = rays[static_cast<std::size_t>(y * kWidth + 20)];
       const double rise = rayDirection(view, {20.5, y + 0.5}).y * 0.5 * stepM;
-      const double height = (view.position.y + rise - clouds_.cloudHeight) / clouds_.thickness;
+      const clouds::CloudLayerSettings& layer = clouds_.layers[0];
+      const double height = (view.position.y + rise - layer.cloudHeight) / layer.thickness;
       const glm::dvec3 source =
           (light.sky * f64::scatteredSky(height) + light.ground * f64::scatteredGround(height)) *
           light.exposure;
@@ -64,21 +65,21 @@ TEST_F(CloudRowsGLTest, C04_extinctionWithoutBoundShowsTheSourceWhereTheRayEnter
 TEST_F(CloudRowsGLTest, C05_noiseOutOfRangeIsNoMoreThanAllCloud) {
   // Where textures hold 7 in place of 1 every bit is as with 1; with -3 there is no cloud anywhere.
   const auto noiseOf = [](float value) {
-    clouds::FoldedNoise noise = *test::plainNoise();
+    clouds::PackedCloudNoise noise = *test::plainNoise();
     std::ranges::fill(noise.base, value);
     std::ranges::fill(noise.weather, glm::vec3(value));
-    return std::make_shared<const clouds::FoldedNoise>(std::move(noise));
+    return std::make_shared<const clouds::PackedCloudNoise>(std::move(noise));
   };
   clouds_ = test::plainSettings();
   addClouds(noiseOf(1));
   const std::vector<glm::vec4> all = cloudsFrom(inside());
   EXPECT_TRUE(meanOpacity(all) > 0.1 && meanOpacity(all) < 0.99);
-  system_->apply(switchedOff());
+  system_->apply(switchedOff(), wind_);
   addClouds(noiseOf(7));
   EXPECT_TRUE(cloudsFrom(inside()) == all);
-  system_->apply(switchedOff());
+  system_->apply(switchedOff(), wind_);
   addClouds(noiseOf(-3));
-  EXPECT_EQ(system_->idleReason({snapshot_, inside(), features_}), "no cloud anywhere");
+  EXPECT_EQ(system_->skipReason(gameFrame(snapshot_, inside(), features_)), "no cloud anywhere");
 }
 
 TEST_F(CloudRowsGLTest, C06_moreCoverageIsNotLessCloud) {
@@ -88,7 +89,7 @@ TEST_F(CloudRowsGLTest, C06_moreCoverageIsNotLessCloud) {
   for (const View& view : {below(), inside()}) {
     double before = 0;
     for (const double coverage : {0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0, 1.5}) {
-      clouds_.coverage = coverage;
+      clouds_.layers[0].coverage = coverage;
       const double now = meanOpacity(cloudsFrom(view));
       EXPECT_GE(now, before) << coverage;
       before = now;
@@ -116,12 +117,12 @@ TEST_F(CloudRowsGLTest, C12_C16_marchedLengthIsThatOfTheRayToTheSurface) {
   // of the transmittance, at optical depths of 3 and more.)
   addClouds(test::plainNoise());
   clouds_ = test::plainSettings();
-  clouds_.thickness = 6000;  // of one density from 2530 m to 6835 m
-  clouds_.extinction = 0.003;
+  clouds_.layers[0].thickness = 6000;  // of one density from 2530 m to 6835 m
+  clouds_.layers[0].extinction = 0.003;
   clouds_.march.stepM = 200;  // exact in such a medium
   clouds_.march.sunSamples = 1;
-  clouds_.march.stepDepth = 5;
-  clouds_.march.leastTransmittance = 1e-5;
+  clouds_.march.maxSegmentOpticalDepth = 5;
+  clouds_.march.transmittanceCutoff = 1e-5;
   plains_ = {{5200, {0.2f, 0.3f, 0.1f}}};
   addPlains();
   double worst = 0;
@@ -134,7 +135,7 @@ TEST_F(CloudRowsGLTest, C12_C16_marchedLengthIsThatOfTheRayToTheSurface) {
         const double length =
             (plains_[0].heightM - view.position.y) / rayDirection(view, {x + 0.5, y + 0.5}).y;
         const float through = rays[static_cast<std::size_t>(y * size.x + x)].w;
-        const double error = std::abs(-std::log(through) / clouds_.extinction / length - 1);
+        const double error = std::abs(-std::log(through) / clouds_.layers[0].extinction / length - 1);
         worst = std::max(worst, error);
         ASSERT_LT(error, 1e-3) << x << ' ' << y << " of " << size.x << 'x' << size.y << ", length " << length;
       }
@@ -164,11 +165,11 @@ TEST_F(CloudRowsGLTest, C15_aStepInDepthIsAStepInLength) {
   // within 1e-3; none between them.
   addClouds(test::plainNoise());
   clouds_ = test::plainSettings();
-  clouds_.thickness = 6000;
-  clouds_.extinction = 0.003;
+  clouds_.layers[0].thickness = 6000;
+  clouds_.layers[0].extinction = 0.003;
   clouds_.march.stepM = 200;
-  clouds_.march.stepDepth = 5;
-  clouds_.march.leastTransmittance = 1e-5;
+  clouds_.march.maxSegmentOpticalDepth = 5;
+  clouds_.march.transmittanceCutoff = 1e-5;
   plains_ = {{5000, {0.2f, 0.3f, 0.1f}}};
   addPlains();
   renderer().add(
@@ -179,7 +180,8 @@ TEST_F(CloudRowsGLTest, C15_aStepInDepthIsAStepInLength) {
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const double down = -rayDirection(view, {x + 0.5, y + 0.5}).y;
-      const double length = -std::log(rays[static_cast<std::size_t>(y * kWidth + x)].w) / clouds_.extinction;
+      const double depth = -std::log(rays[static_cast<std::size_t>(y * kWidth + x)].w);
+      const double length = depth / clouds_.layers[0].extinction;
       const bool isPlate = std::abs(length * down / 1000 - 1) < 1e-3,
                  isPlain = std::abs(length * down / 1400 - 1) < 1e-3;
       plate += isPlate;
@@ -194,9 +196,9 @@ TEST_F(CloudRowsGLTest, C15_aStepInDepthIsAStepInLength) {
 // a whole.
 constexpr double kWholePeriod = 52000;
 void makeWhole(clouds::CloudSettings& clouds) {
-  clouds.scale = 0.6;
-  clouds.weatherScale = 0.02;
-  clouds.higherScale = 20;
+  clouds.layers[0].scale = 0.6;
+  clouds.layers[0].weatherScale = 0.02;
+  clouds.layers[0].higherScale = 20;
   clouds.fadeDistance = 24000;
 }
 
@@ -209,8 +211,8 @@ TEST_F(CloudRowsGLTest, C17_aFrameFarAwayIsTheSameFrameAtTheOrigin) {
   makeWhole(clouds_);
   settings_.sun.azimuthDegrees = 90;
   const double farAway = 17 * 12 * kWholePeriod;  // 1.06e7 m, 1105 moves of 9600 m
-  ASSERT_EQ(std::fmod(farAway, clouds::weatherPeriod(clouds_)), 0);
-  ASSERT_EQ(std::fmod(farAway, clouds::detailPeriod(clouds_)), 0);
+  ASSERT_EQ(std::fmod(farAway, clouds::weatherPeriod(clouds_.layers[0], clouds_.fadeDistance)), 0);
+  ASSERT_EQ(std::fmod(farAway, clouds::detailPeriod(clouds_.layers[0])), 0);
   for (const auto tier : {clouds::CloudTier::low, clouds::CloudTier::high, clouds::CloudTier::ultra}) {
     clouds_.march = test::rowsOf(tier);
     clouds_.march.lightGrid = tier == clouds::CloudTier::low;
@@ -249,8 +251,8 @@ TEST_F(CloudRowsGLTest, C18_aMonthOfWindCarriesTheFieldExactly) {
   addClouds(test::sharedNoise());
   makeWhole(clouds_);
   const double month = 30 * 86400;
-  clouds_.windDirection = 270;
-  clouds_.windSpeed = 400 * kWholePeriod / month;
+  wind_.direction = 270;
+  wind_.speed = 400 * kWholePeriod / month;
   const View view = small({1234.5, 600, -777.7}, 40, 14);
   const std::vector<glm::vec4> first = sceneFrom(view);
   snapshot_.simulatedSeconds = month;
@@ -267,7 +269,8 @@ TEST_F(CloudRowsGLTest, C20_crossingABoundaryIsNoJump) {
   double worst = 0;
   for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::half}) {
     clouds_.march.resolution = resolution;
-    for (const double boundary : {clouds_.cloudHeight, clouds_.cloudHeight + clouds_.thickness}) {
+    const clouds::CloudLayerSettings& layer = clouds_.layers[0];
+    for (const double boundary : {layer.cloudHeight, layer.cloudHeight + layer.thickness}) {
       for (const double pitch : {-80.0, -20.0, 0.0, 20.0, 80.0}) {
         const std::vector<glm::vec4> on = sceneFrom(small({500, boundary, 800}, 70, pitch));
         for (const double beside : {-1e-3, 1e-3}) {
@@ -290,10 +293,10 @@ TEST_F(CloudRowsGLTest, C21_sunAtTheZenithAndUnderTheHorizon) {
   for (const double elevation : {90.0, 40.0, 0.0, -0.3, -10.0, -90.0}) {
     settings_.sun.elevationDegrees = elevation;
     for (const View& view : views) {
-      clouds_.anisotropy = 0;
+      clouds_.layers[0].anisotropy = 0;
       const std::vector<glm::vec4> even = cloudsFrom(view);
       ASSERT_TRUE(areFinite(even)) << elevation;
-      clouds_.anisotropy = 0.9;
+      clouds_.layers[0].anisotropy = 0.9;
       const std::vector<glm::vec4> onward = cloudsFrom(view);
       ASSERT_TRUE(areFinite(onward)) << elevation;
       EXPECT_EQ(even == onward, elevation < -0.267) << elevation;  // no part of the disc is seen
@@ -310,7 +313,7 @@ TEST_F(CloudRowsGLTest, C22_horizontalRaysInHazeAreNoSeam) {
   addSky();
   addClouds(test::plainNoise());
   clouds_ = test::plainSettings();
-  clouds_.extinction = 2e-4;
+  clouds_.layers[0].extinction = 2e-4;
   const View view = pose({0, 2500, 0}, 30, 0, 0, 33, 21);
   ASSERT_EQ(rayDirection(view, {16.5, 10.5}).y, 0);
   const std::vector<glm::vec4> scene = sceneFrom(view);
@@ -328,8 +331,8 @@ TEST_F(CloudRowsGLTest, C25_aSunOfAHundredThousandStaysFinite) {
   const glm::dvec3 toSun = directionToSun(settings_.sun);
   const View view = small({0, 600, 0}, settings_.sun.azimuthDegrees - 90, settings_.sun.elevationDegrees);
   EXPECT_GT(glm::dot(view.forward(), toSun), 0.999);
-  clouds_.coverage = 0.8;
-  clouds_.extinction = 0.001;
+  clouds_.layers[0].coverage = 0.8;
+  clouds_.layers[0].extinction = 0.001;
   const std::vector<glm::vec4> dark = cloudsFrom(view);
   settings_.exposureStops = 14;
   const std::vector<glm::vec4> bright = cloudsFrom(view);

@@ -34,8 +34,8 @@ class DarkPlate final : public Pass {
         middle_(middle) {}
 
   std::string_view name() const override { return "plate"; }
-  Slot slot() const override { return Slot::terrain; }
-  std::optional<std::string> idleReason(const FrameInput&) const override {
+  RenderStage stage() const override { return RenderStage::terrain; }
+  std::optional<std::string> skipReason(const FrameInput&) const override {
     return isShown ? std::nullopt : std::optional<std::string>("put away");
   }
   void draw(FrameContext& context) override {
@@ -109,7 +109,7 @@ TEST_F(CloudRowsGLTest, C29_samplesDoNotJumpWithTheDepthBehind) {
   // ends at the plate or goes on, so it cannot be seen at all, at full resolution (2/255) and at half.
   addClouds(test::plainNoise());
   clouds_ = test::plainSettings();
-  clouds_.extinction = 0.02;
+  clouds_.layers[0].extinction = 0.02;
   const View view = small({-4000, 4500, 1000}, 300, -50);
   const glm::dvec3 middle = view.position + view.forward() * ((2200 - view.position.y) / view.forward().y);
   auto pass = std::make_unique<DarkPlate>(context(), folder_, middle);
@@ -178,7 +178,7 @@ void main() {
 )")) {}
 
   std::string_view name() const override { return "poison"; }
-  Slot slot() const override { return Slot::hud; }
+  RenderStage stage() const override { return RenderStage::hud; }
   void draw(FrameContext& context) override {
     gl::ComputeShader& shader = context.shaders.computeShader(
         file_, isCarried ? std::vector<std::string>{"CARRIED"} : std::vector<std::string>{});

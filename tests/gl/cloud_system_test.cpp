@@ -1,5 +1,5 @@
 // The clouds' pass: when it has work, and what its frames promise.
-#include "skydrop/render/cloud_system.h"
+#include "skydrop/render/clouds/cloud_system.h"
 
 #include <algorithm>
 #include <array>
@@ -18,24 +18,25 @@ class CloudSystemGLTest : public test::FrameTest {
   void SetUp() override {
     FrameTest::SetUp();
     if (IsSkipped()) return;
-    auto pass = std::make_unique<CloudSystem>(context(), test::sharedNoise(), clouds_);
+    auto pass = std::make_unique<CloudSystem>(context(), test::sharedNoise(), clouds_, wind_);
     system_ = pass.get();
     renderer().add(std::move(pass));
     renderer().add(std::make_unique<test::LightProbe>(light_));
   }
 
   std::vector<glm::vec4> lightFrom(const View& view) {
-    system_->apply(clouds_);
+    system_->apply(clouds_, wind_);
     draw(view);
     return light_;
   }
   std::string idleReasonOf(const View& view) {
-    system_->apply(clouds_);
-    return system_->idleReason({snapshot_, view, features_}).value_or("");
+    system_->apply(clouds_, wind_);
+    return system_->skipReason(gameFrame(snapshot_, view, features_)).value_or("");
   }
   View below() const { return pose({0, 600, 0}, 40, 12, 0, 160, 90); }
 
   clouds::CloudSettings clouds_;
+  core::WindSettings wind_;
   CloudSystem* system_ = nullptr;
 
  private:
@@ -54,7 +55,7 @@ TEST_F(CloudSystemGLTest, C31_dispatchesNothingWhereNoCloudCanBeSeen) {
   // A clear sky, a layer outside the picture or faded, and the tier off: no dispatch at all, and a reason.
   const auto dispatches = [&](const View& view) {
     lightFrom(view);
-    const auto& passes = context().ledger().passes();
+    const auto& passes = context().resources().passes();
     const auto row = passes.find("clouds");
     return row == passes.end() ? 0 : row->second.dispatches;
   };
@@ -64,10 +65,10 @@ TEST_F(CloudSystemGLTest, C31_dispatchesNothingWhereNoCloudCanBeSeen) {
   EXPECT_EQ(dispatches(down), 0u);
   EXPECT_EQ(idleReasonOf(down), "the layer is out of view");
   EXPECT_EQ(idleReasonOf(pose({0, 600 + 1e5, 0}, 40, -45, 0)), "the layer is out of view");
-  clouds_.coverage = 0;
+  clouds_.layers[0].coverage = 0;
   EXPECT_EQ(dispatches(below()), 0u);
   EXPECT_EQ(idleReasonOf(below()), "no cloud anywhere");
-  clouds_.coverage = 0.5;
+  clouds_.layers[0].coverage = 0.5;
   clouds_.tier = clouds::CloudTier::off;
   EXPECT_EQ(dispatches(below()), 0u);
   EXPECT_EQ(idleReasonOf(below()), "switched off");

@@ -29,19 +29,19 @@ TEST_F(GLTest, contextCollectsTheDriversErrors) {
 }
 
 TEST_F(GLTest, contextCountsDrawsAndDispatchesByPass) {
-  // The ledger books each draw on the pass that is open, and no other.
-  Ledger& ledger = context().ledger();
-  ledger.clearPasses();
-  ledger.beginPass("terrain");
-  ledger.drew();
-  ledger.drew();
-  ledger.endPass();
-  ledger.beginPass("clouds");
-  ledger.dispatched();
-  ledger.endPass();
-  EXPECT_EQ(ledger.passes().at("terrain"), (PassCounts{2, 0}));
-  EXPECT_EQ(ledger.passes().at("clouds"), (PassCounts{0, 1}));
-  EXPECT_EQ(ledger.total(), (PassCounts{2, 1}));
+  // The resources books each draw on the pass that is open, and no other.
+  GpuResourceTracker& resources = context().resources();
+  resources.clearPasses();
+  resources.beginPass("terrain");
+  resources.drew();
+  resources.drew();
+  resources.endPass();
+  resources.beginPass("clouds");
+  resources.dispatched();
+  resources.endPass();
+  EXPECT_EQ(resources.passes().at("terrain"), (PassCounts{2, 0}));
+  EXPECT_EQ(resources.passes().at("clouds"), (PassCounts{0, 1}));
+  EXPECT_EQ(resources.total(), (PassCounts{2, 1}));
 }
 
 TEST_F(GLTest, twoContextsOfOneBackendDoNotMixTheirObjects) {
@@ -54,12 +54,12 @@ TEST_F(GLTest, twoContextsOfOneBackendDoNotMixTheirObjects) {
     Buffer theirs(*other, 16, Buffer::Use::write, "theirs");
     context().makeCurrent();
     Buffer ours(context(), 32, Buffer::Use::write, "ours");
-    EXPECT_EQ(other->ledger().bytes(), 16u);
-    EXPECT_EQ(context().ledger().bytes(), 32u);
+    EXPECT_EQ(other->resources().bytes(), 16u);
+    EXPECT_EQ(context().resources().bytes(), 32u);
     theirs = Buffer();
     EXPECT_TRUE(context().isCurrent());
-    EXPECT_EQ(other->ledger().liveObjects(), 0);
-    EXPECT_EQ(context().ledger().liveObjects(), 1);
+    EXPECT_EQ(other->resources().liveObjects(), 0);
+    EXPECT_EQ(context().resources().liveObjects(), 1);
     const int value = 7;
     ours.writeValue(0, value);
     int read = 0;

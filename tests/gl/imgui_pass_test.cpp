@@ -1,11 +1,11 @@
-#include "skydrop/render/imgui_pass.h"
+#include "skydrop/render/overlay/imgui_pass.h"
 
 #include <gmock/gmock.h>
 #include <imgui.h>
 
-#include "skydrop/render/renderer.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/renderer.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "support/frame_test.h"
 #include "support/image_compare.h"
 
@@ -63,10 +63,9 @@ core::Image drawMenu(gl::Context& context) {
   renderer.add(std::make_unique<ToneMapPass>(context));
   renderer.add(std::make_unique<ImGuiPass>(context));
   ImGuiScope::build(320, 180);
-  const game::Snapshot snapshot;
   Camera camera;
   camera.setPose({0, 500, 0}, 1, 0.2, 0);
-  renderer.draw({snapshot, camera.view(snapshot, {}, 320, 180), {true}});
+  renderer.draw({.view = camera.view({}, {}, 320, 180), .features = {.haze = true}});
   return renderer.readBack();
 }
 
@@ -82,7 +81,7 @@ TEST(Backends, imguiIsTheSameInEveryBit) {
   test::writeArtifact("imgui", first);
   for (const gl::Context* context : {egl.get(), osmesa.get()}) {
     EXPECT_EQ(context->debugErrors(), 0u);
-    EXPECT_EQ(context->ledger().liveObjects(), 0);
+    EXPECT_EQ(context->resources().liveObjects(), 0);
   }
 }
 

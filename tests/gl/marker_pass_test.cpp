@@ -1,4 +1,4 @@
-#include "skydrop/render/marker_pass.h"
+#include "skydrop/render/models/marker_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
 #include "support/frame_test.h"
 #include "support/light_probe.h"
 #include "support/plains_pass.h"
@@ -83,7 +83,7 @@ class MarkerGLTest : public test::FrameTest {
     const glm::dvec3 foot = snapshot_.target.position - view.position;
     const glm::dvec3 onAxis(foot.x, std::clamp(0.0, foot.y, foot.y + shared::kBeamHeight), foot.z);
     const double radius =
-        shared::beamRadius(glm::length(onAxis), 2 * std::tan(view.fovYRad / 2) / view.height);
+        shared::beamRadius(glm::length(onAxis), view.pixelAngleRad());
     const glm::dmat3 rays = rayMatrix(view);
     const auto rayThrough = [&](double x, double y) {
       return glm::normalize(rays * glm::dvec3(2 * x / view.width - 1, 2 * y / view.height - 1, 1));

@@ -5,11 +5,11 @@
 
 #include "skydrop/core/assets.h"
 #include "skydrop/core/error.h"
-#include "skydrop/render/aircraft_pass.h"
-#include "skydrop/render/marker_pass.h"
-#include "skydrop/render/package_pass.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/models/aircraft_pass.h"
+#include "skydrop/render/models/marker_pass.h"
+#include "skydrop/render/models/package_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "support/frame_test.h"
 #include "support/ground_pass.h"
 #include "support/image_compare.h"
@@ -104,12 +104,12 @@ TEST_F(ModelPassGLTest, aircraftHasItsSizeAndFacesForward) {
   EXPECT_LT(box.right - 320, 320 - box.left);  // the nose is 3.2 m, the tail 5.1 m from the middle
 }
 
-// A ball in the slot of models, before black.
+// A ball in the stage of models, before black.
 class BallPass final : public Pass {
  public:
   explicit BallPass(gl::Context& context) : model_(context, modelOf(sphereMesh(1, 32, 16)), "ball") {}
   std::string_view name() const override { return "ball"; }
-  Slot slot() const override { return Slot::models; }
+  RenderStage stage() const override { return RenderStage::models; }
   void draw(FrameContext& frame) override {
     frame.gl.api().Enable(GL_CULL_FACE);
     model_.draw(frame.shaders, "models/model.vert", "models/model.frag", {},
@@ -258,7 +258,7 @@ TEST_F(ModelPassGLTest, panelIsSeenFromInsideTheCabinOnly) {
 }
 
 TEST_F(ModelPassGLTest, aircraftOutOfViewIsNotDrawn) {
-  // Behind the eye, beside the picture, 500 km away, absent: no draw, and the reason is said.
+  // Behind the eye, beside the picture, 500 km away, absent: no draw, and the reason is reported.
   for (const View& view :
        {pose({30, 800, 0}, 0, 0, 0), pose({0, 800, 30}, 0, 0, 0), pose({-500000, 800, 0}, 0, 0, 0)}) {
     draw(view);
@@ -376,7 +376,7 @@ TEST_F(ModelPassGLTest, severalTexturesOfAKindMultiply) {
    public:
     explicit Drawing(const Model*& model) : model_(model) {}
     std::string_view name() const override { return "drawing"; }
-    Slot slot() const override { return Slot::models; }
+    RenderStage stage() const override { return RenderStage::models; }
     void draw(FrameContext& frame) override {
       model_->draw(frame.shaders, "models/model.vert", "models/model.frag", {},
                    bodyMatrix(frame.frame.view, {0, 0, 0}, glm::dquat(1, 0, 0, 0)), ModelPose(*model_));

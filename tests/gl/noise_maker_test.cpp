@@ -1,5 +1,5 @@
 // The compute shader's noise textures against the processor's.
-#include "skydrop/render/noise_maker.h"
+#include "skydrop/render/clouds/noise_maker.h"
 
 #include "support/gl_test.h"
 

@@ -28,18 +28,18 @@ void expectMoves(Context& context, T made) {
   EXPECT_EQ(made.id(), 0u);  // NOLINT: moved-from is what is tested
   EXPECT_EQ(made.bytes(), 0u);
   EXPECT_FALSE(made);
-  const std::int64_t before = context.ledger().liveObjects();
+  const std::int64_t before = context.resources().liveObjects();
   made = std::move(moved);
   EXPECT_EQ(made.id(), id);
-  EXPECT_EQ(context.ledger().liveObjects(), before);
+  EXPECT_EQ(context.resources().liveObjects(), before);
   made = T();
-  EXPECT_LT(context.ledger().liveObjects(), before);
-  EXPECT_EQ(context.ledger().liveObjects(), 0);
-  EXPECT_EQ(context.ledger().bytes(), 0u);
+  EXPECT_LT(context.resources().liveObjects(), before);
+  EXPECT_EQ(context.resources().liveObjects(), 0);
+  EXPECT_EQ(context.resources().bytes(), 0u);
 }
 
 TEST_F(GLTest, objectsMoveAndLeaveNothingBehind) {
-  // A moved-from object is empty, an assigned-over one is deleted, and the ledger returns to zero.
+  // A moved-from object is empty, an assigned-over one is deleted, and the resource tracker returns to zero.
   expectMoves(context(), Buffer(context(), 64, Buffer::Use::fixed, "buffer"));
   expectMoves(context(), Texture::make2D(context(), GL_RGBA8, 4, 4, "texture"));
   expectMoves(context(), VertexArray(context(), "vertex array"));
@@ -55,7 +55,7 @@ TEST_F(GLTest, emptyObjectsCostNothing) {
   const FrameBuffer target;
   const Shader shader;
   EXPECT_EQ(buffer.id() + texture.id() + target.id() + shader.id(), 0u);
-  EXPECT_EQ(context().ledger().liveObjects(), 0);
+  EXPECT_EQ(context().resources().liveObjects(), 0);
 }
 
 TEST_F(GLTest, bufferKeepsWhatIsWritten) {
@@ -76,7 +76,7 @@ TEST_F(GLTest, textureBytesCountEveryLevelAndLayer) {
   EXPECT_EQ(mipLevels(8, 4), 4);
   const Texture texture = Texture::make2DArray(context(), GL_RGBA8, 8, 4, 5, "array", 4);
   EXPECT_EQ(texture.bytes(), (32u + 8 + 2 + 1) * 5 * 4);
-  EXPECT_EQ(context().ledger().bytes(), texture.bytes());
+  EXPECT_EQ(context().resources().bytes(), texture.bytes());
   // A 3D texture shrinks in depth as well: 8^3 + 4^3 texels of 2 bytes.
   const Texture volume = Texture::make3D(context(), GL_R16F, 8, 8, 8, "volume", 2);
   EXPECT_EQ(volume.bytes(), (512u + 64) * 2);
@@ -117,9 +117,9 @@ TEST_F(GLTest, frameBufferBindsClearsResizesAndRestores) {
   inner.unBind();
   EXPECT_EQ(test::readFloats(inner).front(), glm::vec4(1, 0, 0, 1));
 
-  const std::uint64_t before = context().ledger().bytes();
+  const std::uint64_t before = context().resources().bytes();
   inner.resize(12, 2);
-  EXPECT_EQ(context().ledger().bytes(), before + 6 * 2 * 8);
+  EXPECT_EQ(context().resources().bytes(), before + 6 * 2 * 8);
   inner.bind();
   inner.unBind();
   EXPECT_EQ(test::readFloats(inner).size(), 24u);
@@ -141,7 +141,7 @@ TEST_F(GLTest, frameBufferCanBorrowItsTextures) {
   borrower.bind();
   borrower.unBind();
   EXPECT_EQ(test::readDepth(owner).front(), 0.5f);
-  EXPECT_EQ(context().ledger().live(ObjectKind::texture), 3);
+  EXPECT_EQ(context().resources().live(ObjectKind::texture), 3);
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
-#include "skydrop/render/renderer.h"
+#include "skydrop/render/frame/renderer.h"
 
 #include <gmock/gmock.h>
 
 #include <cstring>
 
 #include "skydrop/core/error.h"
-#include "skydrop/render/imgui_pass.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/overlay/imgui_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "support/frame_test.h"
 #include "support/image_compare.h"
 #include "support/plains_pass.h"
@@ -20,18 +20,18 @@ using test::FrameTest;
 // Notes when it runs; draws nothing.
 class NotingPass final : public Pass {
  public:
-  NotingPass(std::string name, Slot slot, std::vector<std::string>& log, std::string idle = {})
-      : name_(std::move(name)), slot_(slot), log_(log), idle_(std::move(idle)) {}
+  NotingPass(std::string name, RenderStage stage, std::vector<std::string>& log, std::string idle = {})
+      : name_(std::move(name)), stage_(stage), log_(log), idle_(std::move(idle)) {}
   std::string_view name() const override { return name_; }
-  Slot slot() const override { return slot_; }
-  std::optional<std::string> idleReason(const FrameInput&) const override {
+  RenderStage stage() const override { return stage_; }
+  std::optional<std::string> skipReason(const FrameInput&) const override {
     return idle_.empty() ? std::nullopt : std::optional(idle_);
   }
   void draw(FrameContext&) override { log_.push_back(name_); }
 
  private:
   std::string name_;
-  Slot slot_;
+  RenderStage stage_;
   std::vector<std::string>& log_;
   std::string idle_;
 };
@@ -40,12 +40,12 @@ TEST_F(FrameTest, passesRunByTheirSlots) {
   // However they were added; those that say why they have nothing to do are not asked, and the reason is
   // kept.
   std::vector<std::string> log;
-  renderer().add(std::make_unique<NotingPass>("menu", Slot::menu, log));
-  renderer().add(std::make_unique<NotingPass>("sky", Slot::sky, log));
-  renderer().add(std::make_unique<NotingPass>("terrain", Slot::terrain, log));
-  renderer().add(std::make_unique<NotingPass>("clouds", Slot::clouds, log, "no layer in view"));
-  renderer().add(std::make_unique<NotingPass>("models", Slot::models, log));
-  renderer().add(std::make_unique<NotingPass>("models2", Slot::models, log));
+  renderer().add(std::make_unique<NotingPass>("menu", RenderStage::menu, log));
+  renderer().add(std::make_unique<NotingPass>("sky", RenderStage::sky, log));
+  renderer().add(std::make_unique<NotingPass>("terrain", RenderStage::terrain, log));
+  renderer().add(std::make_unique<NotingPass>("clouds", RenderStage::clouds, log, "no layer in view"));
+  renderer().add(std::make_unique<NotingPass>("models", RenderStage::models, log));
+  renderer().add(std::make_unique<NotingPass>("models2", RenderStage::models, log));
   draw(pose({0, 0, 0}, 0, 0, 0));
   EXPECT_THAT(log, ::testing::ElementsAre("terrain", "sky", "models", "models2", "menu"));
   core::FrameStatistics statistics;
@@ -54,6 +54,61 @@ TEST_F(FrameTest, passesRunByTheirSlots) {
   EXPECT_EQ(statistics.passes[4].first, "clouds");
   EXPECT_EQ(statistics.passes[4].second.skipped, "no layer in view");
   EXPECT_EQ(statistics.passes[0].second.skipped, "");
+}
+
+// Stands for what an earlier pass makes for later ones.
+struct Footprint {
+  int depth = 0;
+};
+
+class FootprintPass final : public Pass {
+ public:
+  explicit FootprintPass(const bool& idle) : idle_(idle) {}
+  std::string_view name() const override { return "footprint"; }
+  RenderStage stage() const override { return RenderStage::shadows; }
+  std::optional<std::string> skipReason(const FrameInput&) const override {
+    return idle_ ? std::optional<std::string>("idle") : std::nullopt;
+  }
+  void draw(FrameContext& context) override {
+    ++footprint_.depth;
+    context.resources.publish(footprint_);
+  }
+
+ private:
+  const bool& idle_;
+  Footprint footprint_;
+};
+
+// Notes the depth of the frame's footprint, -1 without one.
+class FootprintReader final : public Pass {
+ public:
+  FootprintReader(RenderStage stage, std::vector<int>& depths) : stage_(stage), depths_(depths) {}
+  std::string_view name() const override { return "reader"; }
+  RenderStage stage() const override { return stage_; }
+  void draw(FrameContext& context) override {
+    const Footprint* footprint = context.resources.find<Footprint>();
+    depths_.push_back(footprint ? footprint->depth : -1);
+  }
+
+ private:
+  RenderStage stage_;
+  std::vector<int>& depths_;
+};
+
+TEST_F(FrameTest, resourcesAreFoundByLaterPassesOfTheSameFrameAlone) {
+  // Two frames with a publishing pass, whose resource two stages after it find; then one in which the pass
+  // has nothing to do: what it published before is gone.
+  bool idle = false;
+  std::vector<int> terrain, clouds;
+  renderer().add(std::make_unique<FootprintReader>(RenderStage::clouds, clouds));
+  renderer().add(std::make_unique<FootprintReader>(RenderStage::terrain, terrain));
+  renderer().add(std::make_unique<FootprintPass>(idle));
+  for (const bool isIdle : {false, false, true}) {
+    idle = isIdle;
+    draw(pose({0, 0, 0}, 0, 0, 0));
+  }
+  EXPECT_THAT(terrain, ::testing::ElementsAre(1, 2, -1));
+  EXPECT_EQ(clouds, terrain);
 }
 
 TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
@@ -90,7 +145,7 @@ class BrokenPass final : public Pass {
  public:
   explicit BrokenPass(std::string fragment) : fragment_(std::move(fragment)) {}
   std::string_view name() const override { return "broken"; }
-  Slot slot() const override { return Slot::weatherEffects; }
+  RenderStage stage() const override { return RenderStage::weatherEffects; }
   void draw(FrameContext& context) override { context.shaders.shader("fullscreen.vert", fragment_).use(); }
 
  private:
@@ -107,7 +162,7 @@ TEST_F(FrameTest, brokenShaderIsThrownAndTheNextFrameIsWhole) {
   renderer().add(std::make_unique<ToneMapPass>(context()));
   EXPECT_THROW(draw(pose({0, 100, 0}, 0, 30, 0)), core::DataError);
   EXPECT_GT(renderer().readBack().pixel(160, 90)[2], 50) << "the sky is there";
-  EXPECT_EQ(context().ledger().passes().at("toneMap").draws, 1u);
+  EXPECT_EQ(context().resources().passes().at("toneMap").draws, 1u);
   core::FrameStatistics statistics;
   renderer().fillStatistics(statistics);
   EXPECT_THAT(statistics.passes[1].second.skipped, ::testing::HasSubstr("broken.frag"));
@@ -115,7 +170,7 @@ TEST_F(FrameTest, brokenShaderIsThrownAndTheNextFrameIsWhole) {
   renderer().reloadShaders();
   const core::Image image = draw(pose({0, 100, 0}, 0, 30, 0));
   EXPECT_GT(image.pixel(160, 90)[2], 50);
-  EXPECT_EQ(context().ledger().passes().at("toneMap").draws, 1u);
+  EXPECT_EQ(context().resources().passes().at("toneMap").draws, 1u);
 }
 
 TEST_F(FrameTest, viewsThatAreNotValidDrawNothing) {
@@ -123,7 +178,7 @@ TEST_F(FrameTest, viewsThatAreNotValidDrawNothing) {
   View view = pose({0, 0, 0}, 0, 0, 0);
   view.position.x = std::nan("");
   EXPECT_THROW(draw(view), core::RangeError);
-  EXPECT_EQ(context().ledger().total().draws, 0u);
+  EXPECT_EQ(context().resources().total().draws, 0u);
 }
 
 TEST_F(FrameTest, uniformBlockHasTheSameOffsetsOnBothSides) {
@@ -169,7 +224,7 @@ TEST_F(FrameTest, T18_halfAMetreIsResolvedTenKilometresAway) {
     Renderer renderer(context(), settings_, false);
     renderer.add(std::make_unique<test::PlainsPass>(context(), folder, plains));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    renderer.draw({snapshot_, pose({0, 10000.5, 0}, 0, -90, 0), {}});
+    renderer.draw({.view = pose({0, 10000.5, 0}, 0, -90, 0)});
     const core::Image image = renderer.readBack();
     int wrong = 0;
     for (int y = 0; y < image.height; ++y) {
@@ -188,8 +243,8 @@ TEST_F(FrameTest, framesDoNotShowTheOneBefore) {
     renderer.add(std::make_unique<test::PlainsPass>(context(), folder, plains));
     renderer.add(std::make_unique<SkyPass>(context()));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    if (afterLand) renderer.draw({snapshot_, pose({0, 50, 0}, 0, -90, 0), {}});
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, 60, 0), {}});
+    if (afterLand) renderer.draw({.view = pose({0, 50, 0}, 0, -90, 0)});
+    renderer.draw({.view = pose({0, 50, 0}, 0, 60, 0)});
     return renderer.readBack().rgba;
   };
   EXPECT_EQ(lookUp(true), lookUp(false));
@@ -199,7 +254,7 @@ TEST_F(FrameTest, framesDoNotShowTheOneBefore) {
 class UntidyPass final : public Pass {
  public:
   std::string_view name() const override { return "untidy"; }
-  Slot slot() const override { return Slot::terrain; }
+  RenderStage stage() const override { return RenderStage::terrain; }
   void draw(FrameContext& context) override {
     const gl::Functions& gl = context.gl.api();
     gl.DepthFunc(GL_NEVER);
@@ -223,8 +278,8 @@ TEST_F(FrameTest, passesMayLeaveAnyStateBehind) {
     if (untidy) renderer.add(std::make_unique<UntidyPass>());
     renderer.add(std::make_unique<SkyPass>(context()));
     renderer.add(std::make_unique<ToneMapPass>(context()));
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, -20, 0), {}});
-    renderer.draw({snapshot_, pose({0, 50, 0}, 0, 20, 0), {}});
+    renderer.draw({.view = pose({0, 50, 0}, 0, -20, 0)});
+    renderer.draw({.view = pose({0, 50, 0}, 0, 20, 0)});
     return renderer.readBack().rgba;
   };
   EXPECT_EQ(drawTwice(true), drawTwice(false));

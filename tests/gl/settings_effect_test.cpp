@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/prepare.h"
-#include "app/settings.h"
-#include "app/stage.h"
+#include "app/session/run_config.h"
+#include "app/session/scene_renderer.h"
+#include "app/settings/settings.h"
 #include "skydrop/core/hash.h"
 #include "support/cloud_rows.h"
 #include "support/row_steps.h"
@@ -29,7 +29,7 @@ class CloudRowsEffectGLTest : public test::CloudRowsGLTest {
         for (int c = 0; c < 3; ++c) h.add(static_cast<double>(texel[c]));
     }
     clouds::CloudField field(noise_, clouds_);
-    field.setDrift(clouds::CloudField::drift(clouds_, snapshot_.simulatedSeconds));
+    field.setDrift(core::windDrift(wind_, snapshot_.simulatedSeconds));
     core::RandomStream random{1, 0};
     for (int i = 0; i < 20000; ++i) {
       const double x = 2 * random.nextUnit() - 1, y = random.nextUnit(), z = 2 * random.nextUnit() - 1;
@@ -38,7 +38,7 @@ class CloudRowsEffectGLTest : public test::CloudRowsGLTest {
     return h.value();
   }
 
-  std::shared_ptr<const clouds::FoldedNoise> noise_ = test::sharedNoise();
+  std::shared_ptr<const clouds::PackedCloudNoise> noise_ = test::sharedNoise();
 };
 
 TEST_F(CloudRowsEffectGLTest, everyTenthOfEveryRowOfTheWeatherMakesADifference) {
@@ -50,11 +50,15 @@ TEST_F(CloudRowsEffectGLTest, everyTenthOfEveryRowOfTheWeatherMakesADifference) 
   snapshot_.simulatedSeconds = 100;
   int rows = 0;
   for (const core::Field& field : table.fields()) {
-    if (field.group != "clouds" || field.name == "tier") continue;
+    const bool isOfTheWeather = field.path == "clouds.fadeDistance" || field.group.starts_with("clouds.layers.") ||
+                                (field.group == "wind" && field.kind == core::FieldKind::number);
+    if (!isOfTheWeather) continue;
     ++rows;
     settings.clouds = clouds::CloudSettings();
+    settings.wind = core::WindSettings();
     const auto look = [&] {
       clouds_ = settings.clouds;
+      wind_ = settings.wind;
       return observe();
     };
     for (const std::string& line : test::idleSteps(field, {}, look)) ADD_FAILURE() << line;
@@ -91,33 +95,34 @@ class PictureRowsEffectGLTest : public test::GLTest {
     line.set = {"clouds.tier=low", "clouds.march.resolution=full"};  // quick, and the clouds fill the frames
     run_ = prepareRun(line);
     simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
-    const Stage::Setup setup{simulation_->effects(), simulation_->ground(), 2, false, test::sharedNoise()};
-    stage_ = std::make_unique<Stage>(context(), setup, run_->settings);
-    stage_->camera().setMode(render::CameraMode::free);
-    stage_->renderer().add(std::make_unique<test::LightProbe>(light_));
+    const SceneRenderer::Setup setup{simulation_->effects(), simulation_->ground(), 2, false,
+                                     PreparedResources(test::sharedNoise())};
+    sceneRenderer_ = std::make_unique<SceneRenderer>(context(), setup, run_->settings);
+    sceneRenderer_->camera().setMode(render::CameraMode::free);
+    sceneRenderer_->renderer().add(std::make_unique<test::LightProbe>(light_));
   }
   void TearDown() override {
-    stage_.reset();
+    sceneRenderer_.reset();
     GLTest::TearDown();
   }
 
   // Metres and degrees; with the aircraft ahead on the left.
   void addFrame(StateHasher& h, const glm::dvec3& eye, double yaw, double pitch, Size size) {
-    render::Camera& camera = stage_->camera();
+    render::Camera& camera = sceneRenderer_->camera();
     camera.setPose(eye, glm::radians(yaw), glm::radians(pitch), 0);
     game::Snapshot shown = simulation_->world().now();
     shown.aircraft.position = eye + 20.0 * camera.direction() + glm::dvec3(0, 1, 0);
-    stage_->draw(shown, size, Streaming::settled);
+    sceneRenderer_->draw(shown, size, Streaming::settled);
     for (const glm::vec4& texel : light_)
       for (int c = 0; c < 3; ++c) h.add(static_cast<double>(texel[c]));
-    for (const std::uint8_t byte : stage_->renderer().readBack().rgba) h.add(std::uint64_t{byte});
+    for (const std::uint8_t byte : sceneRenderer_->renderer().readBack().rgba) h.add(std::uint64_t{byte});
   }
 
   std::vector<std::string> idleSteps(const core::Field& field, const Given& given) {
     const Settings kept = run_->settings;
     for (const std::string_view row : given.settings) core::setField(run_->table, row);
     std::vector<std::string> lines = test::idleSteps(field, {}, [&] {
-      stage_->apply(run_->settings);
+      sceneRenderer_->apply(SettingsChange::ofAll(run_->table));
       StateHasher h;
       addFrame(h, {0, 1500, 0}, 40, 2, given.size);
       return h.value();
@@ -126,9 +131,9 @@ class PictureRowsEffectGLTest : public test::GLTest {
     return lines;
   }
 
-  std::unique_ptr<app::Run> run_;
+  std::unique_ptr<app::RunConfig> run_;
   std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<Stage> stage_;
+  std::unique_ptr<SceneRenderer> sceneRenderer_;
 
  private:
   std::vector<glm::vec4> light_;  // of the last frame, before the tone map
@@ -139,7 +144,7 @@ TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference
   const std::vector<Given> kGiven = {
       {"clouds.march.tolerance", {"clouds.march.resolution=half"}, {240, 135}},
       {"clouds.march.stepGrowth", {"clouds.march.stepM=4"}},
-      {"clouds.march.sunReachM", {"clouds.march.lightGrid=true"}},
+      {"clouds.march.sunMarchDistanceM", {"clouds.march.lightGrid=true"}},
       {"clouds.march.lightCellM", {"clouds.march.lightGrid=true"}},
   };
   int rows = 0;

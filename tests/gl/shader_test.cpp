@@ -88,11 +88,11 @@ TEST_F(ShaderGLTest, missingFileAndMissingIncludeAreNamed) {
 }
 
 TEST_F(ShaderGLTest, failedProgramsLeaveNothingBehind) {
-  // Whatever fails, the ledger is where it was.
+  // Whatever fails, the resource tracker is where it was.
   errorOf(folder_.write("broken.frag", "nonsense"));
   errorOf(
       folder_.write("unfed.frag", "in vec3 missing;\nout vec4 c;\nvoid main() { c = vec4(missing, 1); }\n"));
-  EXPECT_EQ(context().ledger().liveObjects(), 0);
+  EXPECT_EQ(context().resources().liveObjects(), 0);
 }
 
 TEST_F(ShaderGLTest, eachFileIsIncludedOnce) {
@@ -145,15 +145,15 @@ void main() { o[0] = used; })"));
   shader.setFloat("used", 1);
   shader.setFloat("unused", 1);
   shader.setFloat("fogDensity", 1);
-  EXPECT_EQ(context().ledger().unknownUniforms(), 0u);
+  EXPECT_EQ(context().resources().unknownUniforms(), 0u);
   std::string why;
   const auto other = test::openForTest(context().backend(), why);
   ASSERT_TRUE(other);
   {
     ComputeShader theirs(*other, (folder_.path() / "main.comp").string());
     theirs.setFloat("usd", 1);
-    EXPECT_EQ(other->ledger().unknownUniforms(), 1u);
-    EXPECT_THAT(other->ledger().lastUnknownUniform(), HasSubstr("usd"));
+    EXPECT_EQ(other->resources().unknownUniforms(), 1u);
+    EXPECT_THAT(other->resources().lastUnknownUniform(), HasSubstr("usd"));
   }
   context().makeCurrent();
 }
@@ -174,7 +174,7 @@ void main() {
   ComputeShader& fog = cache.computeShader(file, defines);
   EXPECT_EQ(&fog, &cache.computeShader(file, defines));
   EXPECT_EQ(&plain, &cache.computeShader(file));
-  EXPECT_EQ(context().ledger().live(ObjectKind::program), 2);
+  EXPECT_EQ(context().resources().live(ObjectKind::program), 2);
   EXPECT_EQ(run<1>(plain)[0], -1.0f);
   EXPECT_EQ(run<1>(fog)[0], 64.0f);
 }
@@ -208,13 +208,13 @@ TEST_F(ShaderGLTest, changedFilesAreReloadedAndBrokenOnesKeepTheLastProgram) {
   EXPECT_THAT(broken.errors[0], HasSubstr("value.glsl: line 1:"));
   EXPECT_EQ(run<1>(shader)[0], 1.0f);
   EXPECT_TRUE(cache.reloadChanged().errors.empty());
-  EXPECT_EQ(cache.standingError(), broken.errors[0]) << "it stands, though it is said once";
+  EXPECT_EQ(cache.standingError(), broken.errors[0]) << "it stands, though it is reported once";
 
   folder_.write("value.glsl", "float value() { return 3.0; }\n");
   EXPECT_EQ(cache.reloadChanged().programs, 1);
   EXPECT_EQ(cache.standingError(), "");
   EXPECT_EQ(run<1>(shader)[0], 3.0f);
-  EXPECT_EQ(context().ledger().live(ObjectKind::program), 1);
+  EXPECT_EQ(context().resources().live(ObjectKind::program), 1);
 }
 
 }  // namespace

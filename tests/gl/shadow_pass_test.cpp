@@ -1,5 +1,5 @@
 // Shadows of aircraft and packages on level land, against where and how dark geometry wants them.
-#include "skydrop/render/shadow_pass.h"
+#include "skydrop/render/shadows/shadow_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "skydrop/core/assets.h"
-#include "skydrop/render/aircraft_pass.h"
-#include "skydrop/render/package_pass.h"
-#include "skydrop/render/sky_light.h"
-#include "skydrop/render/terrain_pass.h"
+#include "skydrop/render/frame/sky_light.h"
+#include "skydrop/render/models/aircraft_pass.h"
+#include "skydrop/render/models/package_pass.h"
+#include "skydrop/render/terrain/terrain_pass.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "support/frame_test.h"
@@ -49,7 +49,7 @@ class ShadowGLTest : public test::FrameTest {
     data.meshes = {{"cover", sphereMesh(kCoverM, 96, 48), 0}};
     data.materials = {{"plain", {}, {}}};
     cover_ = std::make_shared<const Model>(context(), data, "cover");
-    this->shadows().add([this](const game::Snapshot&, std::vector<ShadowCaster>& casters) {
+    this->shadows().add([this](const FrameInput&, std::vector<ShadowCaster>& casters) {
       if (!coverAt_) return;
       const auto parts = [model = cover_, at = *coverAt_](const View& view, const DrawPart& draw) {
         draw(*model, bodyMatrix(view, at, glm::dquat(1, 0, 0, 0)), ModelPose(*model));
@@ -67,7 +67,7 @@ class ShadowGLTest : public test::FrameTest {
     data.meshes = {{"ball", sphereMesh(radius, 96, 48), 0}};
     data.materials = {{"plain", {}, {}}};
     const auto model = std::make_shared<const Model>(context(), data, "ball");
-    shadows().add([=, this](const game::Snapshot&, std::vector<ShadowCaster>& casters) {
+    shadows().add([=, this](const FrameInput&, std::vector<ShadowCaster>& casters) {
       if (!castsShadows_) return;
       const auto parts = [=](const View& view, const DrawPart& draw) {
         draw(*model, bodyMatrix(view, middle, glm::dquat(1, 0, 0, 0)), ModelPose(*model));

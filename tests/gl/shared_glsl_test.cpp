@@ -24,15 +24,16 @@ class SharedGLTest : public test::GLTest {
   // Runs `body` for each of kCount rows: `vec4 a` is the row's input, `vec4 r` and `uvec4 u` its results.
   void run(const std::vector<glm::vec4>& input, const std::string& body) {
     ComputeShader shader(context(), folder_.write("run.comp", R"(
+#include "shared/atmosphere.glsl"
+#include "shared/cloud_light.glsl"
+#include "shared/cloud_medium.glsl"
+#include "shared/depth.glsl"
 #include "shared/dialect.glsl"
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"
-#include "shared/depth.glsl"
-#include "shared/atmosphere.glsl"
-#include "shared/tone_map.glsl"
+#include "shared/land_material.glsl"
 #include "shared/marker.glsl"
-#include "shared/cloud_medium.glsl"
-#include "shared/cloud_light.glsl"
+#include "shared/tone_map.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer In { vec4 rowsIn[]; };
 layout(std430, binding = 1) writeonly buffer Floats { vec4 rowsOut[]; };
@@ -296,6 +297,24 @@ TEST_F(SharedGLTest, C09_stretchInABoxIsThatOfDoubles) {
     ASSERT_NEAR(result_[i].y, exact.end, 1e-4 * scale);
   }
   EXPECT_TRUE(hits > 500 && hits < 1600) << hits;
+}
+
+TEST_F(SharedGLTest, forestDensityAgrees) {
+  // Trees that the CPU plants stand in the woods that the GPU paints: within 2e-5 (smooth steps multiply
+  // rounding by 15).
+  const std::vector<glm::vec4> rows = randomRows(13);
+  run(rows,
+      "LandNoise noise = LandNoise(a.w * 2.0 - 1.0, a.x - 0.5, a.y - 0.5, 0.0, 0.0);\n"
+      "r.x = forestDensity(a.x * 900.0, 0.6 + 0.4 * a.y, a.z - 0.5, noise);");
+  int wooded = 0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const float exact = shared::forestDensity(a.x * 900, 0.6f + 0.4f * a.y, a.z - 0.5f,
+                                              {a.w * 2 - 1, a.x - 0.5f, a.y - 0.5f, 0, 0});
+    ASSERT_NEAR(result_[i].x, exact, 2e-5f);
+    wooded += exact > 0.1f;
+  }
+  EXPECT_GT(wooded, 500);
 }
 
 TEST_F(SharedGLTest, cloudLightAgrees) {

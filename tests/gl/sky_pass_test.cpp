@@ -1,10 +1,10 @@
-#include "skydrop/render/sky_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 
 #include <cmath>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
 #include "support/frame_test.h"
 #include "support/image_compare.h"
 #include "support/light_probe.h"
@@ -143,10 +143,10 @@ class HazePass final : public Pass {
       : triangle_(context),
         fragment_(folder.write("haze.frag",
                                "#include \"frame.glsl\"\nin vec2 ndc;\nuniform vec3 place;\nout vec4 color;\n"
-                               "void main() { color = vec4(throughHaze(vec3(0.0), place), 1.0); }\n")),
+                               "void main() { color = vec4(applyAerialPerspective(vec3(0.0), place), 1.0); }\n")),
         distance_(distance) {}
   std::string_view name() const override { return "haze"; }
-  Slot slot() const override { return Slot::weatherEffects; }
+  RenderStage stage() const override { return RenderStage::weatherEffects; }
   void draw(FrameContext& context) override {
     context.gl.api().Disable(GL_DEPTH_TEST);
     gl::Shader& shader = context.shaders.shader("fullscreen.vert", fragment_, context.defines);
@@ -172,7 +172,7 @@ TEST_F(SkyGLTest, hazeIsThatOfTheAirBetween) {
       renderer.add(std::make_unique<HazePass>(context(), folder, distance));
       renderer.add(std::make_unique<LightProbe>(light_));
       const View view = pose({0, height, 0}, 60, 0, 0);
-      renderer.draw({snapshot_, view, {true}});
+      renderer.draw({.view = view, .features = {.haze = true}});
       const SkyLight light = skyLight(settings_, height);
       const glm::dvec3 taken =
           1.0 - glm::exp(-core::shared::f64::opticalDepthBetween(light.air, height, height, distance));

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "skydrop/core/hash.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/terrain_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
+#include "skydrop/render/terrain/terrain_pass.h"
 #include "skydrop/terrain/chunk_grid.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
@@ -46,12 +46,12 @@ class TerrainBorderGLTest : public test::FrameTest {
   // Makes these chunks the ones that shaders find.
   void take(TerrainPass& pass, const std::vector<terrain::ChunkKey>& keys) {
     terrain::TerrainFrame frame;
-    frame.slotCount = 4;
+    frame.layerCount = 4;
     for (const terrain::ChunkKey& key : keys) {
-      const auto slot = static_cast<terrain::Slot>(frame.chunks.size());
+      const auto layer = static_cast<terrain::ArrayLayer>(frame.chunks.size());
       frame.uploads.push_back(
-          {slot, std::make_shared<terrain::ChunkData>(terrain::makeChunk(*source_, key))});
-      frame.chunks.push_back({key, slot});
+          {layer, std::make_shared<terrain::ChunkData>(terrain::makeChunk(*source_, key))});
+      frame.chunks.push_back({key, layer});
     }
     pass.take(frame);
   }
@@ -111,7 +111,7 @@ TEST_F(TerrainBorderGLTest, bothSidesOfABorderGiveTheMaterialTheSameBits) {
   // corners included, from the chunk on each side. They have the same samples and filter them with the same
   // weights: nothing is left to tolerate.
   TerrainPass pass(context());
-  for (int level = 0; level <= terrain::kTopLevel; ++level) {
+  for (int level = 0; level <= terrain::kMaxChunkLevel; ++level) {
     for (int round = 0; round < 4; ++round) {
       const Border border = randomBorder(level);
       take(pass, {border.here, border.there()});
@@ -225,7 +225,7 @@ TEST_F(TerrainBorderGLTest, noBorderShowsInThePicture) {
   for (int i = 0; i < 24; ++i) {
     const auto [height, pitch] = kPoses[static_cast<std::size_t>(i) % kPoses.size()];
     const bool alongZ = i / 3 % 2 == 0;
-    const double spacing = terrain::chunkMetres(i / 6 % 2 == 0 ? 0 : terrain::kTopLevel);
+    const double spacing = terrain::chunkMetres(i / 6 % 2 == 0 ? 0 : terrain::kMaxChunkLevel);
     glm::dvec2 at;
     do {
       const double line = spacing * (std::floor(random_.nextUnit() * 64) - 32);

@@ -1,4 +1,4 @@
-#include "skydrop/render/terrain_pass.h"
+#include "skydrop/render/terrain/terrain_pass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "skydrop/core/shared.h"
-#include "skydrop/render/sky_pass.h"
-#include "skydrop/render/tone_map_pass.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "skydrop/terrain/chunk_grid.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
@@ -43,6 +43,32 @@ class RaisedSource final : public terrain::HeightSource {
 
   std::shared_ptr<const terrain::HeightSource> source_;
   double rise_;
+};
+
+// The hills stretched over all the heights of the earth's land, from the Dead Sea to Mount Everest.
+class MountainSource final : public terrain::HeightSource {
+ public:
+  static constexpr terrain::HeightRange kEarth{-430, 8848};
+
+  terrain::HeightSample sample(glm::dvec2 xz) const override {
+    const terrain::HeightSample s = hills_->sample(xz);
+    return {stretched(s.height), s.gradient * factor_};
+  }
+  terrain::HeightBounds bounds(glm::dvec2 lo, glm::dvec2 hi) const override {
+    const terrain::HeightBounds b = hills_->bounds(lo, hi);
+    return {stretched(b.lowest), stretched(b.highest)};
+  }
+  terrain::HeightBounds range() const override { return {kEarth.lowest, kEarth.highest}; }
+  terrain::HeightRange storedRange() const override { return kEarth; }
+
+ private:
+  double stretched(double height) const {
+    return kEarth.lowest + (height - hills_->range().lowest) * factor_;
+  }
+
+  std::shared_ptr<const terrain::HeightSource> hills_ = test::makeHillsSource();
+  double factor_ =
+      (kEarth.highest - kEarth.lowest) / (hills_->range().highest - hills_->range().lowest);
 };
 
 // A land and its pass, drawn settled.
@@ -108,7 +134,7 @@ class DepthFrames {
   }
   std::vector<float> draw(const View& view) {
     land_.settle(view);
-    renderer_.draw({snapshot_, view, {}});
+    renderer_.draw({.view = view});
     const gl::Texture& depth = land_.pass().landDepth();
     std::vector<float> values(static_cast<std::size_t>(depth.width() * depth.height()));
     depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(values)));
@@ -116,7 +142,6 @@ class DepthFrames {
   }
 
  private:
-  game::Snapshot snapshot_;
   Renderer renderer_;
   Land land_;
 };
@@ -195,20 +220,17 @@ TEST_F(TerrainGLTest, T02_theFrameFarOutEqualsTheFrameAtTheOrigin) {
   EXPECT_LT(different, here.rgba.size() / 4 / 1000);
 }
 
-TEST_F(TerrainGLTest, T06_theGpusVerticesAreTheHeightSourcesWithinTheFormatsStep) {
-  // Every vertex of every patch of a view, drawn as a pixel of its own: against the same mesh made on the CPU
-  // from the height source. 2 mm: lambda is a float, 1e-6 of a level off, and meshes are up to hundreds of
-  // metres apart. Where detail is full and not morphed that mesh is the stored height itself, within half of
-  // the format's step and 1 mm of the source.
-  Land land(context(), test::makeHillsSource());
-  const View view = pose({700, land.source().height({700, -1300}) + 5, -1300}, 30, -12, 0);
+// Draws every vertex of every patch of a view as a pixel of its own and compares it with the same mesh made
+// on the CPU from the height source, within `meshM`. Where detail is full and not morphed that mesh is the
+// stored height itself, within half of the format's step and 1 mm of the source.
+void expectVerticesOfTheSource(gl::Context& context, Land& land, const View& view, double meshM) {
   const terrain::TerrainFrame frame = land.settle(view);
   constexpr int kVertices = test::PatchMesher::kSide * test::PatchMesher::kSide;
   const auto rows = static_cast<GLsizei>(frame.patches.size());
-  gl::FrameBuffer target(context(), kVertices, rows, {GL_RGBA32F, 0}, "vertices");
-  gl::Shader shader(context(), test::sourceDir() + "/tests/gl/shaders/vertices.vert",
+  gl::FrameBuffer target(context, kVertices, rows, {GL_RGBA32F, 0}, "vertices");
+  gl::Shader shader(context, test::sourceDir() + "/tests/gl/shaders/vertices.vert",
                     test::sourceDir() + "/tests/gl/shaders/vertices.frag");
-  context().setDefaultState();
+  context.setDefaultState();
   target.bind();
   shader.setVec2("targetSize", glm::vec2(kVertices, rows));
   land.pass().drawPatches(shader, view, GL_POINTS);
@@ -221,17 +243,33 @@ TEST_F(TerrainGLTest, T06_theGpusVerticesAreTheHeightSourcesWithinTheFormatsStep
     const auto vertices = mesher.vertices(frame, frame.patches[p], view.position);
     for (std::size_t v = 0; v < vertices.size(); ++v, ++compared) {
       const glm::dvec3 gpu = glm::dvec3(drawn[p * kVertices + v]) + view.position;
-      ASSERT_NEAR(gpu.y, vertices[v].y, 2e-3) << "patch " << p << " vertex " << v;
+      ASSERT_NEAR(gpu.y, vertices[v].y, meshM) << "patch " << p << " vertex " << v;
       ASSERT_NEAR(gpu.x, vertices[v].x, 1e-2);  // float metres at 60 km
       ASSERT_NEAR(gpu.z, vertices[v].z, 1e-2);
       if (frame.lod.lambda(glm::distance(vertices[v], view.position)) > 0) continue;
       ASSERT_NEAR(gpu.y, land.source().height({vertices[v].x, vertices[v].z}),
-                  terrain::kHeightStep / 2 + 1e-3);
+                  frame.heightRange.step() / 2 + 1e-3);
       ++unmorphed;
     }
   }
   EXPECT_GT(compared, 1000);
   EXPECT_GT(unmorphed, 0);
+}
+
+TEST_F(TerrainGLTest, T06_theGpusVerticesAreTheHeightSourcesWithinTheFormatsStep) {
+  // 2 mm: lambda is a float, 1e-6 of a level off, and meshes are up to hundreds of metres apart.
+  Land land(context(), test::makeHillsSource());
+  expectVerticesOfTheSource(context(), land,
+                            pose({700, land.source().height({700, -1300}) + 5, -1300}, 30, -12, 0), 2e-3);
+}
+
+TEST_F(TerrainGLTest, T06_aSourceOfAnotherRangeIsDrawnAtItsOwnHeights) {
+  // Mountains over -430 to 8848 m: the frame hands the source's range to the shader. Heights and their
+  // differences between meshes are nine times those of the hills, and so is what is allowed.
+  Land land(context(), std::make_shared<MountainSource>());
+  const View view = pose({700, land.source().height({700, -1300}) + 5, -1300}, 30, -12, 0);
+  EXPECT_EQ(land.settle(view).heightRange, MountainSource::kEarth);
+  expectVerticesOfTheSource(context(), land, view, 2e-2);
 }
 
 TEST_F(TerrainGLTest, T16_theGpusNormalsAreTheGradientsWithinTwoDegrees) {
@@ -325,7 +363,7 @@ TEST_F(TerrainGLTest, theSeaLiesAtHeightZeroAndHidesItsFloor) {
    public:
     explicit DepthProbe(std::vector<float>& depth) : depth_(depth) {}
     std::string_view name() const override { return "probe"; }
-    Slot slot() const override { return Slot::clouds; }
+    RenderStage stage() const override { return RenderStage::clouds; }
     void draw(FrameContext& context) override {
       depth_.resize(static_cast<std::size_t>(context.sceneDepth.width() * context.sceneDepth.height()));
       context.sceneDepth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(depth_)));

@@ -33,10 +33,10 @@ TEST(Stability, T17_aTiltedPlaneHasItsNormal) {
       ASSERT_LT(degreesBetween(decodeNormal(chunk.normals[normalAt(column, row)]), truth), 0.6);
   }
   // The stored heights rise along the columns and fall along the rows.
-  EXPECT_NEAR(decodeHeight(chunk.heights[at(100, 0)]) - decodeHeight(chunk.heights[at(0, 0)]), 120.0,
-              kHeightStep);
-  EXPECT_NEAR(decodeHeight(chunk.heights[at(0, 100)]) - decodeHeight(chunk.heights[at(0, 0)]), -80.0,
-              kHeightStep);
+  EXPECT_NEAR(chunk.height(at(100, 0)) - chunk.height(at(0, 0)), 120.0,
+              chunk.heightRange.step());
+  EXPECT_NEAR(chunk.height(at(0, 100)) - chunk.height(at(0, 0)), -80.0,
+              chunk.heightRange.step());
 }
 
 TEST(Stability, T17_storedNormalsAreNeverFarOff) {
@@ -68,7 +68,7 @@ TEST(Stability, T17_aRidgeIsSymmetric) {
       }
     }
     EXPECT_EQ(decodeNormal(chunk.normals[normalAt(kChunkCells / 2, row)]), glm::dvec3(0, 1, 0));
-    EXPECT_EQ(decodeHeight(chunk.heights[at(kChunkCells / 2, row)]), 300.0);
+    EXPECT_EQ(chunk.height(at(kChunkCells / 2, row)), 300.0);
   }
 }
 
@@ -78,7 +78,7 @@ TEST(Stability, T17_aStepStandsWhereItStands) {
   const ChunkData chunk = makeChunk(*step, {0, -1, 0});
   for (int row = 0; row < kChunkSamples; ++row) {
     for (int column = 0; column < kChunkSamples; ++column)
-      ASSERT_EQ(decodeHeight(chunk.heights[at(column, row)]), column < 100 ? 10.0 : 90.0);
+      ASSERT_EQ(chunk.height(at(column, row)), column < 100 ? 10.0 : 90.0);
   }
 }
 

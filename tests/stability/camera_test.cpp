@@ -1,4 +1,4 @@
-#include "skydrop/render/camera.h"
+#include "skydrop/render/frame/camera.h"
 
 #include <gtest/gtest.h>
 

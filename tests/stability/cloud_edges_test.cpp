@@ -11,6 +11,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/core/wind.h"
 #include "support/cloud_noise.h"
 
 namespace skydrop::clouds {
@@ -25,13 +26,14 @@ bool isNumeric(const core::Field& field) {
 }
 
 // How many of the places hold cloud.
-int expectSoundMedium(const CloudField& field, const glm::dvec2& drift, core::RandomStream& random) {
-  const CloudSettings& settings = field.settings();
+int expectSoundMedium(const CloudField& field, const CloudSettings& settings, const glm::dvec2& drift,
+                      core::RandomStream& random) {
+  const CloudLayerSettings& layer = field.layer();
   const Occupancy occupancy(*quickNoise(), settings);
   int clouds = 0;
   for (int i = 0; i < 500; ++i) {
     const glm::dvec3 place(random.nextUnit() * 2e5 - 1e5,
-                           settings.cloudHeight + settings.thickness * random.nextUnit(),
+                           layer.cloudHeight + layer.thickness * random.nextUnit(),
                            random.nextUnit() * 2e5 - 1e5);
     const double density = field.density(place);
     const float inFloat = field.densityInFloat(place);
@@ -46,16 +48,16 @@ int expectSoundMedium(const CloudField& field, const glm::dvec2& drift, core::Ra
 
 // Finite, and no more light than there is to scatter.
 void expectSoundMarch(const CloudField& field, core::RandomStream& random) {
-  const CloudSettings& settings = field.settings();
+  const CloudLayerSettings& layer = field.layer();
   const MarchMedium medium = mediumOf(field);
   for (int i = 0; i < 24; ++i) {
     const auto direction = [&] {
       return f64::directionOf(
           glm::dvec3(random.nextUnit() - 0.5, random.nextUnit() - 0.5, random.nextUnit() - 0.5), {0, 1, 0});
     };
-    const MarchLight light{direction(), settings.anisotropy, settings.forwardShare};
+    const MarchLight light{direction(), layer.anisotropy, layer.forwardShare};
     // From below, inside and above.
-    const MarchRay ray{{0, settings.cloudHeight + settings.thickness * (i % 3 - 0.5), 1e4 * i}, direction()};
+    const MarchRay ray{{0, layer.cloudHeight + layer.thickness * (i % 3 - 0.5), 1e4 * i}, direction()};
     const MarchResult result = referenceMarch(medium, light, ray, {64, 4});
     const f64::Vec4 phases =
         f64::cloudPhases(glm::dot(ray.direction, light.toSun), light.anisotropy, light.forwardShare);
@@ -67,17 +69,17 @@ void expectSoundMarch(const CloudField& field, core::RandomStream& random) {
     EXPECT_TRUE(result.ground >= 0 && result.ground <= opacity / (2 * std::numbers::pi) + rounding)
         << result.ground;
     EXPECT_TRUE(result.distanceM == 1e30 ||
-                (result.distanceM >= 0 && result.distanceM <= settings.fadeDistance))
+                (result.distanceM >= 0 && result.distanceM <= field.fadeDistance()))
         << result.distanceM;
   }
 }
 
 int expectSound(const CloudSettings& settings, core::RandomStream& random) {
   CloudField field(quickNoise(), settings);
-  const glm::dvec2 drift = CloudField::drift(settings, 30.0 * 86400);
+  const glm::dvec2 drift = core::windDrift({}, 30.0 * 86400);
   field.setDrift(drift);
   expectSoundMarch(field, random);
-  return expectSoundMedium(field, drift, random);
+  return expectSoundMedium(field, settings, drift, random);
 }
 
 TEST(CloudEdges, bothEndsOfEverySettingAreSound) {

@@ -130,12 +130,12 @@ TEST(Stability, C04_extinctionWithoutBoundTendsToTheSource) {
 }
 
 // The stretch of a ray in a closed box, by looking at the middle of every piece between crossings of planes.
-struct Stretch {
+struct LightSegment {
   double begin = 0, end = 0;
   bool isHit() const { return end > begin; }
 };
 
-Stretch searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& low,
+LightSegment searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& low,
                         const glm::dvec3& high) {
   std::vector<double> crossings{0};
   for (int axis = 0; axis < 3; ++axis) {
@@ -145,7 +145,7 @@ Stretch searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, c
     }
   }
   std::ranges::sort(crossings);
-  Stretch found;
+  LightSegment found;
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     const glm::dvec3 middle = origin + direction * ((crossings[i] + crossings[i + 1]) / 2);
     const bool isInside =
@@ -161,7 +161,7 @@ Stretch searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, c
 bool hitOf(const glm::vec3& origin, const glm::vec3& direction, const glm::vec3& low, const glm::vec3& high,
            float scale) {
   const f32::RaySpan span = f32::raySpanOfBox(origin, direction, low, high);
-  const Stretch exact =
+  const LightSegment exact =
       searchedStretch(glm::dvec3(origin), glm::dvec3(direction), glm::dvec3(low), glm::dvec3(high));
   const auto where = [&] {
     std::ostringstream text;
@@ -318,9 +318,9 @@ TEST(Stability, C30_layersWithoutThicknessAreEmptyAndCoincidentOnesAddUp) {
   }
   // Two layers of one place against one of the summed extinction: within 1e-4.
   CloudSettings thin = cloudySettings(), thick = cloudySettings(), both = cloudySettings();
-  thin.extinction = 0.01;
-  thick.extinction = 0.03;
-  both.extinction = 0.04;
+  thin.layers[0].extinction = 0.01;
+  thick.layers[0].extinction = 0.03;
+  both.layers[0].extinction = 0.04;
   const CloudField first(quickNoise(), thin), second(quickNoise(), thick), sum(quickNoise(), both);
   MarchMedium overlapping = mediumOf(first);
   overlapping.extinction = [a = mediumOf(first).extinction, b = mediumOf(second).extinction](
@@ -447,13 +447,13 @@ TEST(CloudMarch, aFieldIsMarchedWithItsExtinctionAndItsHeights) {
   const CloudSettings settings = cloudySettings();
   const CloudField field(quickNoise(), settings);
   const MarchMedium medium = mediumOf(field);
-  EXPECT_EQ(medium.baseM, settings.cloudHeight);
-  EXPECT_EQ(medium.topM, settings.cloudHeight + settings.thickness);
+  EXPECT_EQ(medium.baseM, settings.layers[0].cloudHeight);
+  EXPECT_EQ(medium.topM, settings.layers[0].cloudHeight + settings.layers[0].thickness);
   EXPECT_EQ(medium.fadeDistanceM, settings.fadeDistance);
   core::RandomStream random{7, 0};
   for (int i = 0; i < 1000; ++i) {
     const glm::dvec3 place(random.nextUnit() * 5e4, 1555 + random.nextUnit() * 1800, random.nextUnit() * 5e4);
-    ASSERT_EQ(medium.extinction(place), field.density(place) * settings.extinction);
+    ASSERT_EQ(medium.extinction(place), field.density(place) * settings.layers[0].extinction);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/core/wind.h"
 #include "support/cloud_noise.h"
 
 namespace skydrop::clouds {
@@ -39,14 +40,14 @@ TEST(CloudMedium, densityStaysBetweenNothingAndOneForAnySettings) {
   for (int corner = 0; corner < 256; ++corner) {
     const auto end = [&](int bit, double low, double high) { return (corner >> bit & 1) != 0 ? high : low; };
     CloudSettings settings;
-    settings.densityThreshold = end(0, 0, 0.95);
-    settings.scale = end(1, 0.1, 4);
-    settings.higherScale = end(2, 2, 80);
-    settings.weatherScale = end(3, 0.005, 0.1);
-    settings.coverage = end(4, 0, 1);
-    settings.typeShift = end(5, -1, 1);
-    settings.erosion = end(6, 0, 0.9);
-    settings.thickness = end(7, 50, 6000);
+    settings.layers[0].densityThreshold = end(0, 0, 0.95);
+    settings.layers[0].scale = end(1, 0.1, 4);
+    settings.layers[0].higherScale = end(2, 2, 80);
+    settings.layers[0].weatherScale = end(3, 0.005, 0.1);
+    settings.layers[0].coverage = end(4, 0, 1);
+    settings.layers[0].typeShift = end(5, -1, 1);
+    settings.layers[0].erosion = end(6, 0, 0.9);
+    settings.layers[0].thickness = end(7, 50, 6000);
     const CloudField field(quickNoise(), settings);
     for (int i = 0; i < 300; ++i) {
       const double density = field.density(randomPlace(random, 1e6));
@@ -56,7 +57,8 @@ TEST(CloudMedium, densityStaysBetweenNothingAndOneForAnySettings) {
   CloudSettings settings;
   const core::SettingsTable table(settings);
   for (const char* wrong :
-       {"extinction=-1", "extinction=nan", "densityThreshold=1", "thickness=0", "scale=0"}) {
+       {"layers.0.extinction=-1", "layers.0.extinction=nan", "layers.0.densityThreshold=1",
+        "layers.0.thickness=0", "layers.0.scale=0"}) {
     EXPECT_THROW(core::setField(table, wrong), core::RangeError) << wrong;
   }
 }
@@ -72,10 +74,10 @@ TEST(CloudMedium, remapWithEqualBoundsIsAStep) {
 
 TEST(CloudMedium, cloudsGrowWithCoverageAndNoneIsLeftAtNone) {
   CloudSettings settings;
-  settings.densityThreshold = 0.3;  // the quick noise is thinner than the real one
+  settings.layers[0].densityThreshold = 0.3;  // the quick noise is thinner than the real one
   double before = -1;
   for (const double coverage : {0.0, 0.1, 0.25, 0.5, 0.75, 1.0}) {
-    settings.coverage = coverage;
+    settings.layers[0].coverage = coverage;
     const double share = occupiedShare(CloudField(quickNoise(), settings));
     EXPECT_GE(share, before) << coverage;
     EXPECT_TRUE(coverage > 0 || share == 0) << share;
@@ -105,13 +107,14 @@ TEST(Stability, C07_everyTypesProfileIsZeroOutsideAndPeaksAtOne) {
 
 TEST(Stability, C08_thereIsNothingExactlyOnTheBorders) {
   CloudSettings settings;
-  settings.coverage = 1;
-  settings.densityThreshold = 0;
+  settings.layers[0].coverage = 1;
+  settings.layers[0].densityThreshold = 0;
   const CloudField field(quickNoise(), settings);
   core::RandomStream random{2, 0};
   for (int i = 0; i < 1000; ++i) {
     glm::dvec3 place = randomPlace(random, 50000);
-    for (const double height : {settings.cloudHeight, settings.cloudHeight + settings.thickness}) {
+    const double base = field.layer().cloudHeight;
+    for (const double height : {base, base + field.layer().thickness}) {
       place.y = height;
       EXPECT_EQ(field.density(place), 0);
       EXPECT_EQ(field.densityInFloat(place), 0);
@@ -123,13 +126,13 @@ TEST(CloudMedium, theFieldFarOutIsTheFieldAtTheOrigin) {
   // The weather map's period holds whole periods of the others here, so the field repeats with it. Doubles
   // resolve 2e-6 of a texel at 1e9 m.
   CloudSettings settings;
-  settings.densityThreshold = 0.3;
-  settings.scale = 0.6;
-  settings.weatherScale = 0.02;
+  settings.layers[0].densityThreshold = 0.3;
+  settings.layers[0].scale = 0.6;
+  settings.layers[0].weatherScale = 0.02;
   settings.fadeDistance = 24000;
-  const double period = 1e9 / 50000 * weatherPeriod(settings);
-  ASSERT_NEAR(std::remainder(period, shapePeriod(settings)), 0, 1e-6);
-  ASSERT_NEAR(std::remainder(period, detailPeriod(settings)), 0, 1e-6);
+  const double period = 1e9 / 50000 * weatherPeriod(settings.layers[0], settings.fadeDistance);
+  ASSERT_NEAR(std::remainder(period, shapePeriod(settings.layers[0])), 0, 1e-6);
+  ASSERT_NEAR(std::remainder(period, detailPeriod(settings.layers[0])), 0, 1e-6);
   const CloudField field(quickNoise(), settings);
   core::RandomStream random{4, 0};
   int occupied = 0;
@@ -143,12 +146,10 @@ TEST(CloudMedium, theFieldFarOutIsTheFieldAtTheOrigin) {
 }
 
 TEST(CloudMedium, aMonthOfWindMovesTheFieldAndNothingElse) {
-  CloudSettings settings;
-  settings.windSpeed = 17.3;
-  settings.windDirection = 250;
+  const CloudSettings settings;
   CloudField field(quickNoise(), settings);
   const CloudField still(quickNoise(), settings);
-  const glm::dvec2 drift = CloudField::drift(settings, 30.0 * 86400);
+  const glm::dvec2 drift = core::windDrift({.speed = 17.3, .direction = 250}, 30.0 * 86400);
   EXPECT_GT(drift.x, 0) << "wind from the west-southwest blows east";
   EXPECT_LT(drift.y, 0) << "and north";
   field.setDrift(drift);
@@ -185,12 +186,12 @@ TEST(CloudMedium, erosionOnlyTakesAway) {
 TEST(CloudMedium, foreignNoiseOfAnotherShapeIsRefused) {
   const core::TextureData good = makeNoise(NoiseTexture::detail, 0),
                           map = makeNoise(NoiseTexture::weather, 0);
-  EXPECT_THROW(foldNoise(map, good, map), core::RangeError);
-  EXPECT_THROW(foldNoise(good, good, good), core::RangeError);
-  EXPECT_THROW(foldNoise(core::TextureData(core::TexelFormat::r8, 32, 32, 32), good, map), core::RangeError);
-  EXPECT_THROW(foldNoise(core::TextureData(core::TexelFormat::rgba8, 24, 24, 24), good, map),
+  EXPECT_THROW(packCloudNoise(map, good, map), core::RangeError);
+  EXPECT_THROW(packCloudNoise(good, good, good), core::RangeError);
+  EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::r8, 32, 32, 32), good, map), core::RangeError);
+  EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::rgba8, 24, 24, 24), good, map),
                core::RangeError);
-  EXPECT_THROW(foldNoise(core::TextureData(core::TexelFormat::rgba8, 32, 32, 16), good, map),
+  EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::rgba8, 32, 32, 16), good, map),
                core::RangeError);
 }
 

@@ -46,9 +46,10 @@ class Oracle {
   std::vector<ChunkKey> visibleChunks(const ViewVolume& view, const LodDistances& lod) {
     std::vector<ChunkKey> found;
     const glm::dvec2 eye{view.position.x, view.position.z};
-    const ChunkKey lo = chunkAt(eye - kFarDistanceM, kTopLevel), hi = chunkAt(eye + kFarDistanceM, kTopLevel);
+    const ChunkKey lo = chunkAt(eye - kFarDistanceM, kMaxChunkLevel);
+    const ChunkKey hi = chunkAt(eye + kFarDistanceM, kMaxChunkLevel);
     for (auto z = lo.z; z <= hi.z; ++z) {
-      for (auto x = lo.x; x <= hi.x; ++x) walk({x, z, kTopLevel}, view, lod, found);
+      for (auto x = lo.x; x <= hi.x; ++x) walk({x, z, kMaxChunkLevel}, view, lod, found);
     }
     return found;
   }

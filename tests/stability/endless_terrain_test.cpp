@@ -47,7 +47,7 @@ class WatchedSource final : public HeightSource {
         const glm::dvec2 at = chunkOrigin(key) + glm::dvec2(column, row - row % 10) * cellMetres(key.level);
         const auto i = static_cast<std::size_t>(sampleIndex(column, row));
         if (row % 10 == 0) {
-          out.heights[i] = encodeHeight(hills_->height(at));
+          out.heights[i] = out.heightRange.encode(hills_->height(at));
         } else {
           out.heights[i] = out.heights[i - kChunkSamples];
         }
@@ -99,7 +99,7 @@ ViewVolume lookingAlong(glm::dvec3 eye, double yaw, double pitch, int width = 64
 
 std::size_t bytesOfUploads(const TerrainFrame& frame) { return frame.uploads.size() * kSampleBytes; }
 
-// What of a frame must not depend on how it came about: all but the slots.
+// What of a frame must not depend on how it came about: all but the layers.
 std::vector<std::tuple<int, int, int, int, int, int, double>> drawsOf(const TerrainFrame& frame) {
   std::vector<std::tuple<int, int, int, int, int, int, double>> draws;
   for (const PatchDraw& p : frame.patches) {
@@ -240,8 +240,8 @@ TEST(Stability, T11_theDefaultBudgetsHoldTheViewAndAreNeverExceeded) {
     const StreamingStatistics& now = terrain.statistics();
     EXPECT_EQ(now.overBudget, 0u);
     EXPECT_LE(now.bytes, kMostBytes);
-    EXPECT_LE(static_cast<std::size_t>(frame.slotCount) * kSampleBytes, kMostBytes);
-    for (const ResidentChunk& chunk : frame.chunks) EXPECT_LT(chunk.slot, frame.slotCount);
+    EXPECT_LE(static_cast<std::size_t>(frame.layerCount) * kSampleBytes, kMostBytes);
+    for (const ResidentChunk& chunk : frame.chunks) EXPECT_LT(chunk.layer, frame.layerCount);
   }
   EXPECT_GT(terrain.statistics().generated * kSampleBytes, kMostBytes) << "more than can be held at once";
   EXPECT_GT(terrain.statistics().bytes, kMostBytes / 2);

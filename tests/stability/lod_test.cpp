@@ -87,7 +87,7 @@ TEST(Lod, lambdaRisesWithDistanceAndTheGpusIsTheSame) {
 TEST(Lod, levelsOfTheShippedLandStoreTheSameHeightsWhereTheyMeet) {
   // Every sample of a chunk that its parent has too: equal codes, at each pair of levels.
   const auto source = makeNoiseHeightSource({}, 7);
-  for (std::int32_t level = 0; level < kTopLevel; ++level) {
+  for (std::int32_t level = 0; level < kMaxChunkLevel; ++level) {
     for (int quadrant = 0; quadrant < 4; ++quadrant) {
       const ChunkKey parent{3, -2, level + 1}, key = childOf(parent, quadrant);
       const ChunkData coarse = makeChunk(*source, parent), fine = makeChunk(*source, key);
@@ -233,7 +233,7 @@ TEST(Stability, T07_theMeshHasNoOpenEdgeWhileChunksArriveInAnyOrder) {
       usable.emplace(key, UsableChunk{0, kept.back().get()});
     };
     for (const WantedChunk& chunk : selectChunks(view, frame.lod, settings.farDistanceM, bounds)) {
-      if (chunk.key.level == kTopLevel) {
+      if (chunk.key.level == kMaxChunkLevel) {
         arrive(chunk.key);
       } else {
         missing.push_back(chunk.key);

@@ -140,7 +140,7 @@ TEST(Stability, T01_heightsFarOutAreThoseOfALongDoubleReference) {
         const glm::dvec2 xz = samplePosition(key, column, row);
         const auto truth = static_cast<double>(reference.height(xz));
         ASSERT_NEAR(land->height(xz), truth, 1e-6) << distance;
-        ASSERT_NEAR(decodeHeight(chunk.heights[at(column, row)]), truth, kHeightStep / 2 + kFloatMetres)
+        ASSERT_NEAR(chunk.height(at(column, row)), truth, chunk.heightRange.step() / 2 + kFloatMetres)
             << distance;
         const glm::dvec2 between = xz + glm::dvec2(1.37, 2.11);
         ASSERT_NEAR(land->height(between), static_cast<double>(reference.height(between)), 1e-6);
@@ -209,8 +209,8 @@ TEST(Stability, T06_chunksHoldTheHeightsOfPoints) {
       int row = static_cast<int>(random.next() % kChunkSamples);
       if (i % 4 == 0) column = i % 8 == 0 ? 0 : kChunkCells;
       if (i % 4 == 1) row = i % 8 == 1 ? 0 : kChunkCells;
-      ASSERT_NEAR(decodeHeight(chunk.heights[at(column, row)]),
-                  land->height(samplePosition(key, column, row)), kHeightStep / 2 + kFloatMetres)
+      ASSERT_NEAR(chunk.height(at(column, row)),
+                  land->height(samplePosition(key, column, row)), chunk.heightRange.step() / 2 + kFloatMetres)
           << "level " << key.level << " column " << column << " row " << row;
     }
   }
@@ -399,7 +399,7 @@ TEST(Stability, T22_theLandFavoursNoDirection) {
           };
           values[row * kSize + column] =
               window(row) * window(column) *
-              (decodeHeight(chunk.heights[at(static_cast<int>(column), static_cast<int>(row))]) -
+              (chunk.height(at(static_cast<int>(column), static_cast<int>(row))) -
                chunk.bounds.lowest);
         }
       }
@@ -442,7 +442,7 @@ TEST(Stability, T23_heightsLieInTheirRangeAndFewAreLimited) {
     for (const std::uint16_t code : chunk.heights) {
       ASSERT_NE(code, 0);
       ASSERT_NE(code, 65535);
-      const double height = decodeHeight(code);
+      const double height = chunk.heightRange.decode(code);
       limited += height < -200 || height > 1500;
       sea += height < 0;
     }
@@ -454,7 +454,7 @@ TEST(Stability, T23_heightsLieInTheirRangeAndFewAreLimited) {
 }
 
 TEST(Stability, T23_heightsStayInRangeForAnySettings) {
-  // With every knob at its ends the soft limit still holds: no sample at the ends of the range.
+  // With every parameter at its ends the soft limit still holds: no sample at the ends of the range.
   TerrainSettings wild;
   wild.seaDepth = 240;
   wild.plainHeight = 600;
@@ -466,8 +466,8 @@ TEST(Stability, T23_heightsStayInRangeForAnySettings) {
     const auto land = makeNoiseHeightSource(wild, kSeed);
     for (std::int64_t i = 0; i < 8; ++i) {
       const ChunkData chunk = makeChunk(*land, {i, -i, 5});
-      EXPECT_GT(chunk.bounds.lowest, kLowestHeight);
-      EXPECT_LT(chunk.bounds.highest, kHighestHeight);
+      EXPECT_GT(chunk.bounds.lowest, chunk.heightRange.lowest);
+      EXPECT_LT(chunk.bounds.highest, chunk.heightRange.highest);
     }
   }
 }
@@ -546,8 +546,8 @@ TEST(Stability, P23_heightsAnswerAnywhere) {
   const auto land = makeNoiseHeightSource({}, kSeed);
   for (const double x : {1e15, -1e15, 1e18, -1e300, std::numeric_limits<double>::infinity()}) {
     const HeightSample s = land->sample({x, -x});
-    EXPECT_GE(s.height, kLowestHeight);
-    EXPECT_LE(s.height, kHighestHeight);
+    EXPECT_GE(s.height, HeightRange{}.lowest);
+    EXPECT_LE(s.height, HeightRange{}.highest);
     EXPECT_TRUE(std::isfinite(s.gradient.x) && std::isfinite(s.gradient.y));
   }
   EXPECT_EQ(land->height({1e300, 0}), land->height({kWorldLimitMetres, 0}));

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/cloud_tier.h"
-#include "app/settings.h"
-#include "skydrop/render/cloud_system.h"
+#include "app/settings/cloud_tier.h"
+#include "app/settings/settings.h"
+#include "skydrop/render/clouds/cloud_system.h"
 #include "support/frame_test.h"
 #include "support/light_probe.h"
 
@@ -29,30 +29,30 @@ inline clouds::MarchSettings quickRows() {
   march.resolution = clouds::MarchResolution::full;
   march.stepM = 8;
   march.stepGrowth = 0.002;
-  march.seekSteps = 1;
-  march.stepDepth = 0.2;
-  march.leastTransmittance = 0.0005;
+  march.emptyStepMultiplier = 1;
+  march.maxSegmentOpticalDepth = 0.2;
+  march.transmittanceCutoff = 0.0005;
   march.sunSamples = 8;
   return march;
 }
 
 // Noise of one value everywhere, of all cloud there can be: with plainSettings() the density is the profile
 // of a cumulus alone.
-inline std::shared_ptr<const clouds::FoldedNoise> plainNoise() {
-  clouds::FoldedNoise noise;
+inline std::shared_ptr<const clouds::PackedCloudNoise> plainNoise() {
+  clouds::PackedCloudNoise noise;
   noise.shapeSide = noise.detailSide = 32;
   noise.weatherSide = 64;
   noise.base.assign(32 * 32 * 32, 1.0f);
   noise.detail.assign(32 * 32 * 32, 0.5f);
   noise.weather.assign(64 * 64, glm::vec3(1));
-  return std::make_shared<const clouds::FoldedNoise>(std::move(noise));
+  return std::make_shared<const clouds::PackedCloudNoise>(std::move(noise));
 }
 
 inline clouds::CloudSettings plainSettings() {
   clouds::CloudSettings settings;
-  settings.coverage = 1;
-  settings.erosion = 0;
-  settings.extinction = 0.001;
+  settings.layers[0].coverage = 1;
+  settings.layers[0].erosion = 0;
+  settings.layers[0].extinction = 0.001;
   settings.march = quickRows();
   return settings;
 }
@@ -65,22 +65,22 @@ class CloudFrameTest : public FrameTest {
     if (!IsSkipped()) renderer().add(std::make_unique<LightProbe>(scene_));
   }
 
-  void addClouds(std::shared_ptr<const clouds::FoldedNoise> noise) {
-    auto pass = std::make_unique<render::CloudSystem>(context(), std::move(noise), clouds_);
+  void addClouds(std::shared_ptr<const clouds::PackedCloudNoise> noise) {
+    auto pass = std::make_unique<render::CloudSystem>(context(), std::move(noise), clouds_, wind_);
     system_ = pass.get();
     renderer().add(std::move(pass));
   }
 
   // The scene's light, bottom row first. The frame's clouds are those of clouds_.
   std::vector<glm::vec4> sceneFrom(const render::View& view) {
-    system_->apply(clouds_);
+    system_->apply(clouds_, wind_);
     draw(view);
     return scene_;
   }
   // A ray a texel, bottom row first: radiance, and what comes through. The frame must have clouds in view.
   std::vector<glm::vec4> cloudsFrom(const render::View& view) {
     sceneFrom(view);
-    EXPECT_FALSE(system_->idleReason({snapshot_, view, features_}));
+    EXPECT_FALSE(system_->skipReason(render::gameFrame(snapshot_, view, features_)));
     const render::gl::Texture& light = system_->light();
     std::vector<glm::vec4> texels(static_cast<std::size_t>(light.width() * light.height()));
     light.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(texels)));
@@ -88,6 +88,7 @@ class CloudFrameTest : public FrameTest {
   }
 
   clouds::CloudSettings clouds_;
+  core::WindSettings wind_;
   render::CloudSystem* system_ = nullptr;
 
  private:

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "skydrop/core/shared.h"
-#include "skydrop/render/sky_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
 #include "support/cloud_frame_test.h"
 #include "support/plains_pass.h"
 #include "support/temporary_folder.h"

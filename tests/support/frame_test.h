@@ -4,8 +4,9 @@
 #include <glm/trigonometric.hpp>
 #include <memory>
 
-#include "skydrop/render/camera.h"
-#include "skydrop/render/renderer.h"
+#include "skydrop/render/frame/camera.h"
+#include "skydrop/render/frame/renderer.h"
+#include "skydrop/render/models/model_layer.h"
 #include "support/gl_test.h"
 
 namespace skydrop::test {
@@ -14,7 +15,9 @@ class FrameTest : public GLTest {
  protected:
   void SetUp() override {
     GLTest::SetUp();
-    if (!IsSkipped()) renderer_ = std::make_unique<render::Renderer>(context(), settings_, false);
+    if (IsSkipped()) return;
+    renderer_ = std::make_unique<render::Renderer>(context(), settings_, false);
+    renderer_->setLayer(std::make_unique<render::ModelLayer>());
   }
   void TearDown() override {
     GLTest::TearDown();
@@ -30,9 +33,11 @@ class FrameTest : public GLTest {
     camera.setPose(position, glm::radians(yaw), glm::radians(pitch), glm::radians(roll));
     return camera.view(snapshot_, settings_.camera, width, height);
   }
-  core::Image draw(const render::View& view) {
+  // Of the game as snapshot_ has it.
+  core::Image draw(const render::View& view) { return draw(render::gameFrame(snapshot_, view, features_)); }
+  core::Image draw(const render::FrameInput& input) {
     renderer_->apply(settings_);
-    renderer_->draw({snapshot_, view, features_});
+    renderer_->draw(input);
     return renderer_->readBack();
   }
 

@@ -43,13 +43,13 @@ void GLTest::TearDown() {
   for (const gl::DebugMessage& message : context_->debugMessages()) {
     if (message.isError) ADD_FAILURE() << "the driver says: " << message.text;
   }
-  EXPECT_EQ(context_->ledger().unknownUniforms(), 0u) << context_->ledger().lastUnknownUniform();
+  EXPECT_EQ(context_->resources().unknownUniforms(), 0u) << context_->resources().lastUnknownUniform();
 }
 
 GLTest::~GLTest() {
   // The members of derived fixtures are gone by now.
   if (!context_) return;
-  EXPECT_EQ(context_->ledger().liveObjects(), 0) << "GL objects were left behind";
+  EXPECT_EQ(context_->resources().liveObjects(), 0) << "GL objects were left behind";
 }
 
 std::vector<glm::vec4> readFloats(const gl::FrameBuffer& target) {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "skydrop/render/model.h"
-#include "skydrop/render/pass.h"
+#include "skydrop/render/frame/pass.h"
+#include "skydrop/render/models/model.h"
 
 namespace skydrop::test {
 
@@ -16,7 +16,7 @@ class GroundPass final : public render::Pass {
       : model_(context, modelOf(mesh), "test ground"), middle_(middle) {}
 
   std::string_view name() const override { return "ground"; }
-  render::Slot slot() const override { return render::Slot::terrain; }
+  render::RenderStage stage() const override { return render::RenderStage::terrain; }
   void draw(render::FrameContext& context) override {
     model_.draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
                 render::bodyMatrix(context.frame.view, middle_, glm::dquat(1, 0, 0, 0)),

@@ -98,7 +98,7 @@ void writeArtifact(std::string_view name, const core::Image& image) {
 
 ::testing::AssertionResult matchesReference(const core::Image& actual, const std::filesystem::path& reference,
                                             const ImageLimits& limits) {
-  const char* bless = std::getenv("SKYDROP_BLESS");
+  const char* bless = std::getenv("SKYDROP_UPDATE_GOLDENS");
   if (bless && std::string_view(bless) == "1") {
     std::filesystem::create_directories(reference.parent_path());
     core::writePng(reference, actual);
@@ -107,7 +107,7 @@ void writeArtifact(std::string_view name, const core::Image& image) {
   if (!std::filesystem::exists(reference)) {
     writeArtifact(reference.stem().string() + ".actual", actual);
     return ::testing::AssertionFailure()
-           << "no reference " << reference.string() << "; SKYDROP_BLESS=1 writes it";
+           << "no reference " << reference.string() << "; SKYDROP_UPDATE_GOLDENS=1 writes it";
   }
   return imagesMatch(actual, core::readPng(reference), limits, reference.stem().string());
 }

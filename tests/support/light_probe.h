@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "skydrop/render/pass.h"
+#include "skydrop/render/frame/pass.h"
 
 namespace skydrop::test {
 
@@ -15,7 +15,7 @@ class LightProbe final : public render::Pass {
  public:
   explicit LightProbe(std::vector<glm::vec4>& light) : light_(light) {}
   std::string_view name() const override { return "probe"; }
-  render::Slot slot() const override { return render::Slot::toneMap; }
+  render::RenderStage stage() const override { return render::RenderStage::toneMap; }
   void draw(render::FrameContext& context) override {
     light_.resize(static_cast<std::size_t>(context.sceneColor.width() * context.sceneColor.height()));
     context.sceneColor.read(GL_RGBA, GL_FLOAT, std::as_writable_bytes(std::span(light_)));

@@ -15,7 +15,8 @@ float PatchMesher::storedHeight(const glm::dvec2& xz) {
   const terrain::ChunkKey place{static_cast<std::int64_t>(xz.x), static_cast<std::int64_t>(xz.y), 0};
   const auto known = heights_.find(place);
   if (known != heights_.end()) return known->second;
-  const auto height = static_cast<float>(terrain::decodeHeight(terrain::encodeHeight(source_.height(xz))));
+  const terrain::HeightRange range = source_.storedRange();
+  const auto height = static_cast<float>(range.decode(range.encode(source_.height(xz))));
   return heights_[place] = height;
 }
 

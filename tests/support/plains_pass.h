@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "skydrop/render/mesh.h"
-#include "skydrop/render/mesh_data.h"
-#include "skydrop/render/pass.h"
+#include "skydrop/render/frame/pass.h"
+#include "skydrop/render/models/mesh.h"
+#include "skydrop/render/models/mesh_data.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::test {
@@ -31,7 +31,7 @@ class PlainsPass final : public render::Pass {
         plains_(plains) {}
 
   std::string_view name() const override { return "plains"; }
-  render::Slot slot() const override { return render::Slot::terrain; }
+  render::RenderStage stage() const override { return render::RenderStage::terrain; }
   void draw(render::FrameContext& context) override {
     const render::View& view = context.frame.view;
     render::gl::Shader& shader = context.shaders.shader(vertex_, fragment_);

@@ -30,10 +30,10 @@ std::filesystem::path sharedCacheHome() {
   return std::filesystem::path(test::binaryDir()) / "tests" / "cache";
 }
 
-std::shared_ptr<const clouds::FoldedNoise> sharedNoise() {
+std::shared_ptr<const clouds::PackedCloudNoise> sharedNoise() {
   using enum clouds::NoiseTexture;
-  static const auto noise = std::make_shared<const clouds::FoldedNoise>(
-      clouds::foldNoise(sharedTexture(shape), sharedTexture(detail), sharedTexture(weather)));
+  static const auto noise = std::make_shared<const clouds::PackedCloudNoise>(
+      clouds::packCloudNoise(sharedTexture(shape), sharedTexture(detail), sharedTexture(weather)));
   return noise;
 }
 

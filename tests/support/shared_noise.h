@@ -19,7 +19,7 @@ std::filesystem::path sharedCacheHome();
 core::TextureData sharedTexture(clouds::NoiseTexture texture);
 
 // All three. Throws core::DataError.
-std::shared_ptr<const clouds::FoldedNoise> sharedNoise();
+std::shared_ptr<const clouds::PackedCloudNoise> sharedNoise();
 
 // Copies the textures' files into a cache of the test's own.
 void copySharedNoise(const std::filesystem::path& cacheFolder);

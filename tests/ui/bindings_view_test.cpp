@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/player_controls.h"
+#include "app/input/player_controls.h"
 #include "ui/interface_driver.h"
 
 namespace skydrop::app {

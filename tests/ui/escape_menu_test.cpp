@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/input_code.h"
+#include "app/input/input_code.h"
 #include "skydrop/ui/menu.h"
 #include "ui/interface_driver.h"
 

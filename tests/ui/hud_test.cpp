@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/bindings.h"
+#include "app/input/bindings.h"
 
 namespace skydrop::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/imgui_input.h"
+#include "app/input/imgui_input.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <string>
 
-#include "app/event_feed.h"
-#include "app/input_code.h"
-#include "app/pointer_rest.h"
+#include "app/input/event_feed.h"
+#include "app/input/input_code.h"
+#include "app/window/cursor_auto_hide.h"
 #include "skydrop/ui/imgui_context.h"
 
 namespace skydrop::app {
@@ -155,8 +155,8 @@ TEST_F(ImGuiInputTest, aTextFieldsShortcutsGoByTheLetterOfAFrenchLayout) {
   EXPECT_STREQ(field, "aircrafts") << "nothing was selected";
 }
 
-TEST(PointerRest, aPointerAtRestHidesUnlessAMenuNeedsIt) {
-  PointerRest pointer;
+TEST(CursorAutoHide, aPointerAtRestHidesUnlessAMenuNeedsIt) {
+  CursorAutoHide pointer;
   EXPECT_TRUE(pointer.isShown(0.5 * kPointerRestSeconds, false, false));
   EXPECT_FALSE(pointer.isShown(0.6 * kPointerRestSeconds, false, false));
   EXPECT_TRUE(pointer.isShown(1, true, false)) << "moved";

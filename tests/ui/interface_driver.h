@@ -4,9 +4,9 @@
 #include <functional>
 #include <utility>
 
-#include "app/event_feed.h"
-#include "app/imgui_input.h"
-#include "app/input_code.h"
+#include "app/input/event_feed.h"
+#include "app/input/imgui_input.h"
+#include "app/input/input_code.h"
 #include "skydrop/ui/imgui_context.h"
 
 namespace skydrop::test {

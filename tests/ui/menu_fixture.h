@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/input_code.h"
+#include "app/input/input_code.h"
 #include "skydrop/ui/menu.h"
 #include "ui/interface_driver.h"
 

@@ -21,7 +21,7 @@ TEST_F(MenuPresetsTest, presetsAreSavedLoadedAndDeletedOnlyWhenConfirmed) {
   ASSERT_TRUE(request);
   EXPECT_EQ(request->kind, PresetRequest::Kind::save);
   EXPECT_EQ(request->name, "my own");
-  EXPECT_EQ(request->group, "") << "every setting";
+  EXPECT_TRUE(request->groups.empty()) << "every setting";
   request.reset();
   clickOn("load torn");
   EXPECT_FALSE(request) << "a broken one cannot be loaded";

@@ -37,6 +37,18 @@ TEST_F(MenuRowsTest, aSubgroupWithASectionOfItsOwnIsShownThereAlone) {
   EXPECT_NE(settings.aircraft.wing.span, 20);
 }
 
+TEST_F(MenuRowsTest, aSectionMayShowMoreGroupsBelowItsOwn) {
+  // Their rows come after its own, and its reset is theirs too.
+  sections = {{"aircraft", "Aircraft", true, {"weather"}}};
+  settings.weather.cell = 128;
+  driver.frames(2);
+  EXPECT_EQ(rows().size(), table.fields().size());
+  EXPECT_GT(place("weather.scale").value.top, place("aircraft.wing.span").value.bottom);
+  EXPECT_EQ(menu.place("section weather"), nullptr);
+  clickOn("reset aircraft");
+  EXPECT_EQ(settings.weather.cell, 64);
+}
+
 TEST_F(MenuRowsTest, nothingMovesTheRowsButTheUser) {
   // Refusals, errors, changed values and what the passes of a frame did come and go; every row stays where it
   // is, those below the costs included.

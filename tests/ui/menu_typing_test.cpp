@@ -8,7 +8,7 @@ namespace {
 class MenuTypingTest : public MenuFixture {};
 
 TEST_F(MenuTypingTest, aTypedValueIsTakenExactlyOrRefusedWithALine) {
-  // No rounding to the slider's five digits; out of range and no number change nothing and are said.
+  // No rounding to the slider's five digits; out of range and no number change nothing and are reported.
   startTyping("aircraft.rollFactor");
   EXPECT_TRUE(app::ImGuiInput::wantsText()) << "keys go to the field";
   typeAndEnter("0.123456789012345");

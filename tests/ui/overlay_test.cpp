@@ -1,8 +1,8 @@
-#include "app/overlay.h"
+#include "app/window/overlay.h"
 
 #include <gtest/gtest.h>
 
-#include "app/settings.h"
+#include "app/settings/settings.h"
 
 namespace skydrop::app {
 namespace {

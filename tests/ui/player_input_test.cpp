@@ -1,4 +1,4 @@
-#include "app/player_input.h"
+#include "app/input/player_input.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -247,7 +247,7 @@ TEST(PlayerInput, buttonsAreKeys) {
   // Bumpers yaw by the ramp, A drops once a press, and those of the program act once a press.
   PlayerInput input;
   input.handle(pressed(pad::kLeftBumper), kPad);
-  EXPECT_DOUBLE_EQ(input.step().yaw, KeyStick(kYawKeys).step(-1));
+  EXPECT_DOUBLE_EQ(input.step().yaw, KeyAxisRamp(kYawKeys).step(-1));
   EXPECT_EQ(settled(input).yaw, -1);
   input.handle(pressed(pad::kA), kPad);
   EXPECT_TRUE(input.step().drop);

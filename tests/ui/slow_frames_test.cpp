@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/event_feed.h"
-#include "app/player_input.h"
+#include "app/input/event_feed.h"
+#include "app/input/player_input.h"
 #include "ui/menu_fixture.h"
 
 namespace skydrop::ui {

@@ -10,7 +10,7 @@
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
-#include "skydrop/render/model_import.h"
+#include "skydrop/render/models/model_import.h"
 #include "support/cost.h"
 #include "support/mutants.h"
 #include "support/paths.h"

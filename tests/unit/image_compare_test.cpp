@@ -45,7 +45,7 @@ TEST(ImageCompare, otherSizeNeverMatches) {
 TEST(ImageCompare, missingReferenceFails) {
   // A golden without its reference is a failure, not a pass.
   const TemporaryFolder folder;
-  if (std::getenv("SKYDROP_BLESS")) GTEST_SKIP() << "blessing";
+  if (std::getenv("SKYDROP_UPDATE_GOLDENS")) GTEST_SKIP() << "blessing";
   EXPECT_FALSE(matchesReference(gradient(), folder.path() / "absent.png", {0, 0}));
 }
 

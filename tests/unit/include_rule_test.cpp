@@ -1,8 +1,10 @@
-// The direction of the arrows between modules, read from the sources themselves.
+// The direction of the arrows between modules, and between the rooms of a module that has some, read from the
+// sources themselves.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -20,15 +22,54 @@ using Names = std::set<std::string>;
 std::map<std::string, Names> allowedIncludes() {
   const Names core = {"core"};
   Names scene = core;
-  scene.insert({"terrain", "clouds", "flight", "weather"});
+  scene.insert({"terrain", "clouds", "flight", "sky"});
   Names game = scene;
   game.insert("scene");
   Names outer = game;
   outer.insert("game");
   Names app = outer;
   app.insert({"render", "audio", "ui"});
-  return {{"core", {}},     {"terrain", core}, {"clouds", core}, {"flight", core}, {"weather", core}, {"scene", scene},
-          {"game", game},   {"render", outer}, {"audio", outer}, {"ui", outer},    {"app", app}};
+  return {{"core", {}},     {"terrain", core}, {"clouds", core}, {"flight", core},
+          {"sky", core},    {"scene", scene},  {"game", game},   {"render", outer},
+          {"audio", outer}, {"ui", outer},     {"app", app}};
+}
+
+// The same for rooms, the folders of a module.
+std::map<std::string, std::map<std::string, Names>> allowedRooms() {
+  const Names base = {"types", "console", "measure"};
+  Names settings = base;
+  settings.insert("input");
+  Names session = settings;
+  session.insert("settings");
+  Names outer = session;
+  outer.insert("session");
+  Names cli = outer;
+  cli.insert({"window", "studies"});
+  const Names effect = {"gl", "frame"};
+  Names shadows = effect;
+  shadows.insert("models");
+  Names terrain = shadows;
+  terrain.insert({"shadows", "clouds"});
+  return {{"app",
+           {{"types", {}},
+            {"console", {"types"}},
+            {"measure", {"types", "console"}},
+            {"input", base},
+            {"settings", settings},
+            {"session", session},
+            {"window", outer},
+            {"studies", outer},
+            {"cli", cli}}},
+          {"render",
+           {{"gl", {}},
+            {"platform", {"gl"}},
+            {"frame", {"gl"}},
+            {"sky", effect},
+            {"clouds", effect},
+            {"models", effect},
+            {"overlay", effect},
+            {"shadows", shadows},
+            {"terrain", terrain}}}};
 }
 
 struct Include {
@@ -66,7 +107,8 @@ TEST(IncludeRule, arrowsBetweenModulesPointOneWay) {
       for (const auto& part : path) parts.push_back(part.string());
       if (parts.size() >= 3 && parts[0] == "skydrop") {
         ++seen;
-        EXPECT_TRUE(parts[1] == module || names.contains(parts[1])) << include.file << " includes " << include.what;
+        EXPECT_TRUE(parts[1] == module || names.contains(parts[1]))
+            << include.file << " includes " << include.what;
       } else if (parts.size() >= 2 && allowed.contains(parts[0])) {
         EXPECT_EQ(parts[0], module) << include.file << " includes a private header: " << include.what;
       }
@@ -75,13 +117,42 @@ TEST(IncludeRule, arrowsBetweenModulesPointOneWay) {
   EXPECT_GT(seen, 5u) << "the sources were not found";
 }
 
+// The folder that comes after the module's in a path, empty where a file follows.
+std::string roomOf(const fs::path& path, const std::string& module) {
+  for (auto part = path.begin(); part != path.end(); ++part) {
+    if (*part != module) continue;
+    const auto room = std::next(part);
+    if (room != path.end() && std::next(room) != path.end()) return room->string();
+  }
+  return {};
+}
+
+TEST(IncludeRule, arrowsBetweenRoomsPointOneWay) {
+  const fs::path root = skydrop::test::sourceDir();
+  for (const auto& [module, rooms] : allowedRooms()) {
+    std::size_t seen = 0;
+    for (const Include& include : includesOf(module)) {
+      const std::string from = roomOf(fs::relative(include.file, root), module);
+      EXPECT_TRUE(rooms.contains(from)) << include.file << " is in no room";
+      const std::string& what = include.what;
+      if (!what.starts_with(module + "/") && !what.starts_with("skydrop/" + module + "/")) continue;
+      const std::string to = roomOf(what, module);
+      ++seen;
+      EXPECT_TRUE(from == to || (rooms.contains(from) && rooms.at(from).contains(to)))
+          << include.file << " includes " << what;
+    }
+    EXPECT_GT(seen, 50u) << "the sources were not found";
+  }
+}
+
 TEST(IncludeRule, onlyRenderNamesOpenGL) {
-  // OpenGL, EGL and GLFW headers stand in render; app's window code may name GLFW.
+  // OpenGL, EGL and GLFW headers are included in render; app's window code may name GLFW.
   const std::regex graphics(R"(^(GL|EGL|GLES\d?)/|glcorearb)");
   for (const auto& [module, names] : allowedIncludes()) {
     for (const Include& include : includesOf(module)) {
       if (module != "render") {
-        EXPECT_FALSE(std::regex_search(include.what, graphics)) << include.file << " includes " << include.what;
+        EXPECT_FALSE(std::regex_search(include.what, graphics))
+            << include.file << " includes " << include.what;
       }
       if (module != "render" && module != "app") {
         EXPECT_FALSE(include.what.starts_with("GLFW/")) << include.file << " includes " << include.what;

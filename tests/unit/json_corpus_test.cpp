@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "render/model/plain_model.h"
+#include "render/models/plain_model.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/json.h"

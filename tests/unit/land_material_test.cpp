@@ -117,6 +117,40 @@ TEST(LandMaterial, strataFadeWherePixelsCannotShowThem) {
   EXPECT_GT(highest, 0.6);
 }
 
+TEST(LandMaterial, woodsStandWhereTreesGrow) {
+  // On gentle ground between the shore and the tree line, in patches, and rather in hollows than on ridges.
+  const shared::LandNoise wooded{0.8, 0, 0, 0, 0}, open{-0.6, 0, 0, 0, 0}, between{0.2, 0, 0, 0, 0};
+  EXPECT_EQ(shared::forestDensity(200, 0.95, 0, wooded), 1);
+  EXPECT_EQ(shared::forestDensity(200, 0.95, 0, open), 0);
+  EXPECT_EQ(shared::forestDensity(2, 0.95, 0, wooded), 0) << "the shore";
+  EXPECT_EQ(shared::forestDensity(800, 0.95, 0, wooded), 0) << "above the tree line";
+  const double thin = shared::forestDensity(660, 0.95, 0, wooded);
+  EXPECT_TRUE(thin > 0.4 && thin < 0.6) << thin;
+  EXPECT_EQ(shared::forestDensity(200, 0.69, 0, wooded), 0) << "46 degrees";
+  const double level = shared::forestDensity(200, 0.95, 0, between);
+  EXPECT_GT(shared::forestDensity(200, 0.95, -0.2, between), level) << "a hollow";
+  EXPECT_LT(shared::forestDensity(200, 0.95, 0.2, between), level) << "a ridge";
+}
+
+TEST(LandMaterial, woodsAreDrawnWhereTheirDensitySaysSo) {
+  // Where no cliff, beach or snow hides them, the land far away is wooded by that density exactly, so that
+  // trees that are planted by it meet the woods that are painted.
+  RandomStream random{13, 0};
+  const auto signedUnit = [&] { return 2 * random.nextUnit() - 1; };
+  int partly = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const shared::LandNoise noise{signedUnit(), signedUnit(), signedUnit(), signedUnit(), signedUnit()};
+    const double height = 20 + 480 * random.nextUnit(), normalUp = 0.94 + 0.06 * random.nextUnit();
+    const double curvature = 0.5 * signedUnit();
+    const double density = shared::forestDensity(height, normalUp, curvature, noise);
+    const shared::LandSurface land =
+        shared::landSurface(height, normalUp, curvature, noise, 0, {{0, 0}, 0, 0.5}, 0);
+    ASSERT_EQ(land.wooded, density);
+    partly += density > 0.01 && density < 0.99;
+  }
+  EXPECT_GT(partly, 1000);
+}
+
 TEST(LandMaterial, theEveningHorizonKeepsSomeBlue) {
   // With the sun at 1 degree the light of the horizon is warm, but air lit by the sky overhead keeps its blue
   // above a twentieth of its red: with the sun's own light alone it has a fiftieth, and dusk is plain yellow.

@@ -1,4 +1,4 @@
-#include "skydrop/render/mesh_data.h"
+#include "skydrop/render/models/mesh_data.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skydrop/render/model_import.h"
+#include "skydrop/render/models/model_import.h"
 
 #include <gtest/gtest.h>
 

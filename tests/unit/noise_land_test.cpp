@@ -36,8 +36,8 @@ TEST(NoiseLand, boundsHoldEveryStoredSample) {
     const ChunkData chunk = makeChunk(*land, key);
     const glm::dvec2 lo = chunkOrigin(key);
     const HeightBounds bounds = land->bounds(lo, lo + glm::dvec2(chunkMetres(key.level)));
-    EXPECT_GE(chunk.bounds.lowest, bounds.lowest - kHeightStep / 2);
-    EXPECT_LE(chunk.bounds.highest, bounds.highest + kHeightStep / 2);
+    EXPECT_GE(chunk.bounds.lowest, bounds.lowest - chunk.heightRange.step() / 2);
+    EXPECT_LE(chunk.bounds.highest, bounds.highest + chunk.heightRange.step() / 2);
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace shared = core::shared::f32;
 
-// Kept in a cache: theDefinitionIsTheOneThatItsNumberNames makes them anew and holds what lies there to it.
+// Kept in a cache: theDefinitionIsTheOneThatItsNumberNames makes them again and holds what lies there to it.
 const core::TextureData& texture(NoiseTexture which) {
   static std::array<core::TextureData, 3> loaded;
   core::TextureData& kept = loaded[static_cast<std::size_t>(which)];

@@ -14,7 +14,7 @@ namespace {
 
 // Erosion only takes away, so what is judged is the field without it.
 CloudSettings uneroded(CloudSettings settings = {}) {
-  settings.erosion = 0;
+  settings.layers[0].erosion = 0;
   return settings;
 }
 
@@ -25,28 +25,28 @@ struct Named {
 
 std::vector<Named> corners() {
   std::vector<Named> all{{"default", {}}};
-  const auto add = [&](const char* name, auto change) {
+  using Layer = CloudLayerSettings;
+  const auto add = [&](const char* name, auto change, double fadeDistance = CloudSettings().fadeDistance) {
     all.push_back({name, {}});
-    change(all.back().settings);
+    change(all.back().settings.layers[0]);
+    all.back().settings.fadeDistance = fadeDistance;
   };
-  add("deck", [](CloudSettings& s) { s.coverage = 1, s.densityThreshold = 0; });
-  add("sparse", [](CloudSettings& s) { s.coverage = 0.15, s.densityThreshold = 0.7; });
-  add("stratus", [](CloudSettings& s) { s.typeShift = -1, s.coverage = 0.8; });
-  add("cumulus", [](CloudSettings& s) { s.typeShift = 1; });
-  add("thin and high", [](CloudSettings& s) { s.thickness = 50, s.cloudHeight = 7777, s.coverage = 0.9; });
-  add("thick", [](CloudSettings& s) { s.thickness = 6000, s.cloudHeight = 100; });
-  add("huge billows, quick weather",
-      [](CloudSettings& s) { s.scale = 0.1, s.weatherScale = 0.1, s.fadeDistance = 1000; });
-  add("small billows, slow weather", [](CloudSettings& s) { s.scale = 4, s.weatherScale = 0.005; });
-  add("one shape a period",
-      [](CloudSettings& s) { s.scale = 0.13, s.fadeDistance = 9000, s.weatherScale = 0.1; });
+  add("deck", [](Layer& s) { s.coverage = 1, s.densityThreshold = 0; });
+  add("sparse", [](Layer& s) { s.coverage = 0.15, s.densityThreshold = 0.7; });
+  add("stratus", [](Layer& s) { s.typeShift = -1, s.coverage = 0.8; });
+  add("cumulus", [](Layer& s) { s.typeShift = 1; });
+  add("thin and high", [](Layer& s) { s.thickness = 50, s.cloudHeight = 7777, s.coverage = 0.9; });
+  add("thick", [](Layer& s) { s.thickness = 6000, s.cloudHeight = 100; });
+  add("huge billows, quick weather", [](Layer& s) { s.scale = 0.1, s.weatherScale = 0.1; }, 1000);
+  add("small billows, slow weather", [](Layer& s) { s.scale = 4, s.weatherScale = 0.005; });
+  add("one shape a period", [](Layer& s) { s.scale = 0.13, s.weatherScale = 0.1; }, 9000);
   for (Named& corner : all) corner.settings = uneroded(corner.settings);
   return all;
 }
 
 glm::dvec3 cellSize(const CloudSettings& settings) {
-  const double side = weatherPeriod(settings) / Occupancy::kSide;
-  return {side, settings.thickness / Occupancy::kRows, side};
+  const double side = weatherPeriod(settings.layers[0], settings.fadeDistance) / Occupancy::kSide;
+  return {side, settings.layers[0].thickness / Occupancy::kRows, side};
 }
 
 glm::ivec3 randomCell(core::RandomStream& random) {
@@ -70,7 +70,7 @@ TEST(Occupancy, whereThereIsCloudTheCellIsOccupied) {
       const double farOut = i % 2 == 0 ? 0 : -1e7;
       field.setDrift(drift);
       const glm::dvec3 place =
-          within(random, {farOut, settings.cloudHeight, farOut}, {2e5, settings.thickness, 2e5});
+          within(random, {farOut, field.layer().cloudHeight, farOut}, {2e5, field.layer().thickness, 2e5});
       if (!(field.density(place) > 0)) continue;
       ++clouds;
       const glm::ivec3 cell = occupancy.cellOf(place - glm::dvec3(drift.x, 0, drift.y));
@@ -88,7 +88,7 @@ TEST(Occupancy, aDistanceIsABoxOfClearAir) {
     const Occupancy occupancy(*test::sharedNoise(), settings);
     const CloudField field(test::sharedNoise(), settings);
     const glm::dvec3 size = cellSize(settings);
-    const glm::dvec3 origin(0, settings.cloudHeight, 0);
+    const glm::dvec3 origin(0, settings.layers[0].cloudHeight, 0);
     for (int i = 0; i < 60000; ++i) {
       const glm::ivec3 cell = randomCell(random);
       const int distance = occupancy.distance(cell);
@@ -103,9 +103,9 @@ TEST(Occupancy, aDistanceIsABoxOfClearAir) {
 TEST(Occupancy, distancesAreThoseOfASearch) {
   // Against looking at every cell around, over the seam too.
   CloudSettings settings;
-  settings.coverage = 0.2;
-  settings.densityThreshold = 0.7;
-  settings.scale = 0.3;
+  settings.layers[0].coverage = 0.2;
+  settings.layers[0].densityThreshold = 0.7;
+  settings.layers[0].scale = 0.3;
   const Occupancy occupancy(*test::sharedNoise(), settings);
   constexpr int kFarthest = Occupancy::kFarthest;
   const auto searched = [&](const glm::ivec3& cell) {
@@ -146,7 +146,7 @@ TEST(Occupancy, isNotMuchMoreThanWhatIsThere) {
   constexpr int kCells = 3000;
   int clouds = 0;
   const auto holdsCloud = [&](const glm::ivec3& cell) {
-    const glm::dvec3 low = glm::dvec3(0, settings.cloudHeight, 0) + size * glm::dvec3(cell);
+    const glm::dvec3 low = glm::dvec3(0, settings.layers[0].cloudHeight, 0) + size * glm::dvec3(cell);
     for (int k = 0; k < 8 * 5 * 8; ++k) {
       const glm::dvec3 part((k % 8 + 0.5) / 8, (k / 8 % 5 + 0.5) / 5, (k / 40 + 0.5) / 8);
       if (field.density(low + size * part) > 0) return true;
@@ -163,7 +163,7 @@ TEST(Occupancy, aClearSkyIsEmpty) {
   // No coverage, no cloud: nothing has to be drawn. Coverage of any share is not empty.
   CloudSettings settings;
   EXPECT_FALSE(Occupancy(*test::sharedNoise(), settings).isEmpty());
-  settings.coverage = 0;
+  settings.layers[0].coverage = 0;
   const Occupancy clear(*test::sharedNoise(), settings);
   EXPECT_TRUE(clear.isEmpty());
   EXPECT_EQ(clear.occupiedShare(), 0);
@@ -175,10 +175,10 @@ TEST(Occupancy, cellsCountFromTheOriginAndTheBase) {
   const CloudSettings settings;
   const Occupancy occupancy(*test::sharedNoise(), settings);
   const glm::dvec3 size = cellSize(settings);
-  const double base = settings.cloudHeight;
+  const double base = settings.layers[0].cloudHeight;
   EXPECT_EQ(occupancy.cellOf({0, base, 0}), glm::ivec3(0, 0, 0));
   EXPECT_EQ(occupancy.cellOf({-1, base - 1, size.z + 1}), glm::ivec3(Occupancy::kSide - 1, -1, 1));
-  EXPECT_EQ(occupancy.cellOf({-1e-9, base + settings.thickness, 0}).y, Occupancy::kRows);
+  EXPECT_EQ(occupancy.cellOf({-1e-9, base + settings.layers[0].thickness, 0}).y, Occupancy::kRows);
   EXPECT_EQ(occupancy.distance({-1, 3, Occupancy::kSide}), occupancy.distance({Occupancy::kSide - 1, 3, 0}));
 }
 

@@ -115,5 +115,43 @@ TEST(SettingsTable, aBadJsonObjectNamesFileAndPlaceAndChangesNothing) {
   EXPECT_EQ(sample.length, 2.5);
 }
 
+struct Moved {
+  double now = 1;
+  Layer layer;
+};
+void describe(SettingsVisitor& visitor, Moved& moved) {
+  visitor.number("now", moved.now, {.unit = "1", .min = 0, .max = 10, .help = "A number.", .aliases = "figure"});
+  visitor.group("layer", moved.layer, "The layer.");
+  visitor.renamed("before", "now");
+  visitor.renamed("old.height", "layer.base");
+}
+
+TEST(SettingsTable, formerNamesStillReachTheField) {
+  Moved moved;
+  const SettingsTable table(moved);
+  setField(table, "before=3");
+  EXPECT_EQ(moved.now, 3);
+  EXPECT_EQ(&table.at("old.height"), &table.at("layer.base"));
+  EXPECT_EQ(table.at("before").aliases, "figure, before") << "the search finds it too";
+  EXPECT_TRUE(table.isGroup("old"));
+  EXPECT_FALSE(table.isGroup("ol"));
+  applyJson(table, {{"before", 4}, {"old", {{"height", 5}}}}, "file.json");
+  EXPECT_EQ(moved.now, 4);
+  EXPECT_EQ(moved.layer.base, 5);
+  EXPECT_EQ(toJson(table, true), (nlohmann::json{{"now", 4.0}, {"layer", {{"base", 5.0}}}}));
+  const std::string reason =
+      test::refusalOf<DataError>([&] { applyJson(table, {{"old", {{"width", 5}}}}, "file.json"); });
+  EXPECT_NE(reason.find("old.width: unknown setting"), std::string::npos) << reason;
+}
+
+TEST(SettingsTable, ofAFormerAndACurrentNameTheCurrentOneCounts) {
+  // Whatever their order in the file: "before" comes first by the alphabet, "old" last.
+  Moved moved;
+  const SettingsTable table(moved);
+  applyJson(table, {{"before", 4}, {"now", 6}, {"layer", {{"base", 7}}}, {"old", {{"height", 5}}}}, "file.json");
+  EXPECT_EQ(moved.now, 6);
+  EXPECT_EQ(moved.layer.base, 7);
+}
+
 }  // namespace
 }  // namespace skydrop::core

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string>
 
-#include "window/flown_game.h"
 #include "support/paths.h"
+#include "window/flown_game.h"
 
 namespace skydrop::test {
 namespace {
@@ -23,7 +23,7 @@ FlownGame::Condition hasSize(int width, int height) {
 
 void end(FlownGame& flown) {
   flown.process().askToEnd();
-  EXPECT_EQ(flown.process().wait(20), 0) << flown.log();
+  EXPECT_EQ(flown.process().wait(60), 0) << flown.log();
 }
 
 json readJson(const std::filesystem::path& path) {
@@ -211,7 +211,7 @@ TEST(Loading, quittingWhileTheNoiseIsMadeIsPrompt) {
       log);
   display.xdotool({"search", "--sync", "--name", "^Skydrop$"});
   game.askToEnd();
-  EXPECT_EQ(game.wait(20), 0);
+  EXPECT_EQ(game.wait(60), 0);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "skydrop"));
 }
 

@@ -14,7 +14,7 @@
 namespace skydrop::test {
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(20);  // a software renderer on a busy machine
+constexpr auto kPatience = std::chrono::seconds(60);  // a software renderer on a busy machine
 constexpr auto kPollPeriod = std::chrono::milliseconds(20);
 
 bool waitUntil(const std::function<bool()>& condition) {

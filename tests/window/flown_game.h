@@ -41,7 +41,7 @@ class FlownGame {
   explicit FlownGame(Launch launch);
 
   using Condition = std::function<bool(const nlohmann::json&)>;
-  // Waits until the statistics fulfil it; false after 20 seconds.
+  // Waits until the statistics fulfil it; false after a minute.
   bool waitFor(const Condition& condition);
   // The statistics as they stand.
   nlohmann::json statistics() const;
@@ -62,7 +62,7 @@ class FlownGame {
   core::Image screenshot();
   // What the display shows at the window's place: what arrives there, whatever the game believes it drew.
   core::Image shown() const;
-  // Waits until that fulfils the condition; false after 20 seconds.
+  // Waits until that fulfils the condition; false after a minute.
   bool waitForPicture(const std::function<bool(const core::Image&)>& condition);
 
   BackgroundProcess& process() { return *process_; }

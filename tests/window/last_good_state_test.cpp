@@ -118,7 +118,7 @@ TEST_F(LastGoodState, aBrokenSceneLeavesTheFlightAndARepairedOneReplacesIt) {
 }
 
 TEST_F(LastGoodState, aSceneWhosePartsAreBrokenLeavesTheFlight) {
-  // The scene reads well, but what it needs anew does not: a shader that was not in use before, the model.
+  // The scene reads well, but what it needs again does not: a shader that was not in use before, the model.
   fly();
   const fs::path scene = data() / "assets/scenes/terrain.json";
   const std::string good = contentOf(scene);
@@ -173,12 +173,12 @@ TEST_F(LastGoodState, aTierWhoseFileIsBrokenIsNotTakenNorKept) {
   enter("clouds.tier=medium");
   expectFault("clouds/medium.json");
   writeTo(file, good);
-  enter("clouds.coverage=0.25");  // another change, which is carried out
+  enter("clouds.layers.0.coverage=0.25");  // another change, which is carried out
   expectSound();
   flown().process().askToEnd();
-  ASSERT_EQ(flown().process().wait(20), 0) << flown().log();
+  ASSERT_EQ(flown().process().wait(60), 0) << flown().log();
   const json kept = json::parse(contentOf(flown().userFolder() / "settings.json")).at("settings");
-  EXPECT_EQ(kept, json({{"clouds", {{"coverage", 0.25}}}})) << "what was not taken is not kept";
+  EXPECT_EQ(kept, json({{"clouds", {{"layers", {{"0", {{"coverage", 0.25}}}}}}}})) << "what was not taken is not kept";
 }
 
 TEST_F(LastGoodState, aSettingThatCallsForABrokenShaderIsTakenBack) {
@@ -232,7 +232,7 @@ TEST_F(LastGoodState, statisticsThatCannotBeWrittenEndNoFlightAndLoseNothingElse
   const core::Image picture = flown().screenshot();
   EXPECT_EQ(picture.width, FlownGame::kWidth) << "it goes on";
   flown().process().askToEnd();
-  EXPECT_EQ(flown().process().wait(20), 1) << flown().log();
+  EXPECT_EQ(flown().process().wait(60), 1) << flown().log();
   EXPECT_NE(flown().log().find(file.string()), std::string::npos) << flown().log();
   EXPECT_TRUE(fs::is_regular_file(record));
   const json kept = json::parse(contentOf(flown().userFolder() / "settings.json")).at("settings");

@@ -327,7 +327,8 @@ TEST(Program, noiseFilesOfAnyShapeAreReadAndExportsReplaceNothing) {
 }
 
 TEST(Program, noiseIsMadeOnceAndKept) {
-  // The second run reads what the first has made; a damaged file is said and made again; exports read back.
+  // The second run reads what the first has made; a damaged file is reported and made again; exports read
+  // back.
   const TemporaryFolder folder;
   const std::string cache = folder.path() / "cache", out = folder.path() / "out";
   const auto noise = [&](std::vector<std::string> words) {
@@ -349,8 +350,8 @@ TEST(Program, noiseIsMadeOnceAndKept) {
 }
 
 TEST(Program, aSceneWithCloudsGetsTheirNoiseAndOthersDoNot) {
-  // What the cache has not is made and kept; a damaged file is said in one line; without clouds nothing is
-  // looked for.
+  // What the cache has not is made and kept; a damaged file is reported in one line; without clouds nothing
+  // is looked for.
   const TemporaryFolder folder;
   const std::filesystem::path cache = folder.path() / "cache" / "skydrop";
   const auto frameOf = [&](const std::string& scene) {

@@ -64,7 +64,7 @@ TEST(Records, aKilledGameLeavesALogUpToTheLastSecond) {
   ASSERT_TRUE(game.flew);
   const std::uint64_t seen = stepsOf(game.flown->statistics());
   game.flown->process().send(SIGKILL);
-  EXPECT_EQ(game.flown->process().wait(20), 128 + SIGKILL);
+  EXPECT_EQ(game.flown->process().wait(60), 128 + SIGKILL);
   const game::InputLog log = game::readInputLog(game.log);
   EXPECT_FALSE(log.ended);
   EXPECT_GE(log.stepCount() + kSecond, seen);
@@ -81,7 +81,7 @@ TEST(Records, aClosedTerminalEndsTheFlightInOrder) {
   RecordingGame game;
   ASSERT_TRUE(game.flew);
   game.flown->process().send(SIGHUP);
-  EXPECT_EQ(game.flown->process().wait(20), 0) << game.flown->log();
+  EXPECT_EQ(game.flown->process().wait(60), 0) << game.flown->log();
   const game::InputLog log = game::readInputLog(game.log);
   EXPECT_TRUE(log.ended);
   EXPECT_EQ(log.stepCount(), stepsOf(game.flown->statistics()));
@@ -97,7 +97,7 @@ TEST(Records, aDisplayThatGoesAwayLeavesAValidLog) {
   ASSERT_TRUE(game.flew);
   const std::uint64_t seen = stepsOf(game.flown->statistics());
   game.flown->endDisplay();
-  EXPECT_TRUE(game.flown->process().wait(20)) << "it goes on without a display";
+  EXPECT_TRUE(game.flown->process().wait(60)) << "it goes on without a display";
   EXPECT_GE(game::readInputLog(game.log).stepCount() + kSecond, seen);
   const ProcessResult again = replay(game.log);
   EXPECT_EQ(again.exitCode, 0) << again.err;
@@ -126,7 +126,7 @@ TEST(Records, whatWouldBeginARecordingAnewIsRefusedByFile) {
   EXPECT_TRUE(says("The land keeps its shape while a flight is recorded")) << game.flown->log();
   ASSERT_TRUE(game.flown->waitFor(stepsBeyond(before + kSecond)));
   game.flown->process().askToEnd();
-  EXPECT_EQ(game.flown->process().wait(20), 0) << game.flown->log();
+  EXPECT_EQ(game.flown->process().wait(60), 0) << game.flown->log();
   const game::InputLog log = game::readInputLog(game.log);
   EXPECT_EQ(log.scene, (game::InputLog::SceneRecord{scene, shipped}));
   EXPECT_EQ(log.stepCount(), stepsOf(game.flown->statistics()));
@@ -142,7 +142,7 @@ TEST(Records, aFullDiskIsSaidOnceAndTheFlightGoesOn) {
   FlownGame flown({"--record", "/dev/full"});
   ASSERT_TRUE(flown.waitFor(stepsBeyond(3 * kSecond)));
   flown.process().askToEnd();
-  EXPECT_EQ(flown.process().wait(20), 1);
+  EXPECT_EQ(flown.process().wait(60), 1);
   const std::string said = flown.log();
   const auto at = said.find("skydrop: /dev/full: cannot write: ");
   EXPECT_NE(at, std::string::npos) << said;

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <string>
 
-#include "app/binding_editor.h"
-#include "app/parts.h"
-#include "app/settings.h"
+#include "app/input/binding_editor.h"
+#include "app/session/effect_table.h"
+#include "app/settings/settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/ui/menu.h"
 #include "support/process.h"
@@ -180,7 +180,7 @@ TEST(Window, aFreezeHoldsTimeWhileTheCameraMovesAndIsNotRecorded) {
       flown.waitFor([&](const json& s) { return !isOn(s, "frozen") && s.at("steps") > frozen.at("steps"); }));
   EXPECT_EQ(flown.window().at("camera"), "chase");
   flown.process().askToEnd();
-  ASSERT_EQ(flown.process().wait(20), 0) << flown.log();
+  ASSERT_EQ(flown.process().wait(60), 0) << flown.log();
   const json end = flown.statistics();
   const ProcessResult replay = runSkydrop({"simulate", "--replay", log, "--seconds", "600"});
   EXPECT_NE(replay.out.find(end.at("stateHash").get<std::string>()), std::string::npos)
@@ -361,7 +361,7 @@ TEST(Window, theMouseMovesASliderResetsItAndClosesTheMenuByItsCross) {
   flown.clickMouse("click");
   ASSERT_TRUE(flown.waitFor([](const json& s) { return !isOn(s, "menuOpen"); }));
   flown.process().askToEnd();
-  EXPECT_EQ(flown.process().wait(20), 0) << flown.log();
+  EXPECT_EQ(flown.process().wait(60), 0) << flown.log();
   std::ifstream file(flown.userFolder() / "settings.json");
   const std::string kept((std::istreambuf_iterator<char>(file)), {});
   EXPECT_NE(kept.find("rollFactor"), std::string::npos) << kept;
@@ -381,7 +381,7 @@ json readJson(const std::filesystem::path& path) {
 }
 
 TEST(Window, keysDoWhatThePlayersFileSays) {
-  // Bound anew: the new key acts, the old one does not. What the file does not name stays.
+  // Bound again: the new key acts, the old one does not. What the file does not name stays.
   SKIP_WITHOUT_DISPLAY();
   FlownGame flown({}, R"({"schema": 1, "bindings": {"camera": ["V"], "thrust": ["J", "KP_ADD"]}})");
   flown.press("c");
@@ -424,7 +424,7 @@ TEST(Window, aKeyBoundInTheMenuFliesAndIsKept) {
   waitForFrames(flown, 5);
   EXPECT_TRUE(whileHeld(flown, "x", [](const json& s) { return game(s, "throttle") > 0.9; }));
   flown.process().askToEnd();
-  EXPECT_EQ(flown.process().wait(20), 0) << flown.log();
+  EXPECT_EQ(flown.process().wait(60), 0) << flown.log();
   const json kept = readJson(flown.userFolder() / "settings.json");
   EXPECT_EQ(kept.at("bindings"), json({{"thrust", {"X", "GAMEPAD_AXIS_RIGHT_TRIGGER+"}}})) << kept.dump();
 }
@@ -451,7 +451,7 @@ TEST(Window, shortcutsGoByTheLetterAndFlyingKeysByThePlace) {
     flown.press("F1");
     ASSERT_TRUE(flown.waitFor([](const json& s) { return !isOn(s, "menuOpen"); }));
     flown.process().askToEnd();
-    ASSERT_EQ(flown.process().wait(20), 0) << flown.log();
+    ASSERT_EQ(flown.process().wait(60), 0) << flown.log();
     const json kept = readJson(flown.userFolder() / "settings.json");
     EXPECT_EQ(kept.at("settings"), json({{"aircraft", {{"rollFactor", 0.5}}}})) << layout;
   }
@@ -470,7 +470,7 @@ TEST(Window, theEscapeMenuResumesAndQuits) {
   flown.press("Down");
   flown.press("Down");
   flown.press("Return");
-  EXPECT_EQ(flown.process().wait(20), 0) << flown.log();
+  EXPECT_EQ(flown.process().wait(60), 0) << flown.log();
   EXPECT_TRUE(isOn(flown.statistics(), "escapeOpen"));
 }
 

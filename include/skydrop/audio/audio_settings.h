@@ -1,3 +1,5 @@
+// Loudness, as factors of amplitude. Plain values; describe() states and enforces the ranges. AudioManager
+// and SoundScene take a change over with the next update.
 #pragma once
 
 #include "skydrop/core/settings.h"
@@ -5,9 +7,9 @@
 namespace skydrop::audio {
 
 struct AudioSettings {
-  double volume = 0.7;
-  double engineVolume = 0.6;
-  bool mute = false;
+  double volume = 0.7;        // 0 .. 1, of everything
+  double engineVolume = 0.6;  // 0 .. 1, of the engine, on top of `volume`
+  bool mute = false;          // no sound at all; the device stays open
 };
 
 void describe(core::SettingsVisitor& visitor, AudioSettings& settings);

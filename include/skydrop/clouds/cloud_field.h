@@ -1,5 +1,5 @@
 // The density of a cloud layer at any place, on the processor: what the compute shader marches through, for
-// the game and for the reference. Immutable but for apply() and drift(); const functions may run on any
+// the game and for the reference. Immutable but for setDrift(); const functions may run on any
 // thread.
 #pragma once
 
@@ -13,9 +13,9 @@
 
 namespace skydrop::clouds {
 
-// The noise textures as the medium reads them: channels that are only ever used together folded into one, as
+// The noise textures as the medium reads them: channels that are only ever used together packed into one, as
 // floats.
-struct FoldedNoise {
+struct PackedCloudNoise {
   int shapeSide = 0, detailSide = 0, weatherSide = 0;  // texels
   std::vector<float> base;                             // cloudBase() of the shape texture, x fastest
   std::vector<float> detail;                           // cloudDetail() of the detail texture
@@ -24,19 +24,20 @@ struct FoldedNoise {
 
 // rgba8 cubes and a square map, sides powers of two, as clouds::makeNoise() makes them; anything else (read
 // from a foreign file) throws core::RangeError.
-FoldedNoise foldNoise(const core::TextureData& shape, const core::TextureData& detail,
+PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::TextureData& detail,
                       const core::TextureData& weather);
 
 class CloudField {
  public:
-  CloudField(std::shared_ptr<const FoldedNoise> noise, const CloudSettings& settings);
+  // Of one of the settings' layers, below kCloudLayers.
+  CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
+             std::size_t layer = 0);
 
-  void apply(const CloudSettings& settings) { settings_ = settings; }
-  const CloudSettings& settings() const { return settings_; }
+  const CloudLayerSettings& layer() const { return layer_; }
+  double fadeDistance() const { return fadeDistance_; }
 
-  // How far the wind has carried the field after so many seconds, metres in x and z; the field repeats, so
-  // this is wrapped to its periods where it is used.
-  static glm::dvec2 drift(const CloudSettings& settings, double seconds);
+  // How far the wind has carried the field (core::windDrift), metres in x and z; the field repeats, so this
+  // is wrapped to its periods where it is used.
   void setDrift(glm::dvec2 metres) { drift_ = metres; }
 
   // In [0, 1]; exact at any distance from the origin that doubles resolve. Trilinear between texels.
@@ -48,8 +49,9 @@ class CloudField {
   template <class Shared>
   typename Shared::Real densityAs(const glm::dvec3& position) const;
 
-  std::shared_ptr<const FoldedNoise> noise_;
-  CloudSettings settings_;
+  std::shared_ptr<const PackedCloudNoise> noise_;
+  CloudLayerSettings layer_;
+  double fadeDistance_;
   glm::dvec2 drift_{0};
 };
 

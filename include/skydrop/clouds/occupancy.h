@@ -18,9 +18,9 @@ class Occupancy {
   static constexpr int kRows = 16;      // from the base of the layer to its top
   static constexpr int kFarthest = 15;  // distances are counted up to this
 
-  // 10 ms for the default settings, 14 ms at most; conservative for lookups in 32 bits and for filters that
-  // know 1/256 of a texel.
-  Occupancy(const FoldedNoise& noise, const CloudSettings& settings);
+  // Of one of the settings' layers, below kCloudLayers. 10 ms for the default settings, 14 ms at most;
+  // conservative for lookups in 32 bits and for filters that know 1/256 of a texel.
+  Occupancy(const PackedCloudNoise& noise, const CloudSettings& settings, std::size_t layer = 0);
 
   bool isEmpty() const { return occupied_ == 0; }
   double occupiedShare() const { return static_cast<double>(occupied_) / (kSide * kSide * kRows); }
@@ -37,7 +37,7 @@ class Occupancy {
   glm::ivec3 cellOf(const glm::dvec3& place) const;
 
  private:
-  CloudSettings settings_;
+  double baseM_, thicknessM_, periodM_;  // of the layer and of its weather map
   std::vector<std::uint8_t> distances_;
   std::int64_t occupied_ = 0;
 };

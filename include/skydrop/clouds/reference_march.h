@@ -1,6 +1,6 @@
 // The march through a cloud layer in double precision, on the processor: what the compute shader is judged
 // by. No grid, no skipping, no tiers: steps of one length, midpoint samples, the analytic integral over each
-// step, all of the way to the sun sampled anew at every step. Any thread.
+// step, all of the way to the sun sampled again at every step. Any thread.
 #pragma once
 
 #include <functional>

@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <thread>
 #include <unordered_map>
 #include <utility>
@@ -62,9 +61,6 @@ class JobPool {
   int workers() const { return static_cast<int>(threads_.size()); }
   JobStatistics statistics() const;
 
-  // The reason that the first escaped exception gave; empty if none did.
-  std::string firstEscapedReason() const;
-
  private:
   struct Waiting {
     JobId id;
@@ -82,7 +78,6 @@ class JobPool {
   std::size_t queueLimit_;
   JobId nextId_ = 1;
   JobStatistics statistics_;
-  std::string firstEscapedReason_;
   std::vector<std::jthread> threads_;  // last member: the threads end before what they use
 };
 

@@ -20,8 +20,8 @@
 
 namespace skydrop::core {
 
-// How a change takes effect: at the next step or frame; by compiling a shader variant; by rebuilding a part
-// (applied when a slider is released); or at the next start.
+// How a change takes effect: at the next step or frame; or, when a slider is released, by compiling a shader
+// variant, by rebuilding a part, or by starting the flight again with land and sky loaded anew.
 enum class TakesEffect { live, variant, rebuild, restart };
 
 struct Range {
@@ -71,6 +71,13 @@ class SettingsVisitor {
                              std::span<const std::string_view> names, const ChoiceInfo& info) = 0;
   virtual void enterGroup(std::string_view name, std::string_view help) = 0;
   virtual void leaveGroup() = 0;
+
+  // A field of this group, or below it ("layers.0.base"), that earlier versions called `formerly`: files, logs and
+  // --set that have the old name still mean it. Where a file has both, the new name counts. A field that moved to
+  // another group is renamed by the group that holds both ("clouds.windSpeed", "wind.speed").
+  virtual void renamed(std::string_view formerly, std::string_view now) {
+    static_cast<void>(formerly), static_cast<void>(now);
+  }
 
   // An enumeration, written by name: names[i] belongs to static_cast<Enum>(i).
   template <class Enum>

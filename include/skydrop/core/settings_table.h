@@ -1,6 +1,6 @@
 // A described settings struct (settings.h) as a flat table of fields, reached by path: "aircraft.rollFactor",
 // "layers.0.base". JSON, --set, the menu and accuracy studies all work on this table, so that a range or a
-// name stands in one place. The table refers to the struct: it must not outlive it, nor the struct move.
+// name is defined in one place. The table refers to the struct: it must not outlive it, nor the struct move.
 // One thread at a time.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skydrop/core/settings.h"
@@ -60,11 +61,15 @@ class SettingsTable {
 
   const std::vector<Field>& fields() const { return fields_; }
   const std::vector<GroupInfo>& groups() const { return groups_; }
-  // Null when there is none.
+  // Whether fields lie below this path, or did in an earlier version.
+  bool isGroup(std::string_view path) const;
+  // By its path, or by one that it had in an earlier version. Null when there is none.
   const Field* find(std::string_view path) const;
+  // The paths that the field at this path had in earlier versions.
+  std::vector<std::string> formerPaths(std::string_view path) const;
   // find(), or RangeError: "unknown setting 'x'", with the nearest known paths as a hint.
   const Field& at(std::string_view path) const;
-  // Those paths: "; the nearest are 'a', 'b' and 'c'". They are found by aliases too.
+  // Those paths: "; the nearest are 'a', 'b' and 'c'". They are found by aliases and former paths too.
   std::string nearestText(std::string_view path) const;
 
   // From now on the defaults are the values that `base` has, a table of the same description: what a reset
@@ -77,6 +82,7 @@ class SettingsTable {
 
   std::vector<Field> fields_;
   std::vector<GroupInfo> groups_;
+  std::vector<std::pair<std::string, std::string>> renamed_;  // former path, path
 };
 
 // The door: throws RangeError naming path, value and range, and changes nothing, unless the value is finite,

@@ -1,6 +1,6 @@
 // The C++ face of shaders/shared: the same pure functions in float (core::shared::f32) and double
 // (core::shared::f64). This header lists the files in the order in which they need each other; GLSL entry
-// points include the ones they use in the same order, after shared/dialect.glsl. Units and ranges stand in
+// points include the ones they use in the same order, after shared/dialect.glsl. Units and ranges are in
 // those files.
 #pragma once
 
@@ -32,8 +32,10 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"
 #include "shared/depth.glsl"
+#include "shared/half_float.glsl"
 #include "shared/atmosphere.glsl"
 #include "shared/tone_map.glsl"
+#include "shared/terrain_grid.glsl"
 #include "shared/terrain_lod.glsl"
 #include "shared/lattice_noise.glsl"
 #include "shared/land_material.glsl"
@@ -42,6 +44,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/cloud_noise.glsl"
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
+#include "shared/cloud_march.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -62,8 +65,10 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"
 #include "shared/depth.glsl"
+#include "shared/half_float.glsl"
 #include "shared/atmosphere.glsl"
 #include "shared/tone_map.glsl"
+#include "shared/terrain_grid.glsl"
 #include "shared/terrain_lod.glsl"
 #include "shared/lattice_noise.glsl"
 #include "shared/land_material.glsl"
@@ -72,6 +77,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/cloud_noise.glsl"
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
+#include "shared/cloud_march.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

@@ -72,7 +72,7 @@ class Airplane {
   double separation() const { return condition_.separation; }
   const AirplaneSettings& settings() const { return settings_; }
 
-  // Places it anew, at cruise throttle and with attached flow. Throws core::RangeError, and changes nothing,
+  // Places it again, at cruise throttle and with attached flow. Throws core::RangeError, and changes nothing,
   // unless finite.
   void place(const BodyState& state);
   // The same state, bit for bit, under other numbers. Throws core::RangeError, and changes nothing, when they

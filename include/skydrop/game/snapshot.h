@@ -39,7 +39,7 @@ struct AircraftSnapshot {
   double buffet = 0;          // shaking by torn flow: 0 none .. 1 in a full stall
   bool crashed = false;  // lies where it struck, until the respawn
   double secondsToRespawn = 0;
-  std::uint32_t spawnCount = 0;  // changes when the aircraft is placed anew: do not interpolate across it
+  std::uint32_t spawnCount = 0;  // changes when the aircraft is placed again: do not interpolate across it
 };
 
 struct PackageSnapshot {

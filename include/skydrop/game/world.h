@@ -48,7 +48,7 @@ struct WorldSetup {
   bool hasAircraft = true;                              // without: only the clock runs
   bool hasTargets = true;                               // without: packages drop, nothing scores
   StartPose start;
-  glm::dvec3 wind{0};  // m/s, everywhere the same for now
+  glm::dvec3 wind{0};  // velocity of the air, m/s, world axes; everywhere the same (core::flownWind)
   flight::AirplaneSettings airplane;
   flight::PackageSettings package;
   GameSettings game;
@@ -68,7 +68,7 @@ class World {
   // The states after the last step and after the one before it.
   const Snapshot& now() const;
   const Snapshot& before() const;
-  // Between the two: alpha 0 is before(), 1 is now(), clamped. Where something was placed anew it is at
+  // Between the two: alpha 0 is before(), 1 is now(), clamped. Where something was placed again it is at
   // now().
   Snapshot interpolated(double alpha) const;
 
@@ -84,8 +84,9 @@ class World {
   void apply(const flight::AirplaneSettings& settings);
   void apply(const flight::PackageSettings& settings);
   void apply(const GameSettings& settings);
+  void setWind(const glm::dvec3& velocity);  // m/s, as WorldSetup::wind
 
-  // Places the aircraft, if there is one, anew (a pose from the command line or a test). Throws
+  // Places the aircraft, if there is one, again (a pose from the command line or a test). Throws
   // core::RangeError, and changes nothing, unless finite.
   void placeAircraft(const StartPose& pose);
 

@@ -9,8 +9,9 @@ namespace skydrop::terrain {
 
 std::shared_ptr<const HeightSource> makeFlatSource(double height);
 
-// height = heightAtOrigin + dot(gradient, xz), held to the storable range kLowestHeight .. kHighestHeight.
-std::shared_ptr<const HeightSource> makeTiltedPlaneSource(double heightAtOrigin, glm::dvec2 gradient);
+// height = heightAtOrigin + dot(gradient, xz), held to the range that its chunks store.
+std::shared_ptr<const HeightSource> makeTiltedPlaneSource(double heightAtOrigin, glm::dvec2 gradient,
+                                                          const HeightRange& stored = {});
 
 // A ridge along z: height = crest - slope * |x - crestX|, not below `foot`. The gradient on the crest line is
 // 0.

@@ -10,19 +10,10 @@
 #include <vector>
 
 #include "skydrop/terrain/chunk_key.h"
+#include "skydrop/terrain/height_range.h"
 #include "skydrop/terrain/height_source.h"
 
 namespace skydrop::terrain {
-
-// Heights are stored over one range for the whole world, so that border samples of neighbours are the same
-// bits: height = kLowestHeight + code * kHeightStep. The step is a power of two: decoding is exact in float.
-inline constexpr double kLowestHeight = -256.0;    // metres
-inline constexpr double kHeightStep = 1.0 / 32.0;  // 3.1 cm; rounding is off by half of it at most
-inline constexpr double kHighestHeight = kLowestHeight + 65535 * kHeightStep;  // 1791.97 m
-
-// Nearest code; heights outside the range (NaN: below) take the nearest end.
-std::uint16_t encodeHeight(double height);
-constexpr double decodeHeight(std::uint16_t code) { return kLowestHeight + code * kHeightStep; }
 
 // Normals are unit vectors with y > 0, kept in two bytes on the upper half of the octahedron, turned by 45
 // degrees so that it fills the square (hemi-octahedral: Cigolle, Donow, Evangelakos, Mara, McGuire, Meyer: A
@@ -38,7 +29,7 @@ glm::dvec3 decodeNormal(std::uint16_t code);
 // Normals continue beyond the chunk's borders, so that what a pixel derives from normals at a distance comes
 // from one chunk and is the same bits on both sides of a border. They reach kNormalReachM, or one sample
 // where samples are wider.
-inline constexpr double kNormalReachM = 24;      // of the curvature (shaders/terrain/land.glsl)
+inline constexpr double kNormalReachM = core::shared::f64::kNormalReachM;  // 24 m: of landCurvature (shaders)
 constexpr int normalReach(std::int32_t level) {  // samples
   int samples = 1;
   while (samples * cellMetres(level) < kNormalReachM) ++samples;
@@ -48,17 +39,19 @@ constexpr int normalReach(std::int32_t level) {  // samples
 // Normals are stored in a square with room for that at every level; what lies beyond the reach is 0. Its side
 // is a power of two: texture coordinates of samples are then exact in float, and both sides of a border
 // filter with the same weights.
-inline constexpr int kNormalSide = 256;
-inline constexpr int kNormalMargin = 8;  // columns and rows in front of the chunk's first sample
+inline constexpr int kNormalSide = core::shared::f64::kNormalSide;      // 256
+inline constexpr int kNormalMargin = core::shared::f64::kNormalMargin;  // 8 rows and columns before them
 static_assert(normalReach(0) < kNormalMargin && kNormalMargin + kChunkSamples + normalReach(0) < kNormalSide);
 
 // A value that may be handed between threads; about 247 kB.
 struct ChunkData {
   ChunkKey key;
+  HeightRange heightRange;             // of the source: what the codes of the heights mean
   std::vector<std::uint16_t> heights;  // kChunkSamples^2 codes, row-major: row = z (south), column = x (east)
   std::vector<std::uint16_t> normals;  // kNormalSide^2 codes, row-major (normalIndex)
   HeightBounds bounds;                 // exact for the stored (decoded) heights
 
+  double height(std::size_t index) const { return heightRange.decode(heights[index]); }  // m; sampleIndex()
   bool empty() const { return heights.empty(); }
 };
 
@@ -73,8 +66,8 @@ inline constexpr std::size_t kSampleBytes =
     sizeof(std::uint16_t) *
     (std::size_t{kChunkSamples} * kChunkSamples + std::size_t{kNormalSide} * kNormalSide);
 
-// Makes a chunk: the same bits on every machine and from any thread. The stop is honoured between rows; then
-// the chunk comes back empty.
+// Makes a chunk over the source's stored range: the same bits on every machine and from any thread. The stop
+// is honoured between rows; then the chunk comes back empty.
 ChunkData makeChunk(const HeightSource& source, const ChunkKey& key, std::stop_token stop = {});
 
 // The memory a chunk keeps, bytes: what a cache accounts for.

@@ -12,15 +12,16 @@
 #include <glm/vec2.hpp>
 
 #include "skydrop/core/hash.h"
+#include "skydrop/core/shared.h"
 
 namespace skydrop::terrain {
 
-inline constexpr int kChunkCells = 240;                // cells along a side
-inline constexpr int kChunkSamples = kChunkCells + 1;  // samples along a side
-inline constexpr double kCellMetres = 4.0;             // sample distance at level 0
+inline constexpr int kChunkCells = core::shared::f64::kChunkCells;  // along a side: 240
+inline constexpr int kChunkSamples = kChunkCells + 1;               // along a side
+inline constexpr double kCellMetres = core::shared::f64::kCellMetres;  // sample distance at level 0: 4 m
 inline constexpr double kChunkMetres = kCellMetres * kChunkCells;
-inline constexpr std::int32_t kMaxChunkLevel =
-    6;  // cells of 256 m: those of the finest gullies (land_gully.h)
+// The coarsest level: 61 km, cells of 256 m, those of the finest gullies (land_gully.h).
+inline constexpr std::int32_t kMaxChunkLevel = core::shared::f64::kMaxChunkLevel;
 inline constexpr double kWorldLimitMetres = 0x1p50;  // 1.1e15 m: beyond it, doubles are 0.25 m apart
 
 // A chunk's mesh at LOD i uses every kLodSkips[i]-th sample. Each skip divides the chunk and the next skip,

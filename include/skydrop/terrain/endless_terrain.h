@@ -35,13 +35,14 @@ struct StreamingStatistics {
 // as soon as it is settled.
 class EndlessTerrain {
  public:
+  // Throws core::RangeError for a source whose storedRange() is not valid.
   EndlessTerrain(std::shared_ptr<const HeightSource> source, core::JobPool& pool,
                  const TerrainStreamingSettings& settings);
   ~EndlessTerrain();
   EndlessTerrain(const EndlessTerrain&) = delete;
   EndlessTerrain& operator=(const EndlessTerrain&) = delete;
 
-  // Takes the settings over at once; a changed number of slots or queue length voids everything on the GPU's
+  // Takes the settings over at once; a changed number of layers or queue length voids everything on the GPU's
   // side or in the queue, and the next frames send it again.
   void apply(const TerrainStreamingSettings& settings);
 

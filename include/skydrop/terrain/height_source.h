@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "skydrop/terrain/chunk_key.h"
+#include "skydrop/terrain/height_range.h"
 
 namespace skydrop::terrain {
 
@@ -42,12 +43,17 @@ class HeightSource {
   // Bounds of the whole world.
   virtual HeightBounds range() const = 0;
 
-  // Fills heights and normals of the chunk (chunk_data.h), which have their full size already. Returns false,
-  // with part of the samples undefined, if a stop was requested meanwhile. The default asks sample() for each
-  // of the 58 081 positions and those around them; a source that knows better overrides it. A position has
-  // the same normal in every chunk of a level that holds it, or a border would show. A level above 0 may
-  // smooth its normals, as its samples carry less detail, but not its heights: a position that two levels
-  // share has the same code in both, or their meshes would not meet.
+  // What its chunks store: the same at every call, and wide enough for range(), or heights are cut off there.
+  // A wider one has coarser steps.
+  virtual HeightRange storedRange() const { return {}; }
+
+  // Fills heights (coded over out.heightRange, which is storedRange()) and normals of the chunk
+  // (chunk_data.h), which have their full size already. Returns false, with part of the samples undefined, if
+  // a stop was requested meanwhile. The default asks sample() for each of the 58 081 positions and those
+  // around them; a source that knows better overrides it. A position has the same normal in every chunk of a
+  // level that holds it, or a border would show. A level above 0 may smooth its normals, as its samples carry
+  // less detail, but not its heights: a position that two levels share has the same code in both, or their
+  // meshes would not meet.
   virtual bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const;
 };
 

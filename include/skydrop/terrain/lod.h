@@ -9,7 +9,7 @@
 // without a pop.
 //
 // The mesh is drawn in patches of 15 x 15 cells (60 m at level 0). A patch of level l is used where lambda is
-// at least l everywhere on it. It takes its heights from the chunk of level min(l, kTopLevel).
+// at least l everywhere on it. It takes its heights from the chunk of level min(l, kMaxChunkLevel).
 #pragma once
 
 #include <array>
@@ -21,13 +21,14 @@
 
 namespace skydrop::terrain {
 
-inline constexpr int kPatchCells = 15;
+inline constexpr int kPatchCells = core::shared::f64::kPatchCells;  // along a side: 15
 inline constexpr double kPatchMetres = kPatchCells * kCellMetres;
 inline constexpr int kPatchesPerChunk = kChunkCells / kPatchCells;  // along a side, at the same level
 
-// Coarsest level of chunks: 61 km, cells of 256 m. Patches go on for the levels that its samples can carry.
-inline constexpr int kTopLevel = 6;
-inline constexpr int kTopPatchLevel = kTopLevel + kLodCount - 1;
+// Coarsest level of patches, which goes beyond kMaxChunkLevel by the levels that the chunk's samples can
+// carry.
+inline constexpr int kTopPatchLevel = core::shared::f64::kTopPatchLevel;
+static_assert(kTopPatchLevel == kMaxChunkLevel + kLodCount - 1);
 static_assert(kChunkCells % kPatchCells == 0 && kPatchesPerChunk == kLodSkips.back(),
               "one patch covers a chunk at its coarsest skip (hard case T08)");
 
@@ -48,7 +49,7 @@ struct LodDistances {
 
   // The samples of level l are fine enough from split[l] on: a chunk of level l is split where it comes
   // nearer. split[0] is 0.
-  std::array<double, kTopLevel + 1> split{};
+  std::array<double, kMaxChunkLevel + 1> split{};
 
   double lambda(double distanceM) const;
 };

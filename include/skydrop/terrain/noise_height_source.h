@@ -1,5 +1,5 @@
 // Endless land from hashed gradient noise (docs/terrain-noise.md is the picture, terrain_settings.h the
-// knobs).
+// parameters).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace skydrop::terrain {
 
 // The same settings and seed give the same bits everywhere. Throws core::RangeError when a setting is outside
-// its described range. Heights lie inside kLowestHeight .. kHighestHeight for any settings: the last few
+// its described range. Heights lie inside HeightRange{} for any settings: the last few
 // hundred metres are a soft limit.
 std::shared_ptr<const HeightSource> makeNoiseHeightSource(const TerrainSettings& settings,
                                                           std::uint64_t seed);

@@ -13,18 +13,18 @@
 namespace skydrop::terrain {
 
 // One of a fixed number of places on the GPU that hold a chunk each.
-using Slot = std::int32_t;
+using ArrayLayer = std::int32_t;
 
-// Chunk data to be written to a slot before this frame is drawn. Whatever the slot held is void.
+// Chunk data to be written to a layer before this frame is drawn. Whatever the layer held is void.
 struct ChunkUpload {
-  Slot slot = 0;
+  ArrayLayer layer = 0;
   std::shared_ptr<const ChunkData> data;
 };
 
-// A chunk that this frame may read from its slot.
+// A chunk that this frame may read from its layer.
 struct ResidentChunk {
   ChunkKey key;
-  Slot slot = 0;
+  ArrayLayer layer = 0;
 };
 
 // Edges of a patch. West is towards -x, north towards -z.
@@ -34,7 +34,7 @@ enum class PatchEdge { west, east, north, south };
 struct PatchDraw {
   std::int32_t level = 0;     // 0 .. kTopPatchLevel - 1
   std::int32_t x = 0, z = 0;  // north-west corner: metres from TerrainFrame::base, a multiple of the cell
-  Slot slot = 0;              // of the chunk that has the heights
+  ArrayLayer layer = 0;              // of the chunk that has the heights
   std::int32_t chunkLevel = 0;
   std::int32_t sampleX = 0, sampleZ = 0;  // of the corner in that chunk
   // By how many levels the neighbour behind each edge (PatchEdge) is coarser, 0 .. 4. The vertices on that
@@ -49,10 +49,11 @@ struct TerrainFrame {
   // World position (x, z) from which the patches count: a chunk corner near the eye, so that the differences
   // are small whole numbers, exact in float, wherever in the world the eye is.
   glm::dvec2 base{0.0};
+  HeightRange heightRange;  // of the heights in the layers: ChunkData::heightRange, the same for all
   LodDistances lod;
   double farDistanceM = 0;
   double seaFloorDepthM = 0;
-  int slotCount = 0;  // a slot is less than this; when it changes, what the slots held is void
+  int layerCount = 0;  // a layer is less than this; when it changes, what the layers held is void
   std::vector<ChunkUpload> uploads;
   std::vector<ResidentChunk> chunks;  // each with all its ancestors
   std::vector<PatchDraw> patches;     // the nearest first

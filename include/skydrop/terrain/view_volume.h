@@ -38,9 +38,8 @@ ViewVolume makeViewVolume(glm::dvec3 position, const glm::dmat3& worldToView, do
 // it: of the separating axes those of the sides and of the box are tried, those of pairs of edges are not.
 bool mayBeVisible(const ViewVolume& view, const Box& box);
 
-// Distance from the eye to the nearest and to the farthest point of the box, metres.
+// Distance from the eye to the nearest point of the box, metres.
 double nearestDistance(const ViewVolume& view, const Box& box);
-double farthestDistance(const ViewVolume& view, const Box& box);
 
 // The same on the ground plane, for the rectangle under the box.
 double nearestGroundDistance(const ViewVolume& view, const Box& box);

@@ -1,6 +1,6 @@
 // What the configuration menu shows of the controls: lists what each key, button and stick does and lets it
 // be changed. Plain data in, one wish out; the rules and the waiting for a key are the caller's
-// (app/binding_editor.h). Between Interface::beginFrame and endFrame. Main thread.
+// (app/input/binding_editor.h). Between Interface::beginFrame and endFrame. Main thread.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct BindingsContent {
   std::string gamepad;                 // its name; empty: none
 };
 
-struct BindingWish {
+struct BindingRequest {
   enum class Kind { none, capture, cancel, remove, reset, resetAll };
   Kind kind = Kind::none;
   BindingSlot at;  // row alone for reset
@@ -50,6 +50,6 @@ struct BindingsPlaces {
   std::map<std::string, Row> rows;  // by name
 };
 
-BindingWish drawBindings(const BindingsContent& content, BindingsPlaces& places);
+BindingRequest drawBindings(const BindingsContent& content, BindingsPlaces& places);
 
 }  // namespace skydrop::ui

@@ -1,7 +1,7 @@
 // The owner of the Dear ImGui context that HUD and menus draw into: font, scale and style. It knows no window
 // and no OpenGL: the size and the time of each frame are passed in, nothing is read from or written to disk,
 // so a frame of the interface is a pure function of what it was given. render::ImGuiPass draws the result;
-// whoever has a window feeds ImGui's io (app/imgui_input.h). One at a time, main thread.
+// whoever has a window feeds ImGui's io (app/input/imgui_input.h). One at a time, main thread.
 //
 // Dear ImGui's windows find their size in the first frame that shows them: for a single picture of a menu run
 // beginFrame, the menu, endFrame twice and draw the second.

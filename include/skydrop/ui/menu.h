@@ -22,9 +22,10 @@ namespace skydrop::ui {
 // A collapsing section with the fields of one group of the table, its subgroups included but for those that
 // have a section of their own.
 struct MenuSection {
-  std::string group;  // path in the table: "aircraft"
+  std::string group;  // path in the table: "aircraft"; names the section
   std::string title;  // "Aircraft"
   bool open = false;  // at first
+  std::vector<std::string> moreGroups = {};  // shown below it
 };
 
 // The section that shows the field; null: none.
@@ -52,7 +53,7 @@ struct MenuContent {
   std::span<const MenuSection> sections;
   const core::FrameStatistics* statistics =
       nullptr;                  // shown as what accuracy costs in time; null: no section
-  std::string_view error = {};  // what is broken now (app/faults.h); empty: nothing is
+  std::string_view error = {};  // what is broken now (app/window/faults.h); empty: nothing is
   MenuTools tools = {};
   const BindingsContent* bindings = nullptr;  // null: no section
 };
@@ -61,14 +62,14 @@ struct PresetRequest {
   enum class Kind { save, load, remove };
   Kind kind = Kind::save;
   std::string name;   // save: as typed, to be judged by the caller
-  std::string group;  // save: what it holds, a section's group; empty: every setting
+  std::vector<std::string> groups = {};  // save: what it holds, a section's groups; empty: every setting
 };
 
 struct MenuResult {
   bool closed = false;                    // the cross was clicked
   std::vector<std::string> changedPaths;  // set in this frame, each once
   std::optional<PresetRequest> preset;
-  BindingWish binding;
+  BindingRequest binding;
 };
 
 // Rows of one frame: where the mouse finds them.

@@ -45,7 +45,7 @@ std::string_view backendName(Backend backend) {
 
 Context::Context(Backend backend) : backend_(backend), owned_(std::make_unique<OwnedFunctions>()) {}
 
-Context::~Context() { assert(ledger_.liveObjects() == 0 && "an object outlives its context"); }
+Context::~Context() { assert(resources_.liveObjects() == 0 && "an object outlives its context"); }
 
 bool Context::isCurrent() const { return currentContext == this; }
 
@@ -136,43 +136,32 @@ void Context::setDefaultState() {
 }
 
 void Context::drawArrays(GLenum mode, GLint first, GLsizei count) {
-  ledger_.drew();
+  resources_.drew();
   owned_->DrawArrays(mode, first, count);
-}
-
-void Context::drawArraysInstanced(GLenum mode, GLint first, GLsizei count, GLsizei instances) {
-  ledger_.drew();
-  owned_->DrawArraysInstanced(mode, first, count, instances);
 }
 
 void Context::drawElements(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex,
                            GLint baseVertex) {
-  ledger_.drew();
+  resources_.drew();
   owned_->DrawElementsBaseVertex(mode, count, indexType, offsetPointer(firstIndex * indexBytes(indexType)),
                                  baseVertex);
 }
 
 void Context::drawElementsInstanced(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex,
                                     GLsizei instances, GLint baseVertex, GLuint baseInstance) {
-  ledger_.drew();
+  resources_.drew();
   owned_->DrawElementsInstancedBaseVertexBaseInstance(mode, count, indexType,
                                                       offsetPointer(firstIndex * indexBytes(indexType)),
                                                       instances, baseVertex, baseInstance);
 }
 
-void Context::multiDrawElementsIndirect(GLenum mode, GLenum indexType, std::size_t byteOffset,
-                                        GLsizei drawCount, GLsizei stride) {
-  ledger_.drew();
-  owned_->MultiDrawElementsIndirect(mode, indexType, offsetPointer(byteOffset), drawCount, stride);
-}
-
 void Context::dispatch(GLuint groupsX, GLuint groupsY, GLuint groupsZ) {
-  ledger_.dispatched();
+  resources_.dispatched();
   owned_->DispatchCompute(groupsX, groupsY, groupsZ);
 }
 
 void Context::dispatchIndirect(std::size_t byteOffset) {
-  ledger_.dispatched();
+  resources_.dispatched();
   owned_->DispatchComputeIndirect(static_cast<GLintptr>(byteOffset));
 }
 

@@ -9,12 +9,12 @@ namespace skydrop::render::gl {
 
 Object::Object(Context& context, ObjectKind kind, GLuint id) : context_(&context), id_(id), kind_(kind) {
   assert(context.isCurrent());
-  context.ledger().created(kind);
+  context.resources().created(kind);
 }
 
 void Object::setBytes(std::uint64_t bytes) {
   bytes_ = bytes;
-  context_->ledger().allocated(bytes);
+  context_->resources().allocated(bytes);
 }
 
 void Object::setLabel(std::string_view label) {
@@ -79,7 +79,7 @@ void Object::destroy() noexcept {
       gl.DeleteQueries(1, &id_);
       break;
   }
-  context_->ledger().deleted(kind_, bytes_);
+  context_->resources().deleted(kind_, bytes_);
 }
 
 }  // namespace skydrop::render::gl

@@ -1,5 +1,5 @@
 // The functions that only the sources of render/gl may call: they create and delete objects, compile, draw
-// and dispatch, and so must pass through the objects and the ledger.
+// and dispatch, and so must pass through the objects and the resource tracker.
 #pragma once
 
 #include <GL/glcorearb.h>

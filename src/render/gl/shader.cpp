@@ -15,7 +15,7 @@ namespace {
 
 GLuint createProgram(Context& context) { return context.owned().CreateProgram(); }
 
-// A shader object lives only while its program is built, so it is no member of the ledger.
+// A shader object lives only while its program is built, so it is no member of the resource tracker.
 class CompiledStage {
  public:
   CompiledStage(Context& context, const ShaderStage& stage)
@@ -126,7 +126,7 @@ GLint ShaderProgram::location(std::string_view name) {
   const std::string terminated(name);
   const GLint found = context().api().GetUniformLocation(id(), terminated.c_str());
   const std::string_view identifier = name.substr(0, name.find_first_of("[."));
-  if (found < 0 && !containsWord(text_, identifier)) context().ledger().unknownUniform(name_, name);
+  if (found < 0 && !containsWord(text_, identifier)) context().resources().unknownUniform(name_, name);
   locations_.emplace(terminated, found);
   return found;
 }

@@ -2,7 +2,7 @@
 #include "frame.glsl"
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
-#include "clouds/shade.glsl"
+#include "clouds/shadow_map.glsl"
 
 uniform vec3 corner;    // of the square, relative to the eye
 uniform float spacing;  // of its places, metres
@@ -11,5 +11,5 @@ out vec4 color;
 
 void main() {
   vec2 place = floor(gl_FragCoord.xy) * spacing;
-  color = vec4(cloudShade(corner + vec3(place.x, 0.0, place.y)));
+  color = vec4(sunThroughClouds(corner + vec3(place.x, 0.0, place.y)));
 }

@@ -1,4 +1,4 @@
-// An OpenGL 4.5 core context and everything that belongs to it: function table, ledger, collected debug
+// An OpenGL 4.5 core context and everything that belongs to it: function table, resource tracker, collected debug
 // messages. Three back-ends behind one class: EGL without a surface, OSMesa (loaded at run time), a window.
 //
 // Thread: a context is used on the thread that made it current. Several contexts may live in one process,
@@ -13,15 +13,13 @@
 #include <string_view>
 #include <vector>
 
+#include "skydrop/render/gl/backend.h"
 #include "skydrop/render/gl/functions.h"
-#include "skydrop/render/gl/ledger.h"
+#include "skydrop/render/gl/gpu_resource_tracker.h"
 
 namespace skydrop::render::gl {
 
 struct OwnedFunctions;
-
-enum class Backend { egl, osmesa, window };
-std::string_view backendName(Backend backend);
 
 struct DebugMessage {
   std::string text;
@@ -39,8 +37,8 @@ class Context {
   bool isCurrent() const;
 
   const Functions& api() const { return functions_; }
-  Ledger& ledger() { return ledger_; }
-  const Ledger& ledger() const { return ledger_; }
+  GpuResourceTracker& resources() { return resources_; }
+  const GpuResourceTracker& resources() const { return resources_; }
 
   const std::string& vendor() const { return vendor_; }
   const std::string& renderer() const { return renderer_; }
@@ -53,15 +51,12 @@ class Context {
   // no blending, no culling, no scissor, filled polygons, clip space 0..1 with the origin at the lower left.
   void setDefaultState();
 
-  // Draws and dispatches, counted in the ledger. Arguments as in OpenGL; indices are counted in elements.
+  // Draws and dispatches, counted in the resource tracker. Arguments as in OpenGL; indices are counted in elements.
   void drawArrays(GLenum mode, GLint first, GLsizei count);
-  void drawArraysInstanced(GLenum mode, GLint first, GLsizei count, GLsizei instances);
   void drawElements(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex = 0,
                     GLint baseVertex = 0);
   void drawElementsInstanced(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex,
                              GLsizei instances, GLint baseVertex = 0, GLuint baseInstance = 0);
-  void multiDrawElementsIndirect(GLenum mode, GLenum indexType, std::size_t byteOffset, GLsizei drawCount,
-                                 GLsizei stride);
   void dispatch(GLuint groupsX, GLuint groupsY, GLuint groupsZ);
   void dispatchIndirect(std::size_t byteOffset);
 
@@ -107,7 +102,7 @@ class Context {
   Backend backend_;
   Functions functions_;
   std::unique_ptr<OwnedFunctions> owned_;
-  Ledger ledger_;
+  GpuResourceTracker resources_;
   std::string vendor_, renderer_, version_;
   bool isSoftware_ = false;
   std::vector<DebugMessage> debugMessages_;

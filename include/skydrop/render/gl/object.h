@@ -24,7 +24,7 @@ class Object {
 
   GLuint id() const { return id_; }
   explicit operator bool() const { return id_ != 0; }
-  // What the ledger counts for this object, in bytes.
+  // What the resource tracker counts for this object, in bytes.
   std::uint64_t bytes() const { return bytes_; }
   // Only of an object that is not empty.
   Context& context() const { return *context_; }

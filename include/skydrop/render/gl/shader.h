@@ -3,7 +3,7 @@
 //
 // Errors: a file that cannot be read, or does not compile or link, throws core::DataError that names file,
 // line and the compiler's reason. Uniforms: a name that the compiler optimised away, or that this variant
-// leaves out, is legal and ignored; a name that occurs nowhere in the source is counted by the ledger as
+// leaves out, is legal and ignored; a name that occurs nowhere in the source is counted by the resource tracker as
 // unknown. Values are lost when reload() succeeds: passes set them each frame, and texture units are fixed by
 // layout(binding).
 #pragma once

@@ -1,3 +1,6 @@
+// Move-only owners of GL textures and samplers. On the context's thread; they must go before their context.
+// Sizes in texels, up to what images and targets of OpenGL 4.5 can hold (16384). Wrong sizes and formats are
+// programming errors and asserted.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +17,14 @@ std::uint64_t texelBytes(GLenum internalFormat);
 // 1 + log2 of the longest side.
 GLsizei mipLevels(GLsizei width, GLsizei height);
 
-// A texture with immutable storage: 2D, an array of 2D layers, or 3D. New textures clamp to the edge and
-// filter linearly (nearest where the format cannot be filtered: depth and integers), without mip levels
-// unless asked for.
+// A texture with immutable storage, counted by the context's resource tracker with all its levels: 2D, an
+// array of 2D layers, or 3D. New textures clamp to the edge and filter linearly (nearest where the format
+// cannot be filtered: depth and integers), without mip levels unless asked for.
 class Texture : public Object {
  public:
-  Texture() = default;
+  Texture() = default;  // no object: may be assigned to and destroyed, nothing else
+  // internalFormat is a sized one (GL_RGBA16F); `label` names it in the driver's debug messages. Texels are
+  // undefined until written.
   static Texture make2D(Context& context, GLenum internalFormat, GLsizei width, GLsizei height,
                         std::string_view label, GLsizei levels = 1);
   // Several samples a texel, at fixed places: to be drawn into, and read by texelFetch.
@@ -42,14 +47,14 @@ class Texture : public Object {
   void upload(GLenum format, GLenum type, std::span<const std::byte> texels, GLint level = 0);
   void uploadLayer(GLint layer, GLenum format, GLenum type, std::span<const std::byte> texels,
                    GLint level = 0);
-  void generateMipmaps();
-  // Reads a whole level back; waits for the GPU.
+  void generateMipmaps();  // of all levels below the first
+  // Reads a whole level back, tightly packed, first row at v = 0. Waits for the GPU: for tests and pictures.
   void read(GLenum format, GLenum type, std::span<std::byte> texels, GLint level = 0) const;
 
-  void setFilter(GLenum minify, GLenum magnify);
-  void setWrap(GLenum wrap);
+  void setFilter(GLenum minify, GLenum magnify);  // GL_LINEAR, GL_NEAREST, GL_LINEAR_MIPMAP_LINEAR ...
+  void setWrap(GLenum wrap);                      // in all directions: GL_CLAMP_TO_EDGE, GL_REPEAT ...
 
-  void bind(GLuint unit) const;
+  void bind(GLuint unit) const;  // to be sampled by `layout(binding = unit)`
   void bindImage(GLuint unit, GLenum access, GLint level = 0) const;  // all layers
 
  private:

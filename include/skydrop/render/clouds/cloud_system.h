@@ -1,0 +1,98 @@
+// Volumetric clouds over the scene: a compute pass over linear colour and depth. docs/clouds.md tells how.
+// Sources: Schneider and Vos 2015 (the medium), Hillaire, "Physically Based Sky, Atmosphere and Cloud
+// Rendering in Frostbite", 2016 (the integral over a step), Wrenninge 2015 (octaves of scattering).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "skydrop/clouds/cloud_field.h"
+#include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/core/wind.h"
+#include "skydrop/render/clouds/cloud_shadow_map.h"
+#include "skydrop/render/frame/cloud_transmittance.h"
+#include "skydrop/render/frame/pass.h"
+#include "skydrop/render/gl/buffer.h"
+
+namespace skydrop::render {
+
+class CloudTextures;
+class SunOpticalDepthGrid;
+
+class CloudSystem final : public Pass {
+ public:
+  CloudSystem(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
+              const clouds::CloudSettings& settings, const core::WindSettings& wind);
+  ~CloudSystem() override;
+
+  // Takes the settings over for the next frame; about 20 ms where a layer changed, else nothing.
+  void apply(const clouds::CloudSettings& settings, const core::WindSettings& wind);
+
+  std::string_view name() const override { return "clouds"; }
+  RenderStage stage() const override { return RenderStage::clouds; }
+  std::optional<std::string> skipReason(const FrameInput& frame) const override;
+  void draw(FrameContext& context) override;
+
+  // What the clouds leave of the sun in this frame; its textures are kept until the next. Only where
+  // noShadowBecause() gives no reason why there are no shadows.
+  CloudShadowMap shadowMap(FrameContext& context);
+  std::optional<std::string> noShadowBecause(const FrameInput& frame) const;
+
+  // What the last frame marched: 0 where it was idle. Waits for the GPU.
+  struct Work {
+    unsigned tiles = 0;  // of 8 x 8 rays
+    unsigned edges = 0;  // single rays
+  };
+  Work lastWork() const;
+  // Of the last frame that was not idle, a texel a ray: radiance, and the share of light behind that comes
+  // through.
+  const gl::Texture& light() const { return light_; }
+
+ private:
+  void update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM, const glm::dvec3& middle);
+  void setUniforms(FrameContext& context);
+  // The eye in the field: what the wind has carried it by is taken off.
+  glm::dvec3 eyeInField(const FrameInput& frame) const;
+  const clouds::CloudLayerSettings& layer() const { return settings_.layers[kMarchedLayer]; }
+  using Defines = std::span<const std::string>;  // of the variant
+  void classify(FrameContext& context, Defines defines);
+  void march(FrameContext& context, Defines defines);
+  void marchMultiDispatch();
+  void compose(FrameContext& context, Defines defines);
+  void resize(const View& view);
+
+  static constexpr std::size_t kMarchedLayer = 0;
+
+  gl::Context& context_;
+  clouds::CloudSettings settings_;
+  core::WindSettings wind_;
+  std::unique_ptr<CloudTextures> textures_;
+  std::unique_ptr<SunOpticalDepthGrid> near_, far_, fineShadowMap_, coarseShadowMap_;
+  gl::Buffer uniforms_, tiles_, edges_;
+  gl::Texture light_, distances_;
+  CloudTransmittance transmittance_;       // published by draw()
+  gl::Texture carriedLight_, carriedWay_;  // of marches in parts
+};
+
+// Publishes the CloudShadowMap, for surfaces that are lit after it. The system must outlive it.
+class CloudShadowPass final : public Pass {
+ public:
+  explicit CloudShadowPass(CloudSystem& system) : system_(system) {}
+
+  std::string_view name() const override { return "cloudShadows"; }
+  RenderStage stage() const override { return RenderStage::shadows; }
+  std::optional<std::string> skipReason(const FrameInput& frame) const override {
+    return system_.noShadowBecause(frame);
+  }
+  void draw(FrameContext& context) override {
+    map_ = system_.shadowMap(context);
+    context.resources.publish(map_);
+  }
+
+ private:
+  CloudSystem& system_;
+  CloudShadowMap map_;
+};
+
+}  // namespace skydrop::render

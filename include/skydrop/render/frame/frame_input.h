@@ -1,0 +1,28 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "skydrop/render/frame/frame_features.h"
+#include "skydrop/render/frame/view.h"
+
+namespace skydrop::game {
+struct Snapshot;
+}
+
+namespace skydrop::render {
+
+// What a frame is a pure function of, beside the renderer's settings. Values: nothing in here changes while
+// it is drawn. The first three are what any picture needs; a frame without a game shows sky, land, clouds and
+// interface.
+struct FrameInput {
+  View view{};
+  FrameFeatures features{};
+  double simulatedSeconds = 0;           // finite, any sign: waves and clouds move by it
+  const game::Snapshot* game = nullptr;  // null: there is no game; must outlive Renderer::draw()
+  glm::dvec3 toSun{0, 1, 0};             // unit; the renderer puts its settings' sun here
+};
+
+// A frame of the game at the moment of the snapshot, which must outlive Renderer::draw().
+FrameInput gameFrame(const game::Snapshot& snapshot, const View& view, const FrameFeatures& features);
+
+}  // namespace skydrop::render

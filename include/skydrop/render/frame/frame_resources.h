@@ -1,0 +1,52 @@
+// What the passes of one frame make for each other, by type: a pass publishes a resource that it owns, and
+// later passes ask for it without naming who made it. A resource that nobody published is not an error to ask
+// for.
+#pragma once
+
+#include <cassert>
+#include <typeindex>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+namespace skydrop::render {
+
+// Main thread. One registry lives as long as one frame, so nothing of an earlier frame can be found; a
+// published object must stay where it is until the frame has been drawn. Few types are published, so a search
+// compares a few pointers.
+class FrameResources {
+ public:
+  FrameResources() = default;
+  FrameResources(const FrameResources&) = delete;
+  FrameResources& operator=(const FrameResources&) = delete;
+
+  // Makes `resource` the frame's T for passes that are drawn after this one. At most one of a type in a
+  // frame.
+  template <class T>
+  void publish(const T& resource) {
+    assert(!find<T>());
+    entries_.emplace_back(typeid(T), &resource);
+  }
+
+  // Null where no pass has published a T yet.
+  template <class T>
+  const T* find() const {
+    for (const auto& [type, resource] : entries_) {
+      if (type == typeid(T)) return static_cast<const T*>(resource);
+    }
+    return nullptr;
+  }
+
+  // For a pass that is added only beside the one that publishes T: there must be one.
+  template <class T>
+  const T& get() const {
+    const T* resource = find<T>();
+    assert(resource);
+    return *resource;
+  }
+
+ private:
+  std::vector<std::pair<std::type_index, const void*>> entries_;
+};
+
+}  // namespace skydrop::render

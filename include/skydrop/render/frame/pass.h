@@ -1,0 +1,54 @@
+// One part of a frame. A pass is a class in its own file that owns its GL objects; its programs come from the
+// renderer's cache. docs/rendering.md tells how to add one.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "skydrop/render/frame/frame_input.h"
+#include "skydrop/render/frame/frame_resources.h"
+#include "skydrop/render/frame/frame_uniforms.h"
+#include "skydrop/render/frame/pixel_box.h"
+#include "skydrop/render/frame/render_settings.h"
+#include "skydrop/render/frame/render_stage.h"
+#include "skydrop/render/gl/context.h"
+#include "skydrop/render/gl/frame_buffer.h"
+#include "skydrop/render/gl/shader_cache.h"
+
+namespace skydrop::render {
+
+// What a pass draws with. References are valid during draw() only.
+struct FrameContext {
+  gl::Context& gl;
+  gl::ShaderCache& shaders;
+  const FrameInput& frame;
+  const SkyLight& light;
+  const FrameUniforms& uniforms;  // bound as block 0 (shaders/frame.glsl)
+  const RenderSettings& settings;
+  std::span<const std::string> defines;  // of the frame's features, for the cache
+  FrameResources& resources;             // what earlier passes made for later ones
+  const gl::Texture& sceneColor;  // RGBA16F; to be read from stage toneMap on (stage clouds: as an image)
+  const gl::Texture& sceneDepth;  // D32F; to be read from stage clouds on, without filtering
+};
+
+class Pass {
+ public:
+  virtual ~Pass() = default;
+
+  // As in the statistics: one word, lowerCamel.
+  virtual std::string_view name() const = 0;
+  virtual RenderStage stage() const = 0;
+  // Why it has nothing to do in this frame; nullopt: it has. Not asked to draw if it gives a reason.
+  virtual std::optional<std::string> skipReason(const FrameInput&) const { return std::nullopt; }
+  // The pixels that it may touch. Asked of passes whose stage has a layer (Renderer::setLayer).
+  virtual PixelBox extent(const FrameInput& frame) const {
+    return {0, 0, frame.view.width, frame.view.height};
+  }
+  // Target, viewport, the frame's uniform block and the default state (gl::Context::setDefaultState) are set.
+  // State may be left changed; the target may not.
+  virtual void draw(FrameContext& context) = 0;
+};
+
+}  // namespace skydrop::render

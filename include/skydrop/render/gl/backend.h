@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace skydrop::render::gl {
+
+// Where an OpenGL context comes from: EGL without a surface, OSMesa (software), or a window of GLFW.
+enum class Backend { egl, osmesa, window };
+std::string_view backendName(Backend backend);
+
+}  // namespace skydrop::render::gl

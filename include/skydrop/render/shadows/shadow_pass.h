@@ -1,0 +1,31 @@
+// Draws the maps of the shadows that fall on land in view.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "skydrop/render/frame/pass.h"
+#include "skydrop/render/models/shadow_source.h"
+#include "skydrop/render/shadows/cast_shadows.h"
+
+namespace skydrop::render {
+
+// Publishes CastShadows in frames in which a shadow falls into view. If there are more casters than
+// CastShadows::kMost, the nearest have them.
+class ShadowPass final : public Pass {
+ public:
+  void add(ShadowSource source) { sources_.push_back(std::move(source)); }
+
+  std::string_view name() const override { return "shadows"; }
+  RenderStage stage() const override { return RenderStage::shadows; }
+  std::optional<std::string> skipReason(const FrameInput& frame) const override;
+  void draw(FrameContext& context) override;
+
+ private:
+  std::vector<ShadowCaster> castersIn(const FrameInput& frame) const;
+
+  std::vector<ShadowSource> sources_;
+  CastShadows shadows_;
+};
+
+}  // namespace skydrop::render

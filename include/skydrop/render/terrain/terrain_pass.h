@@ -1,0 +1,74 @@
+// Draws endless land and the sea: the mesh's depth alone first, and shadows upon it; then light for each
+// pixel from these, so that each pixel is shaded once, and its normal does not depend on how coarse the mesh
+// is (docs/terrain-streaming.md).
+#pragma once
+
+#include <vector>
+
+#include "skydrop/render/frame/fullscreen_triangle.h"
+#include "skydrop/render/frame/pass.h"
+#include "skydrop/render/gl/buffer.h"
+#include "skydrop/render/terrain/chunk_textures.h"
+#include "skydrop/terrain/terrain_frame.h"
+#include "skydrop/terrain/view_volume.h"
+
+namespace skydrop::render {
+
+class CastShadows;
+class CloudShadowMap;
+
+// The view as EndlessTerrain wants it.
+terrain::ViewVolume viewVolume(const View& view);
+
+// Shadows are those that CastShadows and CloudShadowMap of the frame hold, where they are published.
+class TerrainPass final : public Pass {
+ public:
+  explicit TerrainPass(gl::Context& context);
+
+  // Carries out the frame's uploads and draws its patches from now on. To be called for each frame that
+  // EndlessTerrain makes, before the frame is drawn.
+  void take(const terrain::TerrainFrame& frame);
+
+  std::string_view name() const override { return "terrain"; }
+  RenderStage stage() const override { return RenderStage::terrain; }
+  std::optional<std::string> skipReason(const FrameInput& input) const override;
+  void draw(FrameContext& context) override;
+
+  // Reversed depth of the land alone, without the sea, of the last frame drawn (not of a wireframe).
+  const gl::Texture& landDepth() const { return surface_.depthTexture(); }
+
+  // The mesh of the last frame taken, through a program whose vertex shader includes terrain/patch.glsl, and
+  // one triangle over the target through a program that includes terrain/surface.glsl; into whatever is
+  // bound.
+  void drawPatches(gl::Shader& shader, const View& view, GLenum mode);
+  void drawLand(gl::Shader& shader, const View& view);
+
+ private:
+  struct Instance {
+    glm::ivec4 place, source;  // as in shaders/terrain/patch.glsl
+  };
+
+  void setEye(gl::Shader& shader, const View& view) const;
+  void setSurface(gl::Shader& shader, const View& view) const;
+  void setLand(gl::Shader& shader, const View& view) const;
+  void drawDepth(FrameContext& context);
+  void drawShadows(FrameContext& context, const CastShadows& shadows);
+  void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
+  void drawSea(FrameContext& context);
+  void drawLines(FrameContext& context);
+
+  gl::Context& context_;
+  ChunkTextures textures_;
+  gl::Buffer indices_, instances_;
+  gl::VertexArray patches_;
+  gl::FrameBuffer surface_;  // depth of the land alone, and the share of the sun that shadows leave
+  FullscreenTriangle triangle_;
+  gl::VertexArray seaPlane_;  // without buffers
+  GLsizei instanceCount_ = 0;
+  glm::dvec2 base_{0.0};
+  terrain::HeightRange heightRange_;
+  terrain::LodDistances lod_;
+  double farDistanceM_ = 0, seaFloorDepthM_ = 0;
+};
+
+}  // namespace skydrop::render

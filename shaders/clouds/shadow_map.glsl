@@ -1,0 +1,33 @@
+// What clouds leave of the sun at a place (include/skydrop/render/clouds/cloud_shadow_map.h).
+#include "frame.glsl"
+#include "shared/cloud_light.glsl"
+
+layout(binding = 10) uniform sampler3D fineShadowMap;    // one layer: optical depth of the clouds along a sun ray
+layout(binding = 11) uniform sampler3D coarseShadowMap;
+uniform vec4 inFineShadowMap[2];    // rows: a place relative to the eye, and 1, to the texture
+uniform vec4 inCoarseShadowMap[2];
+uniform vec2 shadowMapLayer;        // base above the eye (m), 1 / thickness
+uniform vec2 shadeRadii;        // how far the fine and the coarse map reach for certain (m)
+
+vec2 placeInShadowMap(vec4 rows[2], vec3 relative) {
+  return vec2(dot(rows[0], vec4(relative, 1.0)), dot(rows[1], vec4(relative, 1.0)));
+}
+
+// 1 inside a map, 0 at its radius and beyond, along the map's axes. Counted along the sun's rays from the ground below
+// the eye, not from the texture's edges: those move in steps of eight columns, and shadows would change with them.
+float insideShadowMap(vec4 rows[2], vec3 relative, float radiusM) {
+  vec3 fromGround = relative + vec3(0.0, frame.eye.x, 0.0);
+  float along = dot(rows[0].xyz, fromGround) * inversesqrt(dot(rows[0].xz, rows[0].xz));
+  float across = dot(rows[1].xyz, fromGround) * inversesqrt(dot(rows[1].xz, rows[1].xz));
+  return smoothstep(0.0, 0.12, 1.0 - max(abs(along), abs(across)) / radiusM);
+}
+
+float sunThroughClouds(vec3 relative) {
+  vec2 fine = placeInShadowMap(inFineShadowMap, relative);
+  vec2 coarse = placeInShadowMap(inCoarseShadowMap, relative);
+  float depth = mix(texture(coarseShadowMap, vec3(coarse, 0.5)).x, texture(fineShadowMap, vec3(fine, 0.5)).x,
+                    insideShadowMap(inFineShadowMap, relative, shadeRadii.x));
+  // Within the layer the clouds below a place do not shade it: taken as even from base to top.
+  float above = 1.0 - saturate((relative.y - shadowMapLayer.x) * shadowMapLayer.y);
+  return mix(1.0, sunBelowCloud(depth * above), insideShadowMap(inCoarseShadowMap, relative, shadeRadii.y));
+}

@@ -1,0 +1,423 @@
+#include "app/cli/command_line_parser.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "app/types/version.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
+#include "skydrop/core/message.h"
+#include "skydrop/render/frame/camera.h"
+#include "skydrop/scene/scene.h"
+
+namespace skydrop::app {
+namespace {
+
+using core::UsageError;
+
+constexpr double kMaxSeconds = 1e6;    // more is a slip of the hand
+constexpr double kFarthestM = 1e12;    // where doubles still resolve a tenth of a millimetre
+constexpr const char* kExitCodes = "Exit codes: 0 ok, 1 failed, 2 usage, 3 no OpenGL 4.5 or no display, "
+                                   "141 nobody reads standard output.";
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) parts.emplace_back();
+    else parts.back() += c;
+  }
+  return parts;
+}
+
+template <class Number>
+std::optional<Number> wholeText(const std::string& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+double number(const std::string& flag, const std::string& text, double least, double most) {
+  const std::optional<double> value = wholeText<double>(text);
+  if (!value || !std::isfinite(*value)) throw UsageError(flag + ": '" + text + "' is not a finite number");
+  if (*value < least || *value > most) {
+    throw UsageError(flag + ": " + text + " is out of range " + CLI::detail::to_string(least) + " to " +
+                     CLI::detail::to_string(most));
+  }
+  return *value;
+}
+
+int integer(const std::string& flag, const std::string& text, int least, int most) {
+  const std::optional<int> value = wholeText<int>(text);
+  if (!value) throw UsageError(flag + ": '" + text + "' is not a whole number");
+  return static_cast<int>(number(flag, text, least, most));
+}
+
+Size parseSize(const std::string& text) {
+  const std::vector<std::string> parts = split(text, 'x');
+  if (parts.size() != 2) throw UsageError("--size: '" + text + "' is not of the form WIDTHxHEIGHT");
+  return {integer("--size", parts[0], 1, kMaxSide), integer("--size", parts[1], 1, kMaxSide)};
+}
+
+glm::dvec3 cameraPosition(const std::string& flag, const std::vector<std::string>& parts) {
+  return {number(flag, parts[0], -kFarthestM, kFarthestM),
+          number(flag, parts[1], -kFarthestM, render::kHighestCameraM),
+          number(flag, parts[2], -kFarthestM, kFarthestM)};
+}
+
+Pose parsePose(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 6) throw UsageError("--pose: '" + text + "' is not of the form X,Y,Z,YAW,PITCH,ROLL");
+  const auto degrees = [&](std::size_t i) { return number("--pose", parts[i], -360, 360); };
+  return {cameraPosition("--pose", parts), degrees(3), degrees(4), degrees(5)};
+}
+
+glm::dvec3 parseCamera(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3) throw UsageError("--camera: '" + text + "' is not of the form X,Y,Z");
+  return cameraPosition("--camera", parts);
+}
+
+render::gl::Backend parseBackend(const std::string& text) {
+  using render::gl::Backend;
+  static const std::map<std::string, Backend> names = {
+      {"egl", Backend::egl}, {"osmesa", Backend::osmesa}, {"window", Backend::window}};
+  const auto found = names.find(text);
+  if (found == names.end()) throw UsageError("--backend: '" + text + "' is not one of egl osmesa window");
+  return found->second;
+}
+
+NoiseFormat parseNoiseFormat(const std::string& text) {
+  static const std::map<std::string, NoiseFormat> names = {
+      {"dds", NoiseFormat::dds}, {"dx10", NoiseFormat::dx10}, {"png", NoiseFormat::png}};
+  const auto found = names.find(text);
+  if (found == names.end()) throw UsageError("--format: '" + text + "' is not one of dds dx10 png");
+  return found->second;
+}
+
+ReportFormat parseReportFormat(const std::string& text) {
+  static const std::map<std::string, ReportFormat> names = {
+      {"markdown", ReportFormat::markdown}, {"json", ReportFormat::json}, {"csv", ReportFormat::csv}};
+  const auto found = names.find(text);
+  if (found == names.end()) throw UsageError("--format: '" + text + "' is not one of markdown json csv");
+  return found->second;
+}
+
+// Where the file's name begins in a path.
+std::size_t nameAt(const std::string& path) { return path.rfind('/') + 1; }
+
+// Judges the name of a picture; returns whether it counts frames.
+bool countsFrames(const std::string& pattern) {
+  bool counts = false;
+  for (std::size_t i = pattern.find('%', nameAt(pattern)); i < pattern.size(); i = pattern.find('%', i + 2)) {
+    const char what = i + 1 < pattern.size() ? pattern[i + 1] : 0;
+    if (what != 'd' && what != '%') {
+      throw UsageError("--out: '" + pattern + "': in a name % is followed by d (the frame's number) or % (a percent sign)");
+    }
+    counts = counts || what == 'd';
+  }
+  return counts;
+}
+
+// CLI11 only splits words and writes the help; values arrive as text and are read above, so that every
+// refusal has the same form.
+class Parser {
+ public:
+  Parser() {
+    app_.set_help_flag("--help", "print this help");
+    app_.add_flag("--version", version_, "print the version");
+    app_.add_flag("--list-scenes", listScenes_,
+                  "print the names of the scenes; a broken one is an error (1) after the list");
+    addCommon(app_);
+    addFly(app_);
+    CLI::App* render = app_.add_subcommand("render", "frames to PNG files, no window needed");
+    CLI::App* simulate = app_.add_subcommand("simulate", "no graphics: physics and game only");
+    CLI::App* accuracy = app_.add_subcommand("accuracy", "measure error against time, write the report");
+    CLI::App* noise = app_.add_subcommand("noise", "make, check, export and read the noise of the clouds");
+    CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
+    for (CLI::App* verb : {render, simulate, accuracy, noise, info}) verb->set_help_flag("--help", "print this help");
+    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, info}) verb->footer(kExitCodes);
+    addCommon(*render);
+    addRender(*render);
+    addCommon(*simulate);
+    addSimulate(*simulate);
+    addNoise(*noise);
+    for (CLI::App* verb : {render, simulate, accuracy, noise}) {
+      verb->add_flag("--progress", line_.progress, "tell how far it is, each second, where there is no terminal");
+    }
+    accuracy->add_option("STUDY", line_.studies, "studies to run; none named: all");
+    text(*accuracy, "--out", "FILE|-", "the report; - is standard output", [this](const std::string& t) { line_.out = t; });
+    text(*accuracy, "--format", "markdown|json|csv", "of the report (markdown)",
+         [this](const std::string& t) { line_.reportFormat = parseReportFormat(t); });
+    accuracy->preparse_callback([this](std::size_t) { line_.out = "accuracy.md"; });
+    text(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
+         [this](const std::string& t) { line_.backend = parseBackend(t); });
+    app_.require_subcommand(0, 1);
+    render->callback([this] { line_.verb = Verb::render; });
+    simulate->callback([this] { line_.verb = Verb::simulate; });
+    accuracy->callback([this] { line_.verb = Verb::accuracy; });
+    noise->callback([this] { line_.verb = Verb::noise; });
+    info->callback([this] { line_.verb = Verb::info; });
+  }
+
+  ParsedCommandLine parse(int argc, const char* const* argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+      const auto chosen = app_.get_subcommands();
+      return {line_, (chosen.empty() ? app_ : *chosen.front()).help(), {}};
+    } catch (const CLI::ParseError& error) {
+      throw UsageError(error.what());
+    }
+    if (version_) return {line_, std::string("skydrop ") + kVersion + "\n", {}};
+    if (listScenes_) return sceneList();
+    check();
+    checkCamera();
+    if (camera_) line_.pose = poseOfCamera();
+    // After every --set: the flag is the shorter word for the same.
+    if (hud_ || noHud_) line_.set.push_back(std::string("view.hud=") + (hud_ ? "true" : "false"));
+    return {line_, std::nullopt, {}};
+  }
+
+ private:
+  static void text(CLI::App& verb, const std::string& flag, const std::string& form, const std::string& help,
+                   std::function<void(const std::string&)> read) {
+    verb.add_option_function<std::string>(flag, std::move(read), help)->type_name(form)->allow_extra_args(false);
+  }
+
+  void path(CLI::App& verb, const std::string& flag, const std::string& form, const std::string& help,
+            std::optional<std::filesystem::path>& target) {
+    text(verb, flag, form, help, [flag, &target](const std::string& t) {
+      if (t.empty()) throw UsageError(flag + ": the path is empty");
+      target = t;
+    });
+  }
+
+  void addCommon(CLI::App& verb) {
+    text(verb, "--scene", "NAME|FILE|-",
+         std::string("the scene (") + kDefaultScene + "); - is standard input, here and below",
+         [this](const std::string& t) {
+           if (t.empty()) throw UsageError("--scene: the name is empty");
+           line_.scene = t;
+         });
+    text(verb, "--preset", "NAME|FILE|-", "a preset that the menu saved, for this run; --set comes after it",
+         [this](const std::string& t) {
+           if (t.empty()) throw UsageError("--preset: the name is empty");
+           line_.preset = t;
+         });
+    verb.add_option_function<std::vector<std::string>>(
+            "--set", [this](const std::vector<std::string>& all) { line_.set.insert(line_.set.end(), all.begin(), all.end()); },
+            "a setting for this run; may stand several times")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false)
+        ->expected(1, 1000);
+    addSeed(verb, "the world's seed instead of the scene's");
+    text(verb, "--workers", "N", "threads that make terrain (cores - 1)",
+         [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
+    path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
+    path(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
+    path(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
+    path(verb, "--record", "FILE|-", "record the flight as an input log; FILE must be new or empty", line_.record);
+    verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
+  }
+
+  void addSeed(CLI::App& verb, const std::string& help) {
+    text(verb, "--seed", "N", help, [this](const std::string& t) {
+      line_.seed = wholeText<std::uint64_t>(t);
+      if (const auto negative = wholeText<std::int64_t>(t); !line_.seed && negative) {
+        line_.seed = static_cast<std::uint64_t>(*negative);
+      }
+      if (!line_.seed) throw UsageError("--seed: '" + t + "' is not a whole number of 64 bits");
+    });
+  }
+
+  void addNoise(CLI::App& verb) {
+    addSeed(verb, "the noise's seed (0); its lower 32 bits");
+    verb.add_flag("--check", line_.noise.check, "make all by processor and by shader, compare them, look for seams");
+    verb.add_option_function<std::vector<std::string>>(
+            "--noise",
+            [this](const std::vector<std::string>& all) {
+              if (std::ranges::find(all, "") != all.end()) throw UsageError("--noise: the path is empty");
+              line_.noise.files.assign(all.begin(), all.end());
+            },
+            "read these DDS files (-: standard input) instead of making; may stand several times")
+        ->type_name("FILE|-")
+        ->allow_extra_args(false)
+        ->expected(1, 1000);
+    path(verb, "--out", "DIR", "export to this folder", line_.noise.folder);
+    text(verb, "--format", "dds|dx10|png", "of the export (dx10): DDS with legacy or DX10 header, slices as PNG",
+         [this](const std::string& t) { line_.noise.format = parseNoiseFormat(t); });
+    text(verb, "--backend", "egl|osmesa|window", "what runs the shader of --check",
+         [this](const std::string& t) { line_.backend = parseBackend(t); });
+  }
+
+  void addSize(CLI::App& verb) {
+    text(verb, "--size", "WxH", "pixels", [this](const std::string& t) { line_.size = parseSize(t); });
+  }
+
+  void addView(CLI::App& verb) {
+    addSize(verb);
+    text(verb, "--camera", "X,Y,Z", "a camera in the world: metres, +X east, Y up, -Z north",
+         [this](const std::string& t) { camera_ = parseCamera(t); });
+    const auto angle = [&](const std::string& flag, std::optional<double>& target, double most, const std::string& help) {
+      text(verb, flag, "DEGREES", help,
+           [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
+    };
+    angle("--heading", heading_, 360, "of --camera by the compass: 0 north, 90 east (0)");
+    angle("--pitch", pitch_, 90, "of --camera, up (0)");
+    angle("--roll", roll_, 360, "of --camera, right side down (0)");
+    verb.add_flag("--above-ground", aboveGround_, "Y of --camera is counted from the surface, land or sea");
+    text(verb, "--pose", "X,Y,Z,YAW,PITCH,ROLL",
+         "the same in one word; YAW 0 looks east, 90 south: the compass heading less 90",
+         [this](const std::string& t) { line_.pose = parsePose(t); });
+    verb.add_flag("--hud", hud_, "with the HUD, which a camera in the world leaves out of pictures (view.hud=true)");
+    verb.add_flag("--no-hud", noHud_, "without the HUD (view.hud=false)");
+  }
+
+  void addFly(CLI::App& verb) {
+    addView(verb);
+    verb.add_flag("--fullscreen", line_.fullscreen, "fill the screen");
+  }
+
+  void addRender(CLI::App& verb) {
+    text(verb, "--backend", "egl|osmesa|window", "what gives the OpenGL context",
+         [this](const std::string& t) { line_.backend = parseBackend(t); });
+    addView(verb);
+    text(verb, "--out", "FILE.png|-", "the picture; in its name %d is the frame's number and %% a percent sign",
+         [this](const std::string& t) { line_.out = t; });
+    text(verb, "--frames", "N", "how many (1)",
+         [this](const std::string& t) { line_.frames = integer("--frames", t, 1, 1000000); });
+    text(verb, "--fps", "N", "simulated frames a second (60)",
+         [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
+    text(verb, "--time", "S", "simulated seconds before the first frame (0)",
+         [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
+    verb.add_flag("--menu", line_.menu, "with the menu open");
+  }
+
+  void addSimulate(CLI::App& verb) {
+    path(verb, "--trace", "FILE.csv|-", "write every step of the flight as a row of numbers", line_.trace);
+    text(verb, "--seconds", "S", "how long (60; a replay to its end)",
+         [this](const std::string& t) { line_.seconds = number("--seconds", t, 0, kMaxSeconds); });
+    text(verb, "--fps", "N", "the drawing rate that is imitated (60)",
+         [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
+  }
+
+  // Standard input can be read once, and two exports of one name would be one.
+  void checkFiles() const {
+    std::vector<std::filesystem::path> inputs = line_.noise.files;
+    if (line_.scene) inputs.emplace_back(*line_.scene);
+    if (line_.preset) inputs.emplace_back(*line_.preset);
+    if (line_.replay) inputs.push_back(*line_.replay);
+    if (std::ranges::count_if(inputs, core::isStandardInput) > 1)
+      throw UsageError("- (standard input) can be read only once");
+    if (!line_.noise.folder) return;
+    std::map<std::filesystem::path, std::string> exports;
+    for (const std::filesystem::path& file : line_.noise.files) {
+      const auto [first, isNew] = exports.emplace(noiseExportName(file), file.string());
+      if (!isNew) {
+        throw UsageError("--noise: '" + first->second + "' and '" + file.string() +
+                         "' would both be exported as " + first->first.string());
+      }
+    }
+  }
+
+  // Compass degrees to those of a pose, within its range.
+  Pose poseOfCamera() const {
+    const double yaw = heading_.value_or(0) - 90;
+    return {*camera_, yaw < -360 ? yaw + 360 : yaw, pitch_.value_or(0), roll_.value_or(0), aboveGround_};
+  }
+
+  void checkCamera() const {
+    if (camera_ && line_.pose) throw UsageError("--camera and --pose exclude each other");
+    if (hud_ && noHud_) throw UsageError("--hud and --no-hud exclude each other");
+    if (camera_) return;
+    for (const auto& [given, flag] : {std::pair(heading_.has_value(), "--heading"), std::pair(pitch_.has_value(), "--pitch"),
+                                      std::pair(roll_.has_value(), "--roll"), std::pair(aboveGround_, "--above-ground")}) {
+      if (given) throw UsageError(std::string(flag) + " belongs to --camera, which is not given");
+    }
+  }
+
+  // One would replace the other at the end. A device takes both.
+  void checkOutputs() const {
+    std::vector<std::pair<std::string, std::filesystem::path>> outputs;
+    if (line_.verb == Verb::render || line_.verb == Verb::accuracy) outputs.emplace_back("--out", line_.out);
+    if (line_.stats) outputs.emplace_back("--stats", *line_.stats);
+    if (line_.trace) outputs.emplace_back("--trace", *line_.trace);
+    if (line_.record) outputs.emplace_back("--record", *line_.record);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      const std::filesystem::path path = outputs[i].second.lexically_normal();
+      for (std::size_t j = 0; j < i; ++j) {
+        if (path != outputs[j].second.lexically_normal() || path.string().starts_with("/dev/")) continue;
+        throw UsageError(outputs[j].first + " and " + outputs[i].first + " name the same file");
+      }
+    }
+  }
+
+  void check() const {
+    checkFiles();
+    if (line_.autopilot && line_.replay) throw UsageError("--autopilot and --replay exclude each other");
+    if (line_.replay && (line_.scene || line_.seed)) {
+      throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
+    }
+    checkOutputs();
+    if (line_.noise.check && !line_.noise.files.empty()) throw UsageError("--check and --noise exclude each other");
+    if (line_.verb != Verb::render) return;
+    if (!countsFrames(line_.out) && line_.frames > 1) {
+      throw UsageError("--out: '" + line_.out + "' needs %d for several frames");
+    }
+    if (line_.out != "-" && !line_.out.ends_with(".png")) throw UsageError("--out: '" + line_.out + "' does not end in .png");
+  }
+
+  // A scene that cannot be read is left out and complained of: the others are there all the same.
+  ParsedCommandLine sceneList() const {
+    ParsedCommandLine list{line_, "", {}};
+    for (const std::string& name : scene::listScenes()) {
+      try {
+        const scene::Scene scene = scene::loadScene(scene::sceneFile(name).string());
+        *list.answer += core::printable(name) + "\t" + core::printable(scene.description) + "\n";
+      } catch (const core::DataError& error) {
+        list.complaints.emplace_back(error.what());
+      }
+    }
+    return list;
+  }
+
+  CommandLine line_;
+  bool version_ = false, listScenes_ = false;
+  std::optional<glm::dvec3> camera_;
+  std::optional<double> heading_, pitch_, roll_;
+  bool aboveGround_ = false, hud_ = false, noHud_ = false;
+  CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};
+};
+
+}  // namespace
+
+ParsedCommandLine parseCommandLine(int argc, const char* const* argv) {
+  Parser parser;
+  return parser.parse(argc, argv);
+}
+
+std::string noiseExportName(const std::filesystem::path& file) {
+  return core::isStandardInput(file) ? "stdin" : file.stem().string();
+}
+
+std::string framePath(const std::string& pattern, int frame) {
+  const std::size_t name = nameAt(pattern);
+  std::string path = pattern.substr(0, name);
+  for (std::size_t i = name; i < pattern.size(); ++i) {
+    if (pattern[i] != '%') {
+      path += pattern[i];
+    } else if (pattern[++i] == 'd') {
+      path += std::to_string(frame);
+    } else {
+      path += '%';
+    }
+  }
+  return path;
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,170 @@
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "app/cli/command_line_parser.h"
+#include "app/cli/verbs.h"
+#include "app/console/message.h"
+#include "app/console/progress.h"
+#include "app/console/standard_output.h"
+#include "app/input/bindings.h"
+#include "app/measure/frame_times.h"
+#include "app/measure/statistics_json.h"
+#include "app/measure/stopwatch.h"
+#include "app/session/end_flight.h"
+#include "app/session/open_context.h"
+#include "app/session/preparations.h"
+#include "app/session/run_config.h"
+#include "app/session/scene_renderer.h"
+#include "app/session/start_camera.h"
+#include "app/window/menu_controller.h"
+#include "app/window/overlay.h"
+#include "skydrop/core/fixed_step.h"
+
+namespace skydrop::app {
+namespace {
+
+constexpr Size kDefaultSize{1280, 720};
+
+// The step at which a frame is drawn: simulated time is a whole number of steps.
+std::uint64_t stepOfFrame(const CommandLine& line, int frame) {
+  const double seconds = line.timeS + frame / line.fps;
+  return static_cast<std::uint64_t>(std::llround(seconds * core::FixedStep::kStepsPerSecond));
+}
+
+// Dear ImGui's windows find their size in the first frame that shows them.
+void buildTwice(Overlay& overlay, const OverlayFrame& frame, SceneRenderer& sceneRenderer) {
+  for (int i = 0; i < 2; ++i) {
+    if (overlay.build(frame).fontsChanged) sceneRenderer.uploadFonts();
+  }
+}
+
+// The file of every frame, opened or refused before the first is drawn. What is written to in order (a pipe)
+// stays open.
+class FrameFiles {
+ public:
+  explicit FrameFiles(const CommandLine& line) : pattern_(line.out) {
+    if (pattern_ == "-") streams_.emplace(0, openOutput(pattern_).value());
+    for (int frame = 0; pattern_ != "-" && frame < line.frames; ++frame) {
+      core::OutputFile file(path(frame));
+      if (file.isStream()) streams_.emplace(frame, std::move(file));
+    }
+  }
+
+  void write(int frame, const core::Image& image) {
+    const auto stream = streams_.find(frame);
+    if (stream == streams_.end()) return core::writePng(path(frame), image);
+    stream->second.write(core::encodePng(image));
+  }
+  std::string path(int frame) const { return framePath(pattern_, frame); }
+
+ private:
+  std::string pattern_;
+  std::map<int, core::OutputFile> streams_;
+};
+
+// "12 of 600 s, frame 1 of 3"
+std::string progressState(const CommandLine& line, int frame, std::uint64_t step) {
+  constexpr std::uint64_t kRate = core::FixedStep::kStepsPerSecond;
+  std::string state = std::to_string(step / kRate) + " of " +
+                      std::to_string(stepOfFrame(line, line.frames - 1) / kRate) + " s";
+  if (line.frames > 1) state += ", frame " + std::to_string(frame + 1) + " of " + std::to_string(line.frames);
+  return state;
+}
+
+}  // namespace
+
+int render(const CommandLine& line) {
+  const std::unique_ptr<RunConfig> run = prepareRun(line);
+  FrameFiles files(line);
+  std::optional<core::OutputFile> stats = openOutput(line.stats);
+  if (run->warning) warn(*run->warning);
+  for (const std::string& note : run->replayNotes) warn(note);
+  Preparations preparations;  // beside the rest
+  preparations.begin(scene::requiredEffects(run->setup.scene), Preparation::Maker::processor);
+  const Size size = line.size.value_or(kDefaultSize);
+  const auto context = openContext(line.backend, size);
+  Simulation simulation(run->setup, run->settings, run->table);
+  // While land is made this thread waits: its processor makes land too.
+  const int workers = line.workers.value_or(core::JobPool::defaultWorkerCount() + 1);
+  preparations.waitUntilReady();
+  const scene::EffectSet& effects = simulation.effects();
+  SceneRenderer sceneRenderer(
+      *context,
+      {effects, simulation.ground(), workers, stats.has_value(), preparations.results(effects)},
+      run->settings);
+  for (const std::string& message : preparations.takeMessages()) warn(message);
+  if (line.pose) {
+    placeCamera(sceneRenderer.camera(), *line.pose, *simulation.ground());
+    if (const auto warning = underSurface(sceneRenderer.camera(), *simulation.ground()); warning && sceneRenderer.land())
+      warn(*warning);
+  }
+  std::unique_ptr<Overlay> overlay;
+  if (simulation.effects().contains(scene::Effect::hud) || line.menu) {
+    overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()),
+                                        ui::InterfaceScale{run->settings.view.interfaceScale});
+    overlay->menuOpen = line.menu;
+    // A camera in the world sees another place than the aircraft that the HUD is about.
+    overlay->hudShown = run->settings.view.hud && (!line.pose || sets(line, "view.hud"));
+    sceneRenderer.addOverlay();
+  }
+
+  MenuController desk(run->userFolder);
+  if (overlay) {
+    if (const auto warning = desk.load(overlay->menu())) warn(*warning);
+  }
+
+  FrameTimes times;
+  core::FrameStatistics statistics, shown;  // the menu of a frame shows what those before it cost
+  Progress progress("render", line.progress);
+  for (int frame = 0; frame < line.frames; ++frame) {
+    if (progress.isDue()) progress.show(progressState(line, frame, simulation.world().stepCount()));
+    while (simulation.world().stepCount() < stepOfFrame(line, frame)) {
+      if (progress.isDue()) progress.show(progressState(line, frame, simulation.world().stepCount()));
+      simulation.step({});
+      simulation.world().takeEvents();
+    }
+    sceneRenderer.apply(simulation.takeLoggedChange());
+    const game::Snapshot& now = simulation.world().now();
+    if (overlay) {
+      OverlayFrame content{now, size, 0, run->table};
+      content.scale = {run->settings.view.interfaceScale};
+      content.statistics = &shown;
+      content.tools = desk.tools(run->baseTable, sceneRenderer.view(now, size), times.newest(times.count()));
+      buildTwice(*overlay, content, sceneRenderer);
+    }
+    sceneRenderer.renderer().finish();
+    const Stopwatch drawing;
+    sceneRenderer.draw(now, size, Streaming::settled);
+    sceneRenderer.renderer().finish();
+    times.add(drawing.ms() - sceneRenderer.settleMs());
+    statistics.other["settle"] += sceneRenderer.settleMs();
+
+    const Stopwatch reading;
+    const core::Image image = sceneRenderer.renderer().readBack();
+    statistics.other["readBack"] += reading.ms();
+    const Stopwatch writing;
+    files.write(frame, image);
+    statistics.other["png"] += writing.ms();
+    if (overlay && overlay->showsCosts()) {
+      shown = {};
+      simulation.writeTo(shown);
+      sceneRenderer.writeTo(shown);
+    }
+    progress.clear();
+    if (line.out != "-") print("%s\n", files.path(frame).c_str());
+    if (run->recorder) run->recorder->flush();
+  }
+  for (const std::string& message : sceneRenderer.takeMessages()) warn(message);
+
+  if (stats) {
+    times.writeTo(statistics);
+    simulation.writeTo(statistics);
+    sceneRenderer.writeTo(statistics);
+    writeStatistics(*stats, statistics);
+  }
+  return endFlight(simulation, run->recorder.get());
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,18 @@
+// What the program does, by verb. Each returns the exit code and throws the types of core/error.h.
+#pragma once
+
+#include "app/types/command_line.h"
+
+namespace skydrop::app {
+
+int fly(const CommandLine& line);
+int render(const CommandLine& line);
+int simulate(const CommandLine& line);
+int accuracy(const CommandLine& line);
+int noise(const CommandLine& line);
+int info(const CommandLine& line);
+
+// The whole program: parses, runs, and turns errors into one line on stderr and an exit code.
+int runProgram(int argc, const char* const* argv);
+
+}  // namespace skydrop::app

@@ -1,0 +1,86 @@
+#include "app/measure/statistics_json.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+
+namespace skydrop::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string hexadecimal(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+ordered_json passJson(const core::PassStatistics& pass) {
+  ordered_json json = {{"ms", pass.ms}, {"draws", pass.draws}, {"dispatches", pass.dispatches}};
+  if (!pass.skipped.empty()) json["skipped"] = pass.skipped;
+  return json;
+}
+
+}  // namespace
+
+std::string statisticsJson(const core::FrameStatistics& s) {
+  ordered_json json;
+  json["schema"] = kStatisticsSchema;
+  json["frame"] = {{"count", s.frames}, {"ms", {{"median", s.medianMs}, {"p99", s.p99Ms}, {"max", s.maxMs}}}};
+  json["clock"] = s.clock;
+  json["renderer"] = s.renderer;
+  json["passes"] = ordered_json::object();
+  for (const auto& [name, pass] : s.passes) json["passes"][name] = passJson(pass);
+  json["gl"] = {{"textures", s.gl.textures},         {"buffers", s.gl.buffers}, {"programs", s.gl.programs},
+                {"framebuffers", s.gl.framebuffers}, {"errors", s.gl.errors},   {"bytes", s.gl.bytes}};
+  json["terrain"] = {{"chunksDrawn", s.terrain.chunksDrawn},
+                     {"triangles", s.terrain.triangles},
+                     {"generated", s.terrain.generated},
+                     {"cacheHits", s.terrain.cacheHits},
+                     {"queue", s.terrain.queue},
+                     {"bytes", s.terrain.bytes},
+                     {"coarsened", s.terrain.coarsened}};
+  json["threads"] = s.threads;
+  json["effects"] = s.effects;
+  json["game"] = {{"score", s.game.score},       {"drops", s.game.drops},
+                  {"misses", s.game.misses},     {"targets", s.game.targets},
+                  {"position", s.game.position}, {"airspeed", s.game.airspeedMps},
+                  {"throttle", s.game.throttle}, {"heading", s.game.headingDeg},
+                  {"pitch", s.game.pitchDeg},    {"bank", s.game.bankDeg}};
+  if (!s.window.camera.empty()) {
+    json["window"] = {
+        {"width", s.window.width},
+        {"height", s.window.height},
+        {"camera", s.window.camera},
+        {"menuOpen", s.window.menuOpen},
+        {"helpOpen", s.window.helpOpen},
+        {"escapeOpen", s.window.escapeOpen},
+        {"paused", s.window.paused},
+        {"fullScreen", s.window.fullScreen},
+        {"frozen", s.window.frozen},
+        {"screenshots", s.window.screenshots},
+        {"hidden", s.window.hidden},
+        {"quality", s.window.quality},
+        {"fault", s.window.fault},
+        {"costs",
+         {{"passes", s.window.costs.passes},
+          {"frames", s.window.costs.frames},
+          {"bytes", s.window.costs.bytes}}},
+        {"firstPictureMs", s.window.firstPictureMs},
+        {"loadedMs", s.window.loadedMs},
+        {"programsLoaded", s.window.programsLoaded},
+        {"intervalMs", {{"median", s.window.medianIntervalMs}, {"p99", s.window.p99IntervalMs}}}};
+  }
+  json["guards"] = s.guards;
+  json["other"] = s.other;
+  json["steps"] = s.steps;
+  json["stateHash"] = hexadecimal(s.stateHash);
+  // Names of devices and files need not be UTF-8.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+void writeStatistics(core::OutputFile& file, const core::FrameStatistics& statistics) {
+  file.write(statisticsJson(statistics));
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,29 @@
+#include "app/session/cloud_effect.h"
+
+#include "app/session/cloud_noise.h"
+#include "app/session/scene_renderer.h"
+#include "skydrop/render/clouds/cloud_system.h"
+
+namespace skydrop::app {
+
+void addClouds(SceneRenderer& sceneRenderer) {
+  render::Renderer& renderer = sceneRenderer.renderer();
+  auto pass = std::make_unique<render::CloudSystem>(
+      renderer.context(), sceneRenderer.setup().prepared.find<clouds::PackedCloudNoise>(),
+      sceneRenderer.settings().clouds, sceneRenderer.settings().wind);
+  if (sceneRenderer.setup().effects.contains(scene::Effect::terrain))
+    renderer.add(std::make_unique<render::CloudShadowPass>(*pass));
+  renderer.add(std::move(pass));
+}
+
+void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change) {
+  if (!change.touches("clouds") && !change.touches("wind")) return;
+  const Settings& settings = sceneRenderer.settings();
+  sceneRenderer.renderer().find<render::CloudSystem>()->apply(settings.clouds, settings.wind);
+}
+
+std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker) {
+  return std::make_unique<CloudNoise>(NoiseStore(cacheFolder()), maker);
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,19 @@
+// What the effect table says of clouds (EffectDescriptor).
+#pragma once
+
+#include <memory>
+
+#include "app/session/preparation.h"
+
+namespace skydrop::app {
+
+class SceneRenderer;
+class SettingsChange;
+
+// Throws core::DataError (shader). The noise (clouds::PackedCloudNoise) must be among the prepared resources.
+void addClouds(SceneRenderer& sceneRenderer);
+void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change);
+// The noise: from the player's cache, or made and put there.
+std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker);
+
+}  // namespace skydrop::app

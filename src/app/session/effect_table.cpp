@@ -1,0 +1,110 @@
+#include "app/session/effect_table.h"
+
+#include "app/session/cloud_effect.h"
+#include "app/session/scene_renderer.h"
+#include "skydrop/core/assets.h"
+#include "skydrop/render/models/aircraft_pass.h"
+#include "skydrop/render/models/marker_pass.h"
+#include "skydrop/render/models/package_pass.h"
+#include "skydrop/render/shadows/shadow_pass.h"
+#include "skydrop/render/sky/sky_pass.h"
+
+namespace skydrop::app {
+namespace {
+
+using scene::Effect;
+
+// Something whose shadow falls on land; without land nothing is done.
+void castShadow(SceneRenderer& sceneRenderer, render::ShadowSource source) {
+  if (!sceneRenderer.setup().effects.contains(Effect::terrain)) return;
+  render::Renderer& renderer = sceneRenderer.renderer();
+  if (!renderer.find<render::ShadowPass>()) renderer.add(std::make_unique<render::ShadowPass>());
+  renderer.find<render::ShadowPass>()->add(std::move(source));
+}
+
+void addSky(SceneRenderer& sceneRenderer) {
+  sceneRenderer.renderer().add(std::make_unique<render::SkyPass>(sceneRenderer.renderer().context()));
+}
+
+void addAircraft(SceneRenderer& sceneRenderer) {
+  render::Renderer& renderer = sceneRenderer.renderer();
+  const auto model = std::make_shared<const render::Model>(
+      renderer.context(), render::importModel(core::assetPath("models/airplane.glb")), "airplane");
+  renderer.add(std::make_unique<render::AircraftPass>(model));
+  renderer.add(std::make_unique<render::PropellerPass>(model));
+  castShadow(sceneRenderer, render::aircraftShadow(model));
+}
+
+void addTargets(SceneRenderer& sceneRenderer) {
+  render::Renderer& renderer = sceneRenderer.renderer();
+  const auto models = std::make_shared<const render::PackageModels>(renderer.context());
+  renderer.add(std::make_unique<render::PackagePass>(models));
+  castShadow(sceneRenderer, render::packageShadows(models));
+  renderer.add(std::make_unique<render::MarkerPass>(renderer.context()));
+}
+
+void addLand(SceneRenderer& sceneRenderer) {
+  const SceneRenderer::Setup& setup = sceneRenderer.setup();
+  const int workers = setup.workers.value_or(core::JobPool::defaultWorkerCount());
+  sceneRenderer.stream(std::make_unique<LandStreaming>(sceneRenderer.renderer(), setup.ground, workers,
+                                                       sceneRenderer.settings().streaming));
+}
+
+void applyLand(SceneRenderer& sceneRenderer, const SettingsChange& change) {
+  if (change.touches("streaming")) sceneRenderer.streaming()->apply(sceneRenderer.settings().streaming);
+}
+
+void addHaze(render::FrameFeatures& features) { features.haze = true; }
+
+}  // namespace
+
+const std::vector<EffectDescriptor>& effectTable() {
+  static const std::vector<EffectDescriptor> all = {
+      {.effect = Effect::aircraft,
+       .addPasses = addAircraft,
+       .menuSections = {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
+      {.effect = Effect::targets,
+       .addPasses = addTargets,
+       .menuSections = {{"game", "Game"}, {"package", "Package"}}},
+      {.effect = Effect::clouds,
+       .addPasses = addClouds,
+       .apply = applyClouds,
+       .prepare = prepareClouds,
+       .menuSections = {{"clouds", "Weather", false, {"wind"}}, {"clouds.march", "Cloud quality"}}},
+      {.effect = Effect::terrain,
+       .addPasses = addLand,
+       .apply = applyLand,
+       .menuSections = {{"render.land", "Views of the land"},
+                        {"streaming", "Terrain LOD"},
+                        {"terrain", "Shape of the land"}}},
+      {.effect = Effect::sky, .addPasses = addSky, .menuSections = {{"render.sun", "Sun"}}},
+      {.effect = Effect::haze, .addFeatures = addHaze, .menuSections = {{"render.atmosphere", "Air"}}},
+      {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
+      {.effect = Effect::hud},
+  };
+  return all;
+}
+
+std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects) {
+  std::vector<ui::MenuSection> sections;
+  for (const EffectDescriptor& row : effectTable()) {
+    if (!effects.contains(row.effect)) continue;
+    sections.insert(sections.end(), row.menuSections.begin(), row.menuSections.end());
+  }
+  sections.insert(sections.end(), {{"", "Quality"},
+                                   {"render.picture", "Picture"},
+                                   {"render.camera", "Cameras"},
+                                   {"view", "View"},
+                                   {"input.gamepad", "Gamepad"}});
+  return sections;
+}
+
+render::FrameFeatures frameFeatures(const scene::EffectSet& effects) {
+  render::FrameFeatures features;
+  for (const EffectDescriptor& row : effectTable()) {
+    if (row.addFeatures && effects.contains(row.effect)) row.addFeatures(features);
+  }
+  return features;
+}
+
+}  // namespace skydrop::app

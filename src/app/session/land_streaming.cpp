@@ -1,0 +1,40 @@
+#include "app/session/land_streaming.h"
+
+#include <utility>
+
+namespace skydrop::app {
+
+LandStreaming::LandStreaming(render::Renderer& renderer, std::shared_ptr<const terrain::HeightSource> ground,
+                             int workers, const terrain::TerrainStreamingSettings& settings)
+    : ground_(std::move(ground)),
+      workerCount_(workers),
+      workers_(workers),
+      terrain_(ground_, workers_, settings) {
+  auto pass = std::make_unique<render::TerrainPass>(renderer.context());
+  pass_ = pass.get();
+  renderer.add(std::move(pass));
+}
+
+const terrain::TerrainFrame& LandStreaming::update(const render::View& view) {
+  const terrain::TerrainFrame& frame = terrain_.update(render::viewVolume(view));
+  pass_->take(frame);
+  return frame;
+}
+
+void LandStreaming::settle(const render::View& view) {
+  pass_->take(terrain_.settle(render::viewVolume(view)));
+}
+
+void LandStreaming::writeTo(core::FrameStatistics& statistics) const {
+  const terrain::StreamingStatistics& land = terrain_.statistics();
+  statistics.threads += workerCount_;
+  statistics.terrain.chunksDrawn = static_cast<std::int64_t>(land.chunksDrawn);
+  statistics.terrain.triangles = static_cast<std::int64_t>(land.triangles);
+  statistics.terrain.generated = static_cast<std::int64_t>(land.generated);
+  statistics.terrain.cacheHits = static_cast<std::int64_t>(land.cacheHits);
+  statistics.terrain.queue = static_cast<std::int64_t>(land.queue);
+  statistics.terrain.bytes = static_cast<std::int64_t>(land.bytes);
+  statistics.terrain.coarsened = static_cast<std::int64_t>(land.coarsened + land.overBudget);
+}
+
+}  // namespace skydrop::app

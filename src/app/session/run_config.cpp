@@ -1,0 +1,300 @@
+#include "app/session/run_config.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <utility>
+
+#include "app/settings/cloud_tier.h"
+#include "app/settings/preset_store.h"
+#include "app/settings/quality_preset.h"
+#include "app/types/version.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
+#include "skydrop/core/fixed_step.h"
+
+namespace skydrop::app {
+namespace {
+
+std::optional<std::filesystem::path> userFolder(const CommandLine& line) {
+  if (line.userDir) return line.userDir;
+  if (line.verb != Verb::fly) return std::nullopt;
+  const std::filesystem::path folder = defaultUserFolder();
+  return folder.empty() ? std::nullopt : std::optional(folder);
+}
+
+scene::Scene sceneOf(const CommandLine& line) {
+  const std::string name = line.scene.value_or(kDefaultScene);
+  if (!core::isStandardInput(name)) return scene::loadScene(name);
+  return scene::parseScene(core::readTextInput(name, scene::kMostSceneBytes), core::inputName(name));
+}
+
+std::optional<std::string> sceneTextNow(const std::string& source) {
+  try {
+    return scene::loadScene(source).text;
+  } catch (const core::DataError&) {
+    return std::nullopt;  // the log has its own copy
+  }
+}
+
+scene::Scene recordedScene(const game::InputLog& log, const std::string& file) {
+  if (log.scene.text.empty()) {  // schema 1
+    try {
+      return scene::loadScene(log.scene.source);
+    } catch (const core::DataError& error) {
+      throw core::DataError(file, "scene", error.what());
+    }
+  }
+  scene::Scene scene = scene::parseScene(log.scene.text, file + ": scene");
+  scene.name = std::filesystem::path(log.scene.source).stem().string();
+  scene.source = log.scene.source;
+  return scene;
+}
+
+// A replay brings its scene, seed and settings along.
+void readReplay(const std::filesystem::path& path, RunConfig& run) {
+  SimulationSetup& setup = run.setup;
+  const std::string file = core::inputName(path);
+  game::InputLog log = game::readInputLog(path);
+  setup.pilot = Pilot::replay;
+  setup.replayFile = file;
+  setup.scene = recordedScene(log, file);
+  setup.seed = log.seed;
+  if (!log.program.empty() && log.program != programName()) {
+    setup.replayDoubt = "recorded by " + log.program;
+    run.replayNotes.push_back(file + ": recorded by " + log.program + ", this is " + programName() +
+                              ", which may fly otherwise");
+  }
+  if (!log.checkpoints.empty() && !log.ended) {
+    std::array<char, 32> seconds{};
+    std::snprintf(seconds.data(), seconds.size(), "%.3f", core::FixedStep::secondsOf(log.stepCount()));
+    run.replayNotes.push_back(file + ": the recording was cut off after " + seconds.data() + " s");
+  }
+  if (const auto now = sceneTextNow(log.scene.source); now && *now != setup.scene.text) {
+    run.replayNotes.push_back(file + ": scene: " + log.scene.source +
+                              " has changed since; the recorded scene is flown");
+  }
+  setup.replay = std::move(log);
+}
+
+using Layer = std::function<void(const core::SettingsTable&)>;
+
+enum class When { start, flying };
+
+// Gives `next` the values that are flown with where those are fixed.
+void keepFixed(const RunConfig& run, const core::SettingsTable& next) {
+  for (std::size_t i = 0; i < next.fields().size(); ++i) {
+    const core::Field& flown = run.table.fields()[i];
+    if (!whyFixed(run.setup, flown).empty()) next.fields()[i].set(flown.get());
+  }
+}
+
+// All settings, layer upon layer; `player` applies the player's own. All or nothing: throws core::DataError.
+void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, When when) {
+  // Which files lie at the bottom is reported by the layers above them: first the quality, then, with its
+  // preset among these layers, the tier of the clouds.
+  const auto wishOver = [&](const Layer& bottom) {
+    Settings wish;
+    const core::SettingsTable wishTable(wish);
+    bottom(wishTable);
+    applyScene(wishTable, scene);
+    player(wishTable);
+    applyOverrides(wishTable, run.overrides);
+    return wish;
+  };
+  const Quality quality =
+      qualityFor(wishOver([](const core::SettingsTable&) {}).quality, run.softwareRenderer);
+  const QualityPreset preset = readQualityPreset(quality);
+  const Layer applyQuality = [&](const core::SettingsTable& table) { applyPreset(table, preset); };
+  const clouds::CloudTier tier = wishOver(applyQuality).clouds.tier;
+
+  Settings base;
+  const core::SettingsTable baseTable(base);
+  applyCloudTier(baseTable, readCloudTier(cloudTierPath(tier)));
+  applyQuality(baseTable);
+  applyScene(baseTable, scene);
+  Settings own = base;
+  player(core::SettingsTable(own));
+  Settings all = own;
+  const core::SettingsTable allTable(all);
+  if (run.setup.replay) {
+    all.wind.movesAircraft = false;  // logs that do not name it were flown in still air
+    applyLogged(allTable, run.setup.replay->settings, run.setup.replayFile);
+  }
+  applyOverrides(allTable, run.overrides);
+  if (when == When::flying) keepFixed(run, allTable);
+
+  run.quality = quality;
+  run.base = base;
+  run.player = own;
+  run.settings = all;
+  run.table.takeDefaults(run.baseTable);
+}
+
+// What the player chose so far, in their file and in the menu.
+Layer ownChoices(const UserSettings& settings) {
+  return [&settings](const core::SettingsTable& table) { settings.applyTo(table); };
+}
+
+// Takes over a row of the player's table: what is at its base follows that.
+void choose(RunConfig& run, const std::string& path) {
+  const double value = run.playerTable.at(path).get();
+  const bool isBase = value == run.baseTable.at(path).get();
+  run.userSettings.choose(path, isBase ? std::nullopt : std::optional(value));
+}
+
+SettingsChange changeSince(Settings before, const RunConfig& run) {
+  return SettingsChange::between(core::SettingsTable(before), run.table);
+}
+
+bool holds(const std::vector<std::string>& paths, const std::string& path) {
+  return std::find(paths.begin(), paths.end(), path) != paths.end();
+}
+
+// The rows that a quality or a tier takes along when it is picked.
+SettingsChange rowsThatFollow(const core::SettingsTable& table, const SettingsChange& picked) {
+  SettingsChange rows;
+  const bool quality = picked.touches("quality");
+  if (quality) rows = SettingsChange(presetPaths());
+  if (!quality && !picked.touches(kCloudTierRow)) return rows;
+  for (const core::Field& field : table.fields()) {
+    if (belongsToCloudTier(field.path)) rows.add(field.path);
+  }
+  return rows;
+}
+
+// The path of what an assignment of --set sets, which may have it by a former name.
+std::string pathOf(const core::SettingsTable& table, const std::string& assignment) {
+  const core::Field* field = table.find(assignment.substr(0, assignment.find('=')));
+  return field ? field->path : "";
+}
+
+// What --set and --preset change in a replay is flown, but not as it was recorded.
+void noteOverrides(RunConfig& run) {
+  for (const std::string& set : run.overrides) {
+    if (!decidesSimulation(pathOf(run.table, set))) continue;
+    run.setup.replayDoubt += (run.setup.replayDoubt.empty() ? "" : ", ") + ("with " + set);
+    return;
+  }
+}
+
+// Why what the player wishes otherwise than before does not come about in this flight.
+void addRefusals(const RunConfig& run, const core::SettingsTable& before, std::vector<std::string>& reasons) {
+  for (std::size_t i = 0; i < run.playerTable.fields().size(); ++i) {
+    const core::Field& wished = run.playerTable.fields()[i];
+    const std::string reason(whyFixed(run.setup, wished));
+    if (!reason.empty() && wished.get() != before.fields()[i].get() && !holds(reasons, reason))
+      reasons.push_back(reason);
+  }
+}
+
+// What the menu says comes after what the command line said.
+void forgetOverrides(RunConfig& run, const std::string& path) {
+  std::erase_if(run.overrides, [&](const std::string& set) { return pathOf(run.table, set) == path; });
+}
+
+}  // namespace
+
+Choices choicesOf(const RunConfig& run) {
+  return {run.settings,  run.base,    run.player,      run.bindings,  run.userSettings,
+          run.overrides, run.quality, run.setup.scene, run.setup.seed};
+}
+
+SettingsChange goBackTo(const Choices& choices, RunConfig& run) {
+  const Settings before = run.settings;
+  run.settings = choices.settings;
+  run.base = choices.base;
+  run.player = choices.player;
+  run.bindings = choices.bindings;
+  run.userSettings = choices.userSettings;
+  run.overrides = choices.overrides;
+  run.quality = choices.quality;
+  run.setup.scene = choices.scene;
+  run.setup.seed = choices.seed;
+  run.table.takeDefaults(run.baseTable);
+  return changeSince(before, run);
+}
+
+CommandLine withPreset(CommandLine line) {
+  if (!line.preset) return line;
+  const std::filesystem::path folder = presetFolder(line.userDir.value_or(defaultUserFolder()));
+  const std::vector<std::string> assignments = presetOfCommandLine(*line.preset, folder);
+  line.set.insert(line.set.begin(), assignments.begin(), assignments.end());
+  line.preset.reset();
+  return line;
+}
+
+std::unique_ptr<RunConfig> prepareRun(const CommandLine& line) {
+  auto run = std::make_unique<RunConfig>();
+  SimulationSetup& setup = run->setup;
+  if (line.replay) {
+    readReplay(*line.replay, *run);
+  } else {
+    setup.scene = sceneOf(line);
+    setup.seed = line.seed.value_or(setup.scene.seed);
+    setup.pilot = line.autopilot ? Pilot::autopilot : Pilot::player;
+  }
+
+  run->overrides = line.set;
+  run->userFolder = userFolder(line);
+  if (run->userFolder) {
+    run->userSettings = UserSettings(*run->userFolder);
+    run->warning = run->userSettings.load();
+    run->bindings = run->userSettings.bindings();
+  }
+  compose(*run, setup.scene, ownChoices(run->userSettings), When::start);
+  if (line.replay) noteOverrides(*run);
+  if (line.record) run->recorder = std::make_unique<FlightRecorder>(*line.record);
+  setup.recorder = run->recorder.get();
+  return run;
+}
+
+void useSoftwareRenderer(RunConfig& run) {
+  run.softwareRenderer = true;
+  compose(run, run.setup.scene, ownChoices(run.userSettings), When::start);
+}
+
+SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked) {
+  for (const std::string& path : picked.paths()) {
+    run.playerTable.at(path).set(run.table.at(path).get());
+    choose(run, path);
+    forgetOverrides(run, path);
+  }
+  const SettingsChange following = rowsThatFollow(run.table, picked);
+  if (following.empty()) return picked;
+  for (const std::string& path : following.paths()) {
+    if (picked.touches(path)) continue;  // chosen too: a preset of the player's, a reset of everything
+    run.playerTable.at(path).set(run.baseTable.at(path).get());
+    choose(run, path);
+    forgetOverrides(run, path);
+  }
+  Settings before = run.settings;
+  compose(run, run.setup.scene, ownChoices(run.userSettings), When::flying);
+  SettingsChange change = changeSince(before, run);
+  change.add(picked);
+  return change;
+}
+
+SettingsChange reloadScene(RunConfig& run, const CommandLine& line) {
+  const Settings before = run.settings;
+  const scene::Scene scene = scene::loadScene(run.setup.scene.source);
+  compose(run, scene, ownChoices(run.userSettings), When::flying);
+  run.setup.scene = scene;
+  if (!line.seed && !line.replay) run.setup.seed = scene.seed;
+  return changeSince(before, run);
+}
+
+SettingsChange reloadPlayer(RunConfig& run, std::vector<std::string>* refused) {
+  Settings before = run.settings, wishedBefore = run.player;
+  UserSettings edited = run.userSettings;
+  std::optional<std::string> warning = edited.reload();
+  compose(run, run.setup.scene, ownChoices(edited), When::flying);
+  run.bindings = mergedBindings(edited.bindings(), run.userSettings.bindings(), run.bindings);
+  run.userSettings = std::move(edited);
+  run.warning = std::move(warning);
+  if (refused) addRefusals(run, core::SettingsTable(wishedBefore), *refused);
+  return changeSince(before, run);
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,108 @@
+// The graphics of a scene: renderer, the passes that its effects call for, camera, streaming of the land.
+// Main thread, on the context's thread. Draws snapshots; knows nothing of time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/session/land_streaming.h"
+#include "app/session/prepared_resources.h"
+#include "app/settings/settings.h"
+#include "app/settings/settings_change.h"
+#include "app/types/size.h"
+#include "skydrop/core/frame_statistics.h"
+#include "skydrop/core/image.h"
+#include "skydrop/game/snapshot.h"
+#include "skydrop/render/frame/camera.h"
+#include "skydrop/render/frame/renderer.h"
+#include "skydrop/render/overlay/imgui_pass.h"
+#include "skydrop/scene/effect.h"
+
+namespace skydrop::app {
+
+// How a frame treats land that is not there yet: draw what there is, or wait until all of it is.
+enum class Streaming { asItComes, settled };
+
+class SceneRenderer {
+ public:
+  struct Setup {
+    scene::EffectSet effects;
+    std::shared_ptr<const terrain::HeightSource> ground;
+    std::optional<int> workers;
+    bool measuring = false;  // times are asked for: a software renderer may be slowed down for them
+    PreparedResources prepared = {};  // what the effects prepared (Preparations::results)
+  };
+
+  // Adds the passes of the effects (effect_table.h). Context and settings must outlive it. Throws
+  // core::DataError (shader, model).
+  SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings);
+  ~SceneRenderer();
+
+  render::Camera& camera() { return camera_; }
+  // Lets the free camera begin where the last frame was seen from.
+  void freeCamera();
+  render::Renderer& renderer() { return renderer_; }
+  // Null without terrain.
+  const terrain::EndlessTerrain* land() const { return land_ ? &land_->terrain() : nullptr; }
+
+  // For the functions of the effect table.
+  const Setup& setup() const { return setup_; }
+  const Settings& settings() const { return *settings_; }
+  // Makes this the land that frames wait for and cameras keep above.
+  void stream(std::unique_ptr<LandStreaming> land) { land_ = std::move(land); }
+  LandStreaming* streaming() { return land_.get(); }  // null before stream()
+
+  // After the settings changed: takes over for the next frame what of them is drawn.
+  void apply(const SettingsChange& change);
+
+  // From now on draws what Dear ImGui has built; the interface's context must exist.
+  void addOverlay();
+  void uploadFonts();  // after the interface changed its fonts
+
+  // Asks for the times of the passes, or no longer: what Setup::measuring says at first.
+  void setMeasuring(bool measuring) { renderer_.setMeasuring(measuring); }
+
+  // From where the snapshot is seen.
+  render::View view(const game::Snapshot& snapshot, Size size) const;
+
+  // One frame of the size into the renderer's output.
+  void draw(const game::Snapshot& snapshot, Size size, Streaming streaming);
+
+  // Draws frames around this place into the output with an aircraft, a package and a target in them, with and
+  // without clouds in view, from outside and from the cockpit: so that no later frame has to wait until a
+  // shader is compiled for something that it shows for the first time.
+  void warmUp(const game::Snapshot& snapshot, Size size);
+
+  // One round of making the land that this frame will show, without drawing.
+  struct LandProgress {
+    std::size_t ready = 0, wanted = 0;  // chunks
+    bool complete = true;
+  };
+  LandProgress load(const game::Snapshot& snapshot, Size size);
+
+  // Milliseconds that the last draw() spent in waiting for land.
+  double settleMs() const { return settleMs_; }
+
+  // Recompiles changed shaders and gives up nothing: one line for each that is broken, and for each part
+  // of the land that could not be made.
+  std::vector<std::string> takeMessages();
+
+  // A line about a shader whose file does not compile as it is now; empty: there is none.
+  std::string_view standingError() { return renderer_.shaders().standingError(); }
+
+  // The passes' times are medians over the newest `frames`.
+  void writeTo(core::FrameStatistics& statistics, std::size_t frames = render::Renderer::kKeptTimes);
+
+ private:
+  Setup setup_;
+  const Settings* settings_;
+  render::Renderer renderer_;
+  render::Camera camera_;
+  std::optional<render::View> lastView_;
+  std::unique_ptr<LandStreaming> land_;   // with terrain only
+  render::ImGuiPass* overlay_ = nullptr;  // the renderer's
+  double settleMs_ = 0;
+};
+
+}  // namespace skydrop::app

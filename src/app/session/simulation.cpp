@@ -1,0 +1,194 @@
+#include "app/session/simulation.h"
+
+#include <glm/trigonometric.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "app/types/version.h"
+#include "skydrop/core/fixed_step.h"
+#include "skydrop/core/guards.h"
+#include "skydrop/terrain/analytic_height_sources.h"
+#include "skydrop/terrain/noise_height_source.h"
+
+namespace skydrop::app {
+namespace {
+
+using scene::Effect;
+
+std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& effects, const Settings& settings,
+                                                        std::uint64_t seed) {
+  if (!effects.contains(Effect::terrain)) return terrain::makeFlatSource(0);
+  return terrain::makeNoiseHeightSource(settings.terrain, seed);
+}
+
+game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects, const Settings& settings,
+                            std::shared_ptr<const terrain::HeightSource> ground) {
+  game::WorldSetup world;
+  world.ground = std::move(ground);
+  world.seed = setup.seed;
+  world.hasAircraft = effects.contains(Effect::aircraft);
+  world.hasTargets = effects.contains(Effect::targets);
+  world.start.position = setup.scene.start.position;
+  world.start.aboveGround = effects.contains(Effect::terrain);
+  world.start.headingDeg = setup.scene.start.headingDegrees;
+  world.start.speed = setup.scene.start.speedMps;
+  world.wind = core::flownWind(settings.wind);
+  world.airplane = settings.aircraft;
+  world.package = settings.package;
+  world.game = settings.game;
+  return world;
+}
+
+}  // namespace
+
+std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field) {
+  if (setup.pilot == Pilot::replay && decidesSimulation(field.path))
+    return "A replay flies with the recorded settings";
+  if (setup.recorder && field.takesEffect == core::TakesEffect::restart)
+    return "The land keeps its shape while a flight is recorded";
+  return {};
+}
+
+Simulation::Simulation(const SimulationSetup& setup, Settings& settings, const core::SettingsTable& table)
+    : setup_(setup),
+      settings_(&settings),
+      table_(&table),
+      effects_(scene::requiredEffects(setup.scene)),
+      ground_(makeGround(effects_, settings, setup.seed)),
+      world_(worldSetup(setup, effects_, settings, ground_)) {
+  if (setup_.pilot == Pilot::autopilot) autopilot_.emplace(ground_, settings.autopilot);
+  if (setup_.pilot == Pilot::replay) replay_.emplace(*setup_.replay);
+  keepFlownValues();
+  if (setup_.recorder) beginRecording();
+  if (replay_) compareWithReplay();
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::beginRecording() {
+  game::InputLog start;
+  start.program = programName();
+  start.scene = {setup_.scene.source, setup_.scene.text};
+  start.seed = setup_.seed;
+  start.settings = simulationSettings(*table_);
+  setup_.recorder->begin(start, world_.stateHash());
+}
+
+void Simulation::step(const game::Controls& player) {
+  game::Controls controls = player;
+  if (autopilot_) controls = autopilot_->decide(world_.now());
+  if (replay_) {
+    const std::vector<game::SettingOverride> changes = replay_->changesDue();
+    if (!changes.empty()) {
+      applyLogged(*table_, changes, setup_.replayFile);
+      applyToWorld();
+      for (const game::SettingOverride& change : changes) {
+        loggedChange_.add(table_->at(change.path).path);
+        if (setup_.recorder) setup_.recorder->change(change);
+      }
+    }
+    controls = replay_->next();
+  }
+  if (setup_.recorder) setup_.recorder->step(controls);
+  world_.step(controls);
+  if (setup_.recorder && setup_.recorder->checkpointIsDue()) setup_.recorder->checkpoint(world_.stateHash());
+  if (replay_) compareWithReplay();
+}
+
+bool Simulation::finished() const { return replay_ && replay_->finished(); }
+
+void Simulation::compareWithReplay() {
+  while (const std::optional<std::uint64_t> recorded = replay_->hashDue()) {
+    const std::uint64_t flown = world_.stateHash();
+    if (hasDiverged_ || flown == *recorded) continue;
+    hasDiverged_ = true;
+    const std::uint64_t step = world_.stepCount();
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  ": step %llu (%.3f s): the replay differs from the recorded flight: state %016llx, recorded %016llx",
+                  static_cast<unsigned long long>(step), core::FixedStep::secondsOf(step),
+                  static_cast<unsigned long long>(flown), static_cast<unsigned long long>(*recorded));
+    divergence_ = setup_.replayFile + text.data();
+    if (!setup_.replayDoubt.empty()) *divergence_ += " (" + setup_.replayDoubt + ")";
+  }
+}
+
+std::optional<std::string> Simulation::takeDivergence() { return std::exchange(divergence_, std::nullopt); }
+
+std::vector<std::string> Simulation::takeBackFixed(SettingsChange& change) {
+  std::vector<std::string> reasons;
+  SettingsChange allowed;
+  for (const std::string& path : change.paths()) {
+    const core::Field& field = table_->at(path);
+    const std::string reason(whyFixed(setup_, field));
+    if (reason.empty()) {
+      allowed.add(path);
+      continue;
+    }
+    const double flown = flownValues_[static_cast<std::size_t>(&field - table_->fields().data())];
+    if (field.get() != flown && std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
+    field.set(flown);
+  }
+  change = allowed;
+  return reasons;
+}
+
+void Simulation::apply(const SettingsChange& change) {
+  if (setup_.recorder && (!beforeChange_ || beforeChange_->step != world_.stepCount()))
+    beforeChange_ = {world_.stepCount(), world_.stateHash()};
+  applyToWorld();
+  if (!setup_.recorder) return;
+  for (const std::string& path : change.paths()) {
+    if (decidesSimulation(path)) setup_.recorder->change({path, core::fieldText(table_->at(path))});
+  }
+}
+
+void Simulation::applyToWorld() {
+  world_.apply(settings_->aircraft);
+  world_.apply(settings_->package);
+  world_.apply(settings_->game);
+  world_.setWind(core::flownWind(settings_->wind));
+  if (autopilot_) autopilot_->apply(settings_->autopilot);
+  keepFlownValues();
+}
+
+void Simulation::keepFlownValues() {
+  flownValues_.clear();
+  for (const core::Field& field : table_->fields()) flownValues_.push_back(field.get());
+}
+
+void Simulation::endRecording() {
+  if (!setup_.recorder) return;
+  // Changes that no step has seen are no part of the flight.
+  const bool isChanged = beforeChange_ && beforeChange_->step == world_.stepCount();
+  setup_.recorder->end(isChanged ? beforeChange_->hash : world_.stateHash());
+}
+
+void Simulation::writeTo(core::FrameStatistics& statistics) const {
+  const game::Snapshot& now = world_.now();
+  statistics.game.score = now.score;
+  statistics.game.drops = now.drops;
+  statistics.game.misses = now.misses;
+  statistics.game.targets = now.target.id;
+  for (int i = 0; i < 3; ++i) statistics.game.position[i] = now.aircraft.position[i];
+  statistics.game.airspeedMps = now.aircraft.airspeedMps;
+  statistics.game.throttle = now.aircraft.throttle;
+  statistics.game.headingDeg = glm::degrees(now.aircraft.headingRad);
+  statistics.game.pitchDeg = glm::degrees(now.aircraft.pitchRad);
+  statistics.game.bankDeg = glm::degrees(now.aircraft.bankRad);
+  for (std::size_t i = 0; i < scene::kEffectNames.size(); ++i) {
+    if (effects_.contains(static_cast<Effect>(i))) statistics.effects.emplace_back(scene::kEffectNames[i]);
+  }
+  for (int i = 0; i < static_cast<int>(core::Guard::count_); ++i) {
+    const auto guard = static_cast<core::Guard>(i);
+    if (const std::uint64_t count = core::guardCount(guard); count > 0) {
+      statistics.guards[std::string(core::guardName(guard))] = static_cast<std::int64_t>(count);
+    }
+  }
+  statistics.steps = now.stepCount;
+  statistics.stateHash = world_.stateHash();
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,115 @@
+#include "app/settings/settings.h"
+
+#include <algorithm>
+#include <array>
+
+#include "skydrop/core/error.h"
+#include "skydrop/core/json.h"
+
+namespace skydrop::app {
+namespace {
+
+constexpr std::array<std::string_view, 5> kSimulationGroups = {"aircraft.", "package.", "game.", "terrain.",
+                                                               "wind."};
+
+constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "free"};
+
+}  // namespace
+
+void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
+  visitor.choice(
+      "camera", settings.camera, kCameraNames,
+      {.help = "From where the game is seen: behind the aircraft, from its seat, or from anywhere.",
+       .aliases = "third person, first person, follow"});
+  visitor.flag("hud", settings.hud,
+               {.help = "Shows instruments, navigation bar and messages over the picture.",
+                .aliases = "overlay, interface, UI"});
+  visitor.flag("freezeTime", settings.freezeTime,
+               {.help = "Holds simulated time; the camera is free to look around. Off at every start.",
+                .aliases = "pause, photo mode, stop"});
+  visitor.number("frameCapHz", settings.frameCapHz,
+                 {.unit = "Hz",
+                  .min = 0,
+                  .max = 1000,
+                  .help = "Most frames a second, evenly spaced; 0 for as many as there can be.",
+                  .aliases = "FPS, frame rate limit"});
+  visitor.flag("vsync", settings.vsync,
+               {.help = "Waits for the screen with each frame: no tearing, a little more delay.",
+                .aliases = "vertical sync, tearing, FPS"});
+  visitor.number("interfaceScale", settings.interfaceScale,
+                 {.unit = "1",
+                  .min = 0.5,
+                  .max = 3,
+                  .help = "Size of texts and menus; never so large that they would not fit.",
+                  .slider = core::Range{0.5, 2.2},
+                  .aliases = "UI scale, font size, text size"});
+}
+
+void describe(core::SettingsVisitor& visitor, Settings& settings) {
+  visitor.group("aircraft", settings.aircraft, "How the aircraft answers the controls.");
+  visitor.group("package", settings.package, "The package and its parachute.");
+  visitor.group("game", settings.game, "Targets, drops and score.");
+  visitor.group("autopilot", settings.autopilot, "How the autopilot flies.");
+  visitor.group("terrain", settings.terrain, "The shape of the land.");
+  visitor.group("streaming", settings.streaming,
+                "How fine and how far the land is drawn, and what it may cost.");
+  visitor.group("render", settings.render, "Sun, air, cameras and exposure.");
+  visitor.group("clouds", settings.clouds, "The cloud layers, and how exactly they are drawn.");
+  visitor.group("wind", settings.wind, "The wind of clouds and flight.");
+  visitor.group("audio", settings.audio, "What is heard.");
+  visitor.group("view", settings.view, "How the game is looked at.");
+  visitor.group("input", settings.input, "How the game is steered.");
+  visitor.choice(
+      "quality", settings.quality, kQualityNames,
+      {.help = "Sets the rows that cost most. Automatic: low where the processor has to draw, else "
+               "high.",
+       .aliases = "graphics preset, performance"});
+  visitor.renamed("clouds.windSpeed", "wind.speed");
+  visitor.renamed("clouds.windDirection", "wind.direction");
+}
+
+void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {
+  const std::string file = scene.file.string();
+  core::applyJson(table, core::parseJson(scene.settingsJson, file), file);
+}
+
+void applyOverrides(const core::SettingsTable& table, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) {
+    try {
+      core::setField(table, assignment);
+    } catch (const core::RangeError& error) {
+      throw core::UsageError(std::string("--set: ") + error.what());
+    }
+  }
+}
+
+bool isKept(std::string_view path) { return path != "view.freezeTime"; }
+
+bool decidesSimulation(std::string_view path) {
+  return std::any_of(kSimulationGroups.begin(), kSimulationGroups.end(),
+                     [&](std::string_view group) { return path.starts_with(group); });
+}
+
+std::vector<game::SettingOverride> simulationSettings(const core::SettingsTable& table) {
+  std::vector<game::SettingOverride> settings;
+  for (const core::Field& field : table.fields()) {
+    if (decidesSimulation(field.path)) settings.push_back({field.path, core::fieldText(field)});
+  }
+  return settings;
+}
+
+void applyLogged(const core::SettingsTable& table, const std::vector<game::SettingOverride>& settings,
+                 std::string_view file) {
+  for (const game::SettingOverride& setting : settings) {
+    try {
+      const core::Field& field = table.at(setting.path);
+      if (!decidesSimulation(field.path))
+        throw core::RangeError(setting.path + ": is no setting of the simulation");
+      core::setField(field, setting.value);
+    } catch (const core::RangeError& error) {
+      throw core::DataError(file, "settings", error.what());
+    }
+  }
+}
+
+}  // namespace skydrop::app

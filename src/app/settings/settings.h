@@ -1,0 +1,84 @@
+// Every setting of the program: the modules' structs, composed. Precedence, later wins: defaults, the tier of
+// the clouds, the quality's preset, scene, the player's file (fly only, or where --user-dir is given), the
+// log of a replay (what decides the simulation), --preset, --set, menu.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+
+#include "app/input/gamepad.h"
+#include "skydrop/audio/audio_settings.h"
+#include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/core/settings.h"
+#include "skydrop/core/settings_table.h"
+#include "skydrop/core/wind.h"
+#include "skydrop/flight/airplane_settings.h"
+#include "skydrop/flight/package_settings.h"
+#include "skydrop/game/autopilot.h"
+#include "skydrop/game/game_settings.h"
+#include "skydrop/game/input_log.h"
+#include "skydrop/render/frame/camera.h"
+#include "skydrop/render/frame/render_settings.h"
+#include "skydrop/scene/scene.h"
+#include "skydrop/terrain/terrain_settings.h"
+#include "skydrop/terrain/terrain_streaming_settings.h"
+
+namespace skydrop::app {
+
+// How the player looks at the game.
+struct ViewSettings {
+  render::CameraMode camera = render::CameraMode::chase;
+  bool hud = true;
+  bool freezeTime = false;  // of this run alone: not kept
+  double frameCapHz = 0;    // 0: none
+  bool vsync = true;
+  double interfaceScale = 1;
+};
+
+// How good the picture is and what it may cost: a file of settings (quality_preset.h). Automatic: by the
+// machine.
+enum class Quality { automatic, low, medium, high, ultra };
+inline constexpr std::array<std::string_view, 5> kQualityNames = {"automatic", "low", "medium", "high",
+                                                                  "ultra"};
+
+struct Settings {
+  flight::AirplaneSettings aircraft;
+  flight::PackageSettings package;
+  game::GameSettings game;
+  game::AutopilotSettings autopilot;
+  terrain::TerrainSettings terrain;
+  terrain::TerrainStreamingSettings streaming;
+  render::RenderSettings render;
+  clouds::CloudSettings clouds;
+  core::WindSettings wind;
+  audio::AudioSettings audio;
+  ViewSettings view;
+  InputSettings input;
+  Quality quality = Quality::automatic;
+};
+
+void describe(core::SettingsVisitor& visitor, ViewSettings& settings);
+void describe(core::SettingsVisitor& visitor, Settings& settings);
+
+// Applies the scene's overrides. Throws core::DataError.
+void applyScene(const core::SettingsTable& table, const scene::Scene& scene);
+
+// Applies --set in order. Throws core::UsageError.
+void applyOverrides(const core::SettingsTable& table, const std::vector<std::string>& assignments);
+
+// The settings that decide the simulation, all of them, as an input log keeps them; and back (a value that is
+// refused is a core::DataError that names `file`).
+std::vector<game::SettingOverride> simulationSettings(const core::SettingsTable& table);
+void applyLogged(const core::SettingsTable& table, const std::vector<game::SettingOverride>& settings,
+                 std::string_view file);
+
+// Whether the player's file keeps the field at this path.
+bool isKept(std::string_view path);
+
+// Whether a change of the field at this path changes the simulation.
+bool decidesSimulation(std::string_view path);
+
+}  // namespace skydrop::app

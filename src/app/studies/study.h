@@ -1,0 +1,59 @@
+// An accuracy study: one approximation, its knob turned through its range, and for each place of the knob the
+// measured error against a converged reference and the measured cost. `skydrop accuracy` runs them.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/types/report_format.h"
+
+namespace skydrop::app {
+
+// What is measured at each place of the knob: an error against the reference, less is better.
+struct StudyMetric {
+  std::string name;  // "attitude error after 10 s"
+  std::string unit;  // "degrees"
+};
+
+struct StudyCost {
+  std::string unit;   // of time, and for what: "ms a frame"
+  std::string clock;  // what timed it: "wall clock, the fastest of 20 runs"
+};
+
+// One place of the knob.
+struct StudyRow {
+  std::string label;           // "rk4 at 120 Hz"
+  std::vector<double> errors;  // one a metric of the study, in its unit and order
+  double cost = 0;             // in the unit of the study's cost
+  std::string note;            // "default", or what is special; may be empty
+};
+
+struct StudyResult {
+  std::string title, method;         // what is measured, against which reference
+  std::vector<StudyMetric> metrics;  // at least one
+  StudyCost cost;
+  std::string machine;               // on what it was timed
+  std::vector<StudyRow> rows;
+};
+
+// Whether no other row is at least as good in every metric and in cost, and better in one of them.
+bool isParetoOptimal(const StudyRow& row, const std::vector<StudyRow>& rows);
+
+// Told before each row: how many there are of how many, the reference included.
+using StudyProgress = std::function<void(std::size_t done, std::size_t all)>;
+
+struct Study {
+  std::string_view name;         // "integrators"
+  std::string_view description;  // one sentence
+  std::function<StudyResult(const StudyProgress&)> run;
+};
+
+// All there are, in the order of the report.
+const std::vector<Study>& studies();
+
+std::string studyReport(const std::vector<StudyResult>& results, ReportFormat format);
+
+}  // namespace skydrop::app

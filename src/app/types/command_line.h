@@ -1,0 +1,76 @@
+// The command line as a value: what the program was asked to do. cli/command_line_parser.h makes it from words.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/types/pose.h"
+#include "app/types/report_format.h"
+#include "app/types/size.h"
+#include "skydrop/render/gl/backend.h"
+
+namespace skydrop::app {
+
+enum class Verb { fly, render, simulate, accuracy, noise, info };
+
+inline constexpr const char* kDefaultScene = "fair";
+
+enum class NoiseFormat { dds, dx10, png };
+
+struct NoiseRequest {
+  bool check = false;
+  std::vector<std::filesystem::path> files;     // to read instead of making
+  std::optional<std::filesystem::path> folder;  // to export to
+  NoiseFormat format = NoiseFormat::dx10;
+};
+
+struct CommandLine {
+  Verb verb = Verb::fly;
+
+  // Of scene, preset, replay and noise.files at most one is "-", standard input.
+  std::optional<std::string> scene;   // kDefaultScene unless told; a replay brings its own
+  std::optional<std::string> preset;  // a name or a file; below `set`
+  std::vector<std::string> set;       // PATH=VALUE, in order
+  std::optional<std::uint64_t> seed;
+  std::optional<int> workers;  // 1 .. 64; unless told cores - 1, and all of them to render
+  std::optional<std::filesystem::path> userDir, stats, replay, record;
+  bool autopilot = false;
+
+  // fly
+  bool fullscreen = false;
+
+  // fly and render
+  std::optional<Size> size;
+  std::optional<Pose> pose;  // --pose, or --camera and what belongs to it
+
+  // render, simulate, accuracy and noise
+  bool progress = false;  // also where standard error is no terminal
+
+  // render
+  std::optional<render::gl::Backend> backend;  // unset: EGL, or OSMesa where EGL gives no OpenGL 4.5
+  std::string out = "skydrop.png";
+  int frames = 1;
+  double fps = 60;   // simulated frames a second, (0, 1000]
+  double timeS = 0;  // simulated seconds before the first frame
+  bool menu = false;
+
+  // simulate
+  static constexpr double kDefaultSeconds = 60;
+  std::optional<double> seconds;  // unless told kDefaultSeconds, and the whole of a replay
+  std::optional<std::filesystem::path> trace;
+
+  NoiseRequest noise;
+
+  // accuracy
+  std::vector<std::string> studies;
+  ReportFormat reportFormat = ReportFormat::markdown;
+};
+
+// Whether the words set this setting, by --set or by a flag that stands for it.
+bool sets(const CommandLine& line, std::string_view path);
+
+}  // namespace skydrop::app

@@ -1,0 +1,61 @@
+#include "app/window/overlay.h"
+
+#include <optional>
+#include <utility>
+
+#include "app/session/effect_table.h"
+
+namespace skydrop::app {
+
+Overlay::Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help,
+                 const ui::InterfaceScale& scale)
+    : help_(std::move(help)), interface_(size.width, size.height, scale) {
+  showEffects(effects);
+}
+
+void Overlay::showEffects(const scene::EffectSet& effects) {
+  drawsHud_ = effects.contains(scene::Effect::hud);
+  sections_ = menuSections(effects);
+}
+
+void Overlay::showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys) {
+  help_ = std::move(help);
+  keys_ = std::move(keys);
+}
+
+OverlayResult Overlay::build(const OverlayFrame& frame) {
+  OverlayResult result;
+  result.fontsChanged =
+      interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds, frame.scale);
+  if (frame.begun) frame.begun();
+  if (menuOpen) {
+    ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error, frame.tools};
+    content.bindings = frame.bindings;
+    result.menu = menu_.draw(interface_, content);
+    if (result.menu.closed) menuOpen = false;
+  }
+  if (escapeOpen) {
+    result.escape = escapeMenu_.draw(interface_);
+  } else {
+    escapeMenu_.reset();
+  }
+  if (drawsHud_ && hudShown) {
+    ui::HudData data = ui::makeHudData(frame.snapshot);
+    data.keys = keys_;
+    if (escapeOpen) data.paused = false;  // the small menu covers that place and says so itself
+    const std::vector<ui::HelpRow> none;
+    const auto menu = menuOpen ? std::optional(menu_.place()) : std::nullopt;
+    ui::drawHud(interface_, data, ui::layoutHud(interface_, data, helpOpen ? help_ : none, menu));
+  }
+  interface_.endFrame();
+  return result;
+}
+
+bool Overlay::buildLoading(Size size, const ui::LoadingProgress& progress, const ui::InterfaceScale& scale) {
+  const bool fontsChanged = interface_.beginFrame(size.width, size.height, 0, scale);
+  ui::drawLoadingPicture(interface_, progress);
+  interface_.endFrame();
+  return fontsChanged;
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,78 @@
+// What is drawn over the frame: HUD, help, configuration menu, Escape menu. Owns the interface and remembers
+// what is open; what follows from a change or an action is the caller's business. Main thread.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/types/size.h"
+#include "skydrop/core/frame_statistics.h"
+#include "skydrop/core/settings_table.h"
+#include "skydrop/game/snapshot.h"
+#include "skydrop/scene/effect.h"
+#include "skydrop/ui/hud.h"
+#include "skydrop/ui/imgui_context.h"
+#include "skydrop/ui/loading_picture.h"
+#include "skydrop/ui/menu.h"
+
+namespace skydrop::app {
+
+struct OverlayFrame {
+  const game::Snapshot& snapshot;
+  Size size;
+  double seconds = 0;  // since the last frame
+  const core::SettingsTable& table;
+  const core::FrameStatistics* statistics = nullptr;
+  std::string_view error = {};  // what is broken now (faults.h)
+  ui::MenuTools tools = {};
+  const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
+  ui::InterfaceScale scale = {};
+  std::function<void()> begun = nullptr;  // called when the frame has taken the input (EventFeed::frameBuilt)
+};
+
+struct OverlayResult {
+  ui::MenuResult menu;
+  ui::EscapeAction escape = ui::EscapeAction::none;
+  bool fontsChanged = false;  // render::ImGuiPass::uploadFonts() is due before the frame is drawn
+};
+
+class Overlay {
+ public:
+  Overlay(const scene::EffectSet& effects, Size size, std::vector<ui::HelpRow> help,
+          const ui::InterfaceScale& scale = {});
+
+  ui::ConfigurationMenu& menu() { return menu_; }
+  // Somebody looks at what the passes cost.
+  bool showsCosts() const { return menuOpen && menu_.showsCosts(); }
+
+  bool menuOpen = false;
+  bool helpOpen = false;
+  bool escapeOpen = false;
+  bool hudShown = true;
+
+  // What the scene calls for from now on: sections of the menu, HUD.
+  void showEffects(const scene::EffectSet& effects);
+
+  // What the help lists, and the keys that the display names.
+  void showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys);
+
+  // Builds the draw data of this frame (ImGui::GetDrawData). The cross of the menu has closed it when this
+  // returns.
+  OverlayResult build(const OverlayFrame& frame);
+
+  // The same with what is shown while the land is made. True if the fonts changed.
+  bool buildLoading(Size size, const ui::LoadingProgress& progress, const ui::InterfaceScale& scale);
+
+ private:
+  bool drawsHud_ = false;
+  std::vector<ui::HelpRow> help_;
+  ui::HudKeys keys_;
+  std::vector<ui::MenuSection> sections_;
+  ui::Interface interface_;
+  ui::ConfigurationMenu menu_;
+  ui::EscapeMenu escapeMenu_;
+};
+
+}  // namespace skydrop::app

@@ -1,0 +1,719 @@
+#include "app/window/window_game.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <utility>
+
+#include "app/console/message.h"
+#include "app/console/standard_output.h"
+#include "app/measure/statistics_json.h"
+#include "app/measure/system_info.h"
+#include "app/session/start_camera.h"
+#include "app/settings/quality_preset.h"
+#include "app/settings/user_settings.h"
+#include "skydrop/core/error.h"
+
+namespace skydrop::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using scene::Effect;
+
+constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
+constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
+constexpr auto kFlushPeriod = std::chrono::milliseconds(500);       // of the recording
+constexpr std::size_t kShownFrames = 240;                           // in the graph of the menu
+
+volatile std::sig_atomic_t endRequested = 0;
+
+void requestEnd(int) { endRequested = 1; }
+
+// Who started the game may have it ignore a signal (nohup).
+void endOn(int signal) {
+  if (std::signal(signal, requestEnd) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
+std::string reasonOf(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "unknown error";
+  }
+}
+
+// Parts of the program whose faults stand until they are repaired.
+namespace part {
+constexpr std::string_view kStart = "start", kShaders = "shaders", kScene = "scene",
+                           kPlayersFile = "player's file", kPlayersValues = "player's values",
+                           kChange = "change", kPreset = "preset", kFrame = "frame",
+                           kStatistics = "statistics", kScreenshot = "screenshot", kChoices = "choices";
+}  // namespace part
+
+std::filesystem::path screenshotFolder(const RunConfig& run) {
+  return run.userFolder ? *run.userFolder / "screenshots" : "screenshots";
+}
+
+// Why settings and screenshots will not be kept, known before the flight.
+std::optional<std::string> folderRefusal(const RunConfig& run) {
+  try {
+    if (run.userFolder) core::requireFolder(*run.userFolder);
+    core::requireFolder(screenshotFolder(run));
+    return std::nullopt;
+  } catch (const core::DataError& refusal) {
+    return refusal.what();
+  }
+}
+
+class WindowClipboard final : public Clipboard {
+ public:
+  explicit WindowClipboard(render::gl::WindowContext& window) : window_(window) {}
+  std::string text() override { return window_.clipboardText(); }
+  void setText(const std::string& text) override { window_.setClipboardText(text); }
+
+ private:
+  render::gl::WindowContext& window_;
+};
+
+std::filesystem::path gamepadMappings(const RunConfig& run) {
+  return run.userFolder ? *run.userFolder / "gamecontrollerdb.txt" : std::filesystem::path();
+}
+
+}  // namespace
+
+WindowGame::WindowGame(const CommandLine& line)
+    : line_(line),
+      run_(prepareRun(line)),
+      stats_(openOutput(line.stats)),
+      window_(line),
+      clipboard_(std::make_unique<WindowClipboard>(window_.context())),
+      joysticks_(gamepadMappings(*run_)),
+      controls_(run_->bindings, run_->settings.input.gamepad, joysticks_),
+      desk_(run_->userFolder),
+      screenshots_(screenshotFolder(*run_)) {
+  if (window_.context().isSoftware()) useSoftwareRenderer(*run_);
+  if (line_.pose) run_->settings.view.camera = render::CameraMode::free;
+  registerDependents();
+  beginPreparations();
+  std::vector<std::string> warnings;
+  if (run_->warning) tell(part::kPlayersValues, *run_->warning);
+  if (const auto warning = folderRefusal(*run_)) tell(part::kChoices, *warning);
+  if (!joysticks_.warning().empty()) warnings.push_back(joysticks_.warning());
+  warnings.insert(warnings.end(), run_->replayNotes.begin(), run_->replayNotes.end());
+  window_.apply(run_->settings.view);
+  for (std::string& warning : window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
+    warnings.push_back(std::move(warning));
+  }
+  overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene), window_.size(),
+                                       controls_.help(), window_.interfaceScale());
+  imguiInput_.emplace(clipboard_.get());
+  feed_.emplace(*imguiInput_);
+  controls_.setKeyLabels(keyboardLabels());
+  if (auto warning = desk_.load(overlay_->menu())) warnings.push_back(std::move(*warning));
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, requestEnd);
+#ifdef SIGHUP
+  endOn(SIGHUP);  // the terminal was closed
+#endif
+  for (const std::string& warning : warnings) tell(part::kStart, warning);
+  tellOfSoftware();
+  buildScene();
+  loadedMs_ = 1000 * secondsSinceStart();
+  if (!line_.replay) sceneFile_ = FileWatch(run_->setup.scene.file);
+  if (run_->userFolder) playerFile_ = FileWatch(userSettingsFile(*run_->userFolder));
+}
+
+WindowGame::~WindowGame() = default;
+
+// Without a graphics card the game starts small and coarse; the player should know why, and what to do.
+void WindowGame::tellOfSoftware() {
+  if (!run_->softwareRenderer || run_->settings.quality != Quality::automatic) return;
+  warn("the processor draws (" + window_.context().renderer() + "): quality " +
+       std::string(kQualityNames[static_cast<std::size_t>(run_->quality)]) +
+       "; --set quality=high, or the menu (F1)");
+  if (window_.takeSoftwareNews()) {
+    notices_.add("No graphics card: low quality, a small window. F1 changes that.", Notices::kNewsSeconds);
+  }
+}
+
+// Beside everything else.
+void WindowGame::beginPreparations() {
+  using Maker = Preparation::Maker;
+  preparations_.begin(scene::requiredEffects(run_->setup.scene),
+                      window_.context().isSoftware() ? Maker::processor : Maker::graphics);
+}
+
+// Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player quit.
+WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
+  beginPreparations();
+  Flight next;
+  Loading loading(window_, *overlay_, [&] {
+    handleEventsWhileLoading(lostFocus);
+    return !ends();
+  });
+  if (!loading.prepare(preparations_)) return next;
+  for (const std::string& message : preparations_.takeMessages()) warn(message);
+  next.simulation = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
+  const scene::EffectSet& effects = next.simulation->effects();
+  const SceneRenderer::Setup setup{effects, next.simulation->ground(), line_.workers, stats_.has_value(),
+                                   preparations_.results(effects)};
+  next.sceneRenderer = std::make_unique<SceneRenderer>(window_.context(), setup, run_->settings);
+  if (sceneRenderer_) {
+    next.sceneRenderer->camera() = sceneRenderer_->camera();
+  } else if (line_.pose) {
+    placeCamera(next.sceneRenderer->camera(), *line_.pose, *next.simulation->ground());
+    if (const auto warning = underSurface(next.sceneRenderer->camera(), *next.simulation->ground())) warn(*warning);
+  }
+  next.sceneRenderer->addOverlay();
+  if (effects.contains(Effect::sound)) {
+    if (!audio_) {
+      audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
+      if (audio_->isSilent()) warn(audio_->status());
+    }
+    next.sound = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
+  }
+  loading.makeLand(*next.sceneRenderer, next.simulation->world().now());
+  return next;
+}
+
+// The flight of the present scene in place of the one before it, which goes on where the new one cannot be
+// made: then this throws. Time does not begin before the land in view is there. Changes nothing when the
+// player quits.
+void WindowGame::buildScene() {
+  if (audio_) audio_->setPaused(true);
+  bool lostFocus = false;
+  std::exception_ptr failure;
+  try {
+    if (Flight next = loadFlight(lostFocus); next.sceneRenderer) {
+      overlay_->showEffects(next.simulation->effects());
+      sound_ = std::move(next.sound);
+      sceneRenderer_ = std::move(next.sceneRenderer);
+      simulation_ = std::move(next.simulation);
+      good_ = choicesOf(*run_);
+      unproven_ = menuChangedIt_ = false;
+      clock_ = {};
+      events_.clear();
+    }
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  preparations_.keepOnly(simulation_ ? simulation_->effects() : scene::EffectSet());
+  if (lostFocus) paused_ = true;
+  if (sceneRenderer_) sceneRenderer_->uploadFonts();  // the loading picture had its own
+  programsLoaded_ = window_.context().resources().live(render::gl::ObjectKind::program);
+  lastFrame_ = Clock::now();
+  if (failure) std::rethrow_exception(failure);
+}
+
+void WindowGame::handleEventsWhileLoading(bool& lostFocus) {
+  using Kind = render::gl::WindowEvent::Kind;
+  for (const render::gl::WindowEvent& event : window_.pollEvents()) {
+    if (event.kind == Kind::key && event.code == key::kEscape && event.pressed)
+      window_.context().setShouldClose(true);
+    if (event.kind == Kind::focus) lostFocus = !event.pressed;
+    // What is pressed now is meant for nobody; what was held may be let go.
+    const bool presses = (event.kind == Kind::key || event.kind == Kind::mouseButton) && event.pressed;
+    if (!presses && event.kind != Kind::character) feed_->add(event, window_.context().pixelsPerUnit());
+  }
+}
+
+int WindowGame::run() {
+  std::exception_ptr failure;
+  try {
+    fly();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  finish(failure);
+  return run_->recorder && run_->recorder->isIncomplete() ? 1 : 0;
+}
+
+void WindowGame::fly() {
+  lastFrame_ = Clock::now();
+  while (!ends()) {
+    if (!sceneRenderer_) break;
+    const auto now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count();
+    handleEvents();
+    watchFiles();
+    if (choicesWait_ && !unproven_) {
+      choicesWait_ = false;
+      keepChoices();
+    }
+    if (window_.isHidden()) paused_ = true;
+    advance(seconds);
+    if (!window_.isHidden()) {
+      drawFrame(seconds);
+      window_.swap();
+      times_.add(std::chrono::duration<double, std::milli>(Clock::now() - now).count());
+      window_.waitForNextFrame();
+    }
+    report();
+    keepRecording();
+  }
+}
+
+bool WindowGame::ends() { return window_.context().shouldClose() || endRequested; }
+
+void WindowGame::handleEvents() {
+  using Kind = render::gl::WindowEvent::Kind;
+  bool lostFocus = false;
+  for (const render::gl::WindowEvent& event : window_.pollEvents()) {
+    if (event.kind == Kind::focus) lostFocus = !event.pressed;
+    if (event.kind == Kind::mouseMove) pointerMoved_ = true;
+    feed_->add(event, window_.context().pixelsPerUnit());
+  }
+  for (const render::gl::WindowEvent& event : controls_.pollGamepad(overlay_->escapeOpen))
+    feed_->addForInterface(event);
+  feed_->deliver({[this](const render::gl::WindowEvent& event) { return takeEvent(event); },
+                  [this] { return overlay_->menuOpen || overlay_->escapeOpen; },
+                  [this] { serve(buildInterface(snapshotToDraw(), 0)); }});
+  // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and
+  // come.
+  if (lostFocus) paused_ = true;
+  for (const Action action : controls_.input().takeActions()) handleAction(action);  // of a gamepad
+  showControls();
+}
+
+// True if the event was for the editor of the bindings. What it does to the program takes effect before the
+// next.
+bool WindowGame::takeEvent(const render::gl::WindowEvent& event) {
+  const bool ofMenu = overlay_->menuOpen && ImGuiInput::isMenuChord(event);
+  const bool taken = controls_.handle(event, ImGuiInput::wantsText() || ofMenu);
+  for (const Action action : controls_.input().takeActions()) handleAction(action);
+  return taken;
+}
+
+// What the player steers with, wherever it is told.
+void WindowGame::showControls() {
+  for (const GamepadMessage& message : controls_.takeMessages()) {
+    warn(message.text);
+    if (message.isNews) notices_.add(message.text);
+  }
+  if (!overlay_->menuOpen) controls_.stopWaiting();
+  if (controls_.takeChange()) overlay_->showKeys(controls_.help(), controls_.hudKeys());
+}
+
+void WindowGame::handleAction(Action action) {
+  switch (action) {
+    case Action::camera:
+      run_->settings.view.camera = camera_.next(*sceneRenderer_);
+      notices_.add("Camera: " + std::string(render::cameraModeName(run_->settings.view.camera)));
+      break;
+    case Action::pause:
+      paused_ = !paused_;
+      break;
+    case Action::help:
+      overlay_->helpOpen = !overlay_->helpOpen;
+      break;
+    case Action::menu:
+      overlay_->menuOpen = !overlay_->menuOpen;
+      break;
+    case Action::escape:
+      overlay_->escapeOpen = !overlay_->escapeOpen;
+      break;
+    case Action::fullScreen:
+      window_.toggleFullScreen();
+      break;
+    case Action::screenshot:
+      screenshotWanted_ = true;
+      break;
+    case Action::freeze:
+      toggle("view.freezeTime");
+      notices_.add(isFrozen() ? "Time is frozen: the keys move the camera" : "Time goes on");
+      break;
+    case Action::mute:
+      toggle("audio.mute");
+      notices_.add(run_->settings.audio.mute ? "Sound off" : "Sound on");
+      break;
+    default:
+      break;  // flight actions: PlayerInput::step
+  }
+}
+
+// A flag by its key, as if in the menu.
+void WindowGame::toggle(const std::string& path) {
+  const core::Field& flag = run_->table.at(path);
+  core::setField(flag, flag.get() != 0 ? 0.0 : 1.0);
+  attempt(part::kChange, [&] { applyMenuChanges({path}); });
+}
+
+void WindowGame::advance(double seconds) {
+  notices_.pass(seconds);
+  if (isPaused()) {
+    clock_.discardPending();
+    controls_.input().forgetTaps();
+    return;
+  }
+  for (int due = clock_.advance(seconds); due > 0; --due) {
+    game::Controls controls = controls_.input().step();
+    if (sceneRenderer_->camera().mode() == render::CameraMode::free) {
+      PlayerCamera::move(sceneRenderer_->camera(), controls);
+      controls = {};  // the aircraft flies on by itself
+    }
+    if (isFrozen()) continue;
+    simulation_->step(controls);
+    if (const auto divergence = simulation_->takeDivergence())
+      announce(*divergence, "The replay differs from the recorded flight");
+    const std::vector<game::GameEvent> events = simulation_->world().takeEvents();
+    events_.insert(events_.end(), events.begin(), events.end());
+  }
+  // A replay changes settings as its log says; the world has them already.
+  showing_.apply(simulation_->takeLoggedChange());
+  if (simulation_->pilot() == Pilot::replay && !unproven_) good_ = choicesOf(*run_);
+  if (simulation_->finished() && !replayEnded_) {
+    replayEnded_ = true;
+    paused_ = true;
+    notices_.add("The replay has ended");
+  }
+}
+
+game::Snapshot WindowGame::snapshotToDraw() {
+  game::Snapshot snapshot = simulation_->world().interpolated(isPaused() || isFrozen() ? 1 : clock_.alpha());
+  snapshot.autopilot = simulation_->pilot() == Pilot::autopilot;
+  snapshot.paused = isPaused();
+  snapshot.frozen = isFrozen();
+  notices_.addTo(snapshot);
+  return snapshot;
+}
+
+void WindowGame::drawFrame(double seconds) {
+  const game::Snapshot snapshot = snapshotToDraw();
+  const Size size = window_.size();
+  if (sound_) {
+    audio_->setPaused(isPaused() || isFrozen());
+    sound_->update(snapshot, events_);
+  }
+  events_.clear();
+  sceneRenderer_->setMeasuring(stats_.has_value() || overlay_->showsCosts());
+  renewCosts();
+
+  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen;
+  window_.context().setPointerVisible(
+      pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
+  const OverlayResult result = buildInterface(snapshot, seconds);
+  drawScene(snapshot, size);
+  if (screenshotWanted_) saveScreenshot();
+  sceneRenderer_->renderer().present(size.width, size.height);
+  serve(result);  // what the player did in this frame takes effect after it was drawn
+}
+
+// A frame that cannot be drawn with what was chosen last is drawn with what was chosen before. What is broken
+// else is left out of it, for as long as it is.
+void WindowGame::drawScene(const game::Snapshot& snapshot, Size size) {
+  if (unproven_) {
+    const bool drawn = attempt(part::kChange, [&] { sceneRenderer_->draw(snapshot, size, Streaming::asItComes); });
+    if (drawn) {
+      good_ = choicesOf(*run_);
+      unproven_ = menuChangedIt_ = false;
+      return;
+    }
+  }
+  try {
+    sceneRenderer_->draw(snapshot, size, Streaming::asItComes);
+    faults_.clear(part::kFrame);
+  } catch (const core::DataError& broken) {
+    tell(part::kFrame, broken.what());
+  }
+}
+
+// One frame of the interface, with what the menus want to show.
+OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double seconds) {
+  const Size size = window_.size();
+  overlay_->hudShown = run_->settings.view.hud;
+  const ui::BindingsContent bindings = controls_.menuContent();
+  OverlayFrame frame{snapshot,
+                     size,
+                     seconds,
+                     run_->table,
+                     &shownStatistics_,
+                     faults_.shown(),
+                     menuTools(snapshot, size),
+                     &bindings,
+                     window_.interfaceScale()};
+  frame.begun = [this] { feed_->frameBuilt(); };
+  const OverlayResult result = overlay_->build(frame);
+  if (result.fontsChanged) sceneRenderer_->uploadFonts();
+  return result;
+}
+
+void WindowGame::serve(const OverlayResult& result) {
+  controls_.apply(result.menu.binding);
+  if (!result.menu.changedPaths.empty()) {
+    menuChangedIt_ = true;
+    attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(result.menu.changedPaths)); });
+  }
+  if (result.menu.preset) servePreset(*result.menu.preset);
+  if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
+    nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it
+    choicesWait_ = true;
+  }
+  switch (result.escape) {
+    case ui::EscapeAction::none:
+      break;
+    case ui::EscapeAction::resume:
+      overlay_->escapeOpen = false, paused_ = false;
+      break;
+    case ui::EscapeAction::help:
+      overlay_->escapeOpen = false, overlay_->helpOpen = true;
+      break;
+    case ui::EscapeAction::quit:
+      window_.context().setShouldClose(true);
+      break;
+  }
+}
+
+bool WindowGame::attempt(std::string_view part, const std::function<void()>& change) {
+  // What the player binds is in force at once, and so is the camera.
+  good_.bindings = run_->bindings;
+  good_.settings.view.camera = run_->settings.view.camera;
+  try {
+    change();
+    faults_.clear(part);
+    faults_.clear(part::kStart);  // has been read by now
+    return true;
+  } catch (const std::exception& refusal) {
+    tell(part, refusal.what());
+    goBack();
+    return false;
+  }
+}
+
+// Settings, bindings, scene and the menu's steps as they were in the last frame that could be drawn.
+void WindowGame::goBack() {
+  const SettingsChange change = goBackTo(good_, *run_);
+  if (std::exchange(menuChangedIt_, false)) overlay_->menu().takeBack();
+  unproven_ = false;
+  if (!(controls_.input().bindings() == run_->bindings)) controls_.bindingsWereReplaced();
+  apply(change);
+}
+
+// On stderr once, and in the menu until it is repaired.
+void WindowGame::tell(std::string_view part, const std::string& line) {
+  if (faults_.set(part, line)) warn(line);
+}
+
+// The table is renewed by a clock of its own, at once when it is opened.
+void WindowGame::renewCosts() {
+  if (!overlay_->showsCosts()) {
+    nextCosts_ = {};
+    return;
+  }
+  const auto now = Clock::now();
+  if (now < nextCosts_) return;
+  nextCosts_ = now + kStatisticsPeriod;
+  shownStatistics_ = statistics(kShownFrames);
+}
+
+ui::MenuTools WindowGame::menuTools(const game::Snapshot& snapshot, Size size) {
+  if (!overlay_->menuOpen) return {};
+  return desk_.tools(run_->baseTable, sceneRenderer_->view(snapshot, size), times_.newest(kShownFrames));
+}
+
+void WindowGame::servePreset(const ui::PresetRequest& request) {
+  MenuController::Served served;
+  try {
+    served = desk_.serve(request, run_->table, overlay_->menu());
+  } catch (const std::exception& refusal) {
+    return tell(part::kPreset, refusal.what());
+  }
+  faults_.clear(part::kPreset);
+  if (!served.changedPaths.empty()) {
+    menuChangedIt_ = true;
+    if (!attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(served.changedPaths)); })) return;
+  }
+  notices_.add(served.notice);
+}
+
+void WindowGame::report() {
+  if (Clock::now() < nextStatistics_) return;
+  nextStatistics_ = Clock::now() + kStatisticsPeriod;
+  if (!stats_) return;
+  try {
+    writeStatistics(*stats_, statistics());
+    faults_.clear(part::kStatistics);
+  } catch (const core::ClosedPipe&) {
+    stats_.reset();  // nobody reads them any more
+  } catch (const std::exception& refusal) {
+    tell(part::kStatistics, refusal.what());
+  }
+}
+
+void WindowGame::applyMenuChanges(SettingsChange picked) {
+  tellOfRefusals(simulation_->takeBackFixed(picked));
+  if (!picked.empty()) carryOut(takeMenuChanges(*run_, picked));
+}
+
+// Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
+void WindowGame::registerDependents() {
+  dependencies_.add({"aircraft", "package", "game", "autopilot", "wind"},
+                    [this](const SettingsChange& change) { simulation_->apply(change); });
+  // Of every change, because the rows of the effect table say which settings they take.
+  showing_.add({""}, [this](const SettingsChange& change) { sceneRenderer_->apply(change); });
+  showing_.add({"view"}, [this](const SettingsChange&) {
+    window_.apply(run_->settings.view);
+    camera_.follow(*sceneRenderer_, isFrozen());
+  });
+  showing_.add({"audio"}, [this](const SettingsChange&) {
+    if (audio_) audio_->apply(run_->settings.audio);
+    if (sound_) sound_->apply(run_->settings.audio);
+  });
+}
+
+void WindowGame::carryOut(const SettingsChange& change) {
+  if (change.needs(core::TakesEffect::restart, run_->table)) {
+    buildScene();
+  } else {
+    unproven_ = true;
+  }
+  apply(change);
+}
+
+void WindowGame::apply(const SettingsChange& change) {
+  dependencies_.apply(change);
+  showing_.apply(change);
+}
+
+// Shaders, the scene and the player's settings take effect when they are written; what is broken is shown and
+// changes nothing.
+void WindowGame::watchFiles() {
+  if (Clock::now() < nextWatch_) return;
+  nextWatch_ = Clock::now() + kWatchPeriod;
+  for (const std::string& message : sceneRenderer_->takeMessages()) tell(part::kShaders, message);
+  if (const std::string_view standing = sceneRenderer_->standingError(); standing.empty()) {
+    faults_.clear(part::kShaders);
+  } else {
+    faults_.set(part::kShaders, std::string(standing));  // another one may have been repaired
+  }
+  if (sceneFile_.wasWritten()) attempt(part::kScene, [this] { reloadSceneFile(); });
+  if (playerFile_.wasWritten()) attempt(part::kPlayersFile, [this] { reloadPlayerFile(); });
+}
+
+void WindowGame::reloadSceneFile() {
+  if (run_->recorder) return tellOfRefusals({"The scene stays as it was while a flight is recorded"});
+  const SettingsChange change = reloadScene(*run_, line_);
+  buildScene();
+  apply(change);
+  notices_.add("The scene was reloaded");
+}
+
+void WindowGame::reloadPlayerFile() {
+  std::vector<std::string> refused;
+  const SettingsChange change = reloadPlayer(*run_, &refused);
+  tellOfRefusals(refused);
+  controls_.bindingsWereReplaced();
+  carryOut(change);
+  if (run_->warning) {
+    tell(part::kPlayersValues, *run_->warning);
+  } else {
+    faults_.clear(part::kPlayersValues);
+  }
+  notices_.add("The settings were reloaded");
+}
+
+// What the player should know now, and find again in the terminal.
+void WindowGame::announce(const std::string& line, const std::string& notice) {
+  warn(line);
+  notices_.add(notice, Notices::kNewsSeconds);
+}
+
+void WindowGame::tellOfRefusals(const std::vector<std::string>& reasons) {
+  for (const std::string& reason : reasons) announce(reason, reason);
+}
+
+// By the clock on the wall: where frames are slow, simulated seconds are long.
+void WindowGame::keepRecording() {
+  if (!run_->recorder || Clock::now() < nextFlush_) return;
+  nextFlush_ = Clock::now() + kFlushPeriod;
+  run_->recorder->flush();
+  if (const auto reason = run_->recorder->takeReason()) announce(*reason, "The recording has ended, the flight goes on");
+}
+
+void WindowGame::saveScreenshot() {
+  screenshotWanted_ = false;
+  try {
+    notices_.add("Saved " + screenshots_.save(sceneRenderer_->renderer().readBack()).string());
+    faults_.clear(part::kScreenshot);
+  } catch (const std::exception& refusal) {
+    tell(part::kScreenshot, refusal.what());
+    notices_.add(refusal.what());
+  }
+}
+
+core::FrameStatistics WindowGame::statistics(std::size_t frames) {
+  core::FrameStatistics statistics;
+  times_.writeTo(statistics);
+  simulation_->writeTo(statistics);
+  sceneRenderer_->writeTo(statistics, frames);
+  window_.writeTo(statistics);
+  core::WindowStatistics& window = statistics.window;
+  window.camera = render::cameraModeName(sceneRenderer_->camera().mode());
+  window.menuOpen = overlay_->menuOpen;
+  window.helpOpen = overlay_->helpOpen;
+  window.escapeOpen = overlay_->escapeOpen;
+  window.paused = isPaused();
+  window.frozen = isFrozen();
+  window.quality = kQualityNames[static_cast<std::size_t>(run_->quality)];
+  window.fault = faults_.shown();
+  window.loadedMs = loadedMs_;
+  window.programsLoaded = programsLoaded_;
+  window.screenshots = screenshots_.count();
+  window.costs = {static_cast<std::int64_t>(shownStatistics_.passes.size()), shownStatistics_.frames,
+                  shownStatistics_.gl.bytes};
+  return statistics;
+}
+
+// Every step is tried, whatever became of the flight and of the steps before it.
+void WindowGame::finish(std::exception_ptr failure) {
+  const auto step = [&](const std::function<void()>& keep) {
+    try {
+      keep();
+    } catch (...) {
+      if (failure) {
+        warn(reasonOf(std::current_exception()));
+      } else {
+        failure = std::current_exception();
+      }
+    }
+  };
+  step([&] {
+    if (simulation_) simulation_->endRecording();
+    if (!run_->recorder) return;
+    if (const auto reason = run_->recorder->takeReason()) warn(*reason);
+  });
+  step([&] { keepChoices(); });
+  step([&] {
+    if (!sceneRenderer_) return;
+    sceneRenderer_->renderer().finish();
+    if (stats_) writeStatistics(*stats_, statistics());
+  });
+  if (failure) std::rethrow_exception(failure);
+}
+
+// What cannot be written is reported once and waits for the next time; the game goes on.
+void WindowGame::keepChoices() {
+  if (!run_->userFolder) return;
+  bool kept = true;
+  const auto keep = [&](const auto& save) {
+    std::optional<std::string> line;
+    try {
+      line = save();
+    } catch (const std::exception& refusal) {
+      line = refusal.what();
+    }
+    if (!line) return;
+    kept = false;
+    tell(part::kChoices, *line);
+  };
+  keep([this] { return run_->userSettings.save(run_->playerTable, run_->bindings); });
+  playerFile_.forget();
+  keep([this] { return desk_.save(overlay_->menu()); });
+  keep([this] { return window_.remember(); });
+  if (kept) faults_.clear(part::kChoices);
+  good_.userSettings = run_->userSettings;
+}
+
+}  // namespace skydrop::app

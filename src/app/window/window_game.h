@@ -1,0 +1,149 @@
+// The game in its window: events in, steps of the simulation, frames out, until the player quits. Main
+// thread.
+#pragma once
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/input/event_feed.h"
+#include "app/input/glfw_joysticks.h"
+#include "app/input/imgui_input.h"
+#include "app/input/player_controls.h"
+#include "app/measure/frame_times.h"
+#include "app/session/player_camera.h"
+#include "app/session/preparations.h"
+#include "app/session/run_config.h"
+#include "app/session/scene_renderer.h"
+#include "app/types/command_line.h"
+#include "app/window/cursor_auto_hide.h"
+#include "app/window/faults.h"
+#include "app/window/file_watch.h"
+#include "app/window/game_window.h"
+#include "app/window/loading.h"
+#include "app/window/menu_controller.h"
+#include "app/window/notices.h"
+#include "app/window/overlay.h"
+#include "app/window/screenshots.h"
+#include "skydrop/audio/audio_manager.h"
+#include "skydrop/audio/sound_scene.h"
+#include "skydrop/core/fixed_step.h"
+#include "skydrop/core/output_file.h"
+
+namespace skydrop::app {
+
+class WindowGame {
+ public:
+  // Throws core::GraphicsUnavailable, core::DataError, core::UsageError.
+  explicit WindowGame(const CommandLine& line);
+  ~WindowGame();
+
+  // Returns when the window was closed, the player quit or a signal asked to end; then the statistics, the
+  // end of the recording and the player's settings are written. So they are before it throws what ended the
+  // flight early. The exit code: 1 where the recording is incomplete.
+  int run();
+
+ private:
+  void tellOfSoftware();
+  // What is made again for another scene or another land.
+  struct Flight {
+    std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<SceneRenderer> sceneRenderer;
+    std::unique_ptr<audio::SoundScene> sound;
+  };
+  Flight loadFlight(bool& lostFocus);
+  void buildScene();
+  void beginPreparations();
+  void handleEventsWhileLoading(bool& lostFocus);
+  bool ends();
+  void fly();
+  void handleEvents();
+  bool takeEvent(const render::gl::WindowEvent& event);
+  void handleAction(Action action);
+  void toggle(const std::string& path);
+  void showControls();
+  void advance(double seconds);
+  void drawFrame(double seconds);
+  void drawScene(const game::Snapshot& snapshot, Size size);
+  OverlayResult buildInterface(const game::Snapshot& snapshot, double seconds);
+  void serve(const OverlayResult& result);
+  // Carries a change out. What fails leaves the last good state and a line about this part of the program.
+  bool attempt(std::string_view part, const std::function<void()>& change);
+  void goBack();
+  void tell(std::string_view part, const std::string& line);
+  void applyMenuChanges(SettingsChange picked);
+  void registerDependents();
+  // A change that was taken over into the run: loads the flight again where the description asks for that.
+  void carryOut(const SettingsChange& change);
+  void apply(const SettingsChange& change);  // to all dependents
+  void watchFiles();
+  void reloadSceneFile();
+  void reloadPlayerFile();
+  void servePreset(const ui::PresetRequest& request);
+  ui::MenuTools menuTools(const game::Snapshot& snapshot, Size size);
+  void announce(const std::string& line, const std::string& notice);
+  void tellOfRefusals(const std::vector<std::string>& reasons);
+  void keepRecording();
+  void saveScreenshot();
+  void renewCosts();
+  void report();
+  void keepChoices();
+  game::Snapshot snapshotToDraw();
+  core::FrameStatistics statistics(std::size_t frames = render::Renderer::kKeptTimes);
+  // Everything that has to be kept; throws `failure`, or else the first that its steps met.
+  void finish(std::exception_ptr failure);
+
+  // A pause holds everything; a freeze holds simulated time, and the keys move the free camera.
+  bool isPaused() const { return paused_ || overlay_->escapeOpen; }
+  bool isFrozen() const { return run_->settings.view.freezeTime; }
+
+  CommandLine line_;
+  std::unique_ptr<RunConfig> run_;
+  SettingsDependencies dependencies_;      // of the simulation
+  SettingsDependencies showing_;           // of what is seen and heard
+  std::optional<core::OutputFile> stats_;  // --stats; opened before the window
+  GameWindow window_;
+  Preparations preparations_;  // of what the scene calls for; kept while scenes go on to call for it
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<Overlay> overlay_;  // before the sceneRenderer, whose pass draws its fonts
+  std::unique_ptr<SceneRenderer> sceneRenderer_;
+  std::unique_ptr<audio::AudioManager> audio_;  // with sound only
+  std::unique_ptr<audio::SoundScene> sound_;
+  std::unique_ptr<Clipboard> clipboard_;
+  std::optional<ImGuiInput> imguiInput_;  // for the overlay's context
+  std::optional<EventFeed> feed_;         // for imguiInput_
+  GlfwJoysticks joysticks_;
+  PlayerControls controls_;
+  PlayerCamera camera_;
+  MenuController desk_;
+  CursorAutoHide pointer_;
+  bool pointerMoved_ = false;
+  core::FixedStep clock_;
+
+  bool paused_ = false;
+  bool screenshotWanted_ = false;
+  bool replayEnded_ = false;
+  bool menuWasOpen_ = false;
+  bool choicesWait_ = false;  // to be kept, once the files were looked at
+  Screenshots screenshots_;
+  Faults faults_;               // the latest is shown in the menu
+  Choices good_;                // that a frame was drawn with
+  bool unproven_ = false;       // what is in force since no frame has been drawn with yet
+  bool menuChangedIt_ = false;  // and the menu remembers a step of it
+  Notices notices_;
+  std::vector<game::GameEvent> events_;  // of the steps since the last frame
+  FrameTimes times_;
+  core::FrameStatistics shownStatistics_;  // what the menu shows of costs
+  std::chrono::steady_clock::time_point nextWatch_, nextStatistics_, nextCosts_, nextFlush_;
+  std::chrono::steady_clock::time_point lastFrame_;
+  double loadedMs_ = 0;
+  std::int64_t programsLoaded_ = 0;
+  FileWatch sceneFile_, playerFile_;
+};
+
+}  // namespace skydrop::app

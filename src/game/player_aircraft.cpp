@@ -1,0 +1,194 @@
+#include "game/player_aircraft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "game/state_digest.h"
+#include "game/steps.h"
+#include "skydrop/core/deterministic_math.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/guards.h"
+#include "skydrop/flight/rotation.h"
+
+namespace skydrop::game {
+namespace {
+
+namespace dmath = core::dmath;
+using core::FixedStep;
+
+// Safe places are noted twice a second.
+constexpr std::uint64_t kSafePlaceSteps = 60;
+// A safe place is flown through upright and with speed: sines of bank and pitch, share of the cruise speed.
+constexpr double kSafeSineBank = 0.87, kSafeSinePitch = 0.5, kSafeSpeedShare = 0.6;
+// The respawn clears the ground of this many seconds of flight ahead, asked every 20 m.
+constexpr double kRespawnAheadSeconds = 8, kRespawnAheadMetres = 20;
+// The shaking that announces a stall, of that in it.
+constexpr double kBuffetBeforeStall = 0.3;
+// The propeller turns from 8 to 40 times a second between idle and full.
+constexpr double kIdleTurnsPerS = 8, kThrottleTurnsPerS = 32;
+
+}  // namespace
+
+PlayerAircraft::PlayerAircraft(const WorldSetup& setup, EventLog& eventLog)
+    : setup_(&setup), eventLog_(&eventLog), airplane_(setup.airplane, {}) {
+  place(setup.start, 0);
+}
+
+void PlayerAircraft::place(const StartPose& pose, std::uint64_t step) {
+  for (const double value : {pose.headingDeg, pose.pitchDeg, pose.bankDeg, pose.speed}) {
+    if (!std::isfinite(value)) throw core::RangeError("world: the start pose is not finite");
+  }
+  if (!core::isFinite(pose.position)) throw core::RangeError("world: the start position is not finite");
+  glm::dvec3 position = pose.position;
+  const double surface = surfaceAt(*setup_->ground, {position.x, position.z}).height;
+  if (pose.aboveGround) position.y += surface;
+  if (position.y - surface <= setup_->game.contactHeight) {  // a pose inside the ground
+    position.y = surface + std::max(setup_->game.safeHeight, setup_->game.contactHeight + 1);
+    core::countGuard(core::Guard::respawnRaised);
+  }
+  put(position, pose.headingDeg * dmath::kRadPerDeg, pose.pitchDeg * dmath::kRadPerDeg,
+      pose.bankDeg * dmath::kRadPerDeg, pose.speed, step);
+}
+
+void PlayerAircraft::put(const glm::dvec3& position, double headingRad, double pitchRad, double bankRad,
+                        double speed, std::uint64_t step) {
+  flight::BodyState state;
+  state.position = position;
+  state.orientation = flight::orientationOf({headingRad, pitchRad, bankRad});
+  state.velocity = setup_->wind + state.orientation * glm::dvec3(0, 0, -speed);
+  airplane_.place(state);
+  trail_.place(state.orientation);
+  clearance_ = clearanceAt(*setup_->ground, position);
+  crashed_ = false;
+  stepsToRespawn_ = 0;
+  ++spawnCount_;
+  safePlaces_.startFrom({step, position, headingRad});
+}
+
+void PlayerAircraft::respawn(std::uint64_t step) {
+  SafePlace place = safePlaces_.newestBefore(
+      step, stepsOf(setup_->game.respawnBackSeconds) + stepsOf(setup_->game.crashSeconds));
+  const double speed = setup_->airplane.cruiseSpeed;
+  const glm::dvec2 ahead{dmath::sin(place.headingRad), -dmath::cos(place.headingRad)};
+  double needed = -1e300;
+  for (double way = 0; way <= speed * kRespawnAheadSeconds; way += kRespawnAheadMetres) {
+    const glm::dvec2 at = glm::dvec2(place.position.x, place.position.z) + ahead * way;
+    needed = std::max(needed, surfaceAt(*setup_->ground, at).height + setup_->game.safeHeight);
+  }
+  if (place.position.y < needed) {
+    place.position.y = needed;
+    core::countGuard(core::Guard::respawnRaised);
+  }
+  put(place.position, place.headingRad, 0, 0, speed, step);
+  eventLog_->report(GameEventKind::respawned, place.position);
+}
+
+void PlayerAircraft::advance(const Controls& controls, std::uint64_t step) {
+  lastControls_ = std::exchange(controls_, controls);
+  if (controls_.reset && !lastControls_.reset) {
+    place(setup_->start, step);
+    eventLog_->report(GameEventKind::reset, body().position);
+  } else if (crashed_) {
+    trail_.follow(body().orientation);
+    if (--stepsToRespawn_ == 0) respawn(step);
+  } else {
+    fly(step);
+  }
+}
+
+void PlayerAircraft::fly(std::uint64_t step) {
+  const glm::dvec3 from = body().position;
+  airplane_.step({.thrust = controls_.thrust,
+                  .brake = controls_.brake,
+                  .pitch = controls_.pitch,
+                  .roll = controls_.roll,
+                  .yaw = controls_.yaw},
+                 setup_->wind, FixedStep::kStepSeconds);
+  propellerAngleRad_ +=
+      dmath::kTwoPi * (kIdleTurnsPerS + kThrottleTurnsPerS * airplane_.throttle()) * FixedStep::kStepSeconds;
+  if (propellerAngleRad_ >= dmath::kTwoPi) propellerAngleRad_ -= dmath::kTwoPi;
+
+  trail_.follow(body().orientation);
+
+  const glm::dvec3 to = body().position;
+  const double clearanceBefore = std::exchange(clearance_, clearanceAt(*setup_->ground, to));
+  if (const auto contact =
+          sweepContact(*setup_->ground, from, to, setup_->game.contactHeight, clearanceBefore, clearance_)) {
+    crash(*contact);
+  } else if (step % kSafePlaceSteps == 0) {
+    noteSafePlace(step);
+  }
+}
+
+void PlayerAircraft::noteSafePlace(std::uint64_t step) {
+  const flight::BodyState& s = body();
+  const glm::dvec3 forward = s.orientation * glm::dvec3(0, 0, -1),
+                   right = s.orientation * glm::dvec3(1, 0, 0);
+  const glm::dvec3 up = s.orientation * glm::dvec3(0, 1, 0);
+  const bool upright = up.y > 0 && std::abs(right.y) < kSafeSineBank && std::abs(forward.y) < kSafeSinePitch;
+  const bool fast = glm::length(s.velocity - setup_->wind) > kSafeSpeedShare * setup_->airplane.cruiseSpeed;
+  if (!upright || !fast || clearance_ < setup_->game.safeHeight) return;
+  safePlaces_.note({step, s.position, flight::attitudeOf(s.orientation).headingRad});
+}
+
+void PlayerAircraft::crash(const Contact& contact) {
+  flight::BodyState rest = body();
+  rest.position = contact.position;
+  rest.velocity = rest.angularVelocity = glm::dvec3(0);
+  airplane_.place(rest);
+  clearance_ = clearanceAt(*setup_->ground, contact.position);
+  crashed_ = true;
+  stepsToRespawn_ = std::max<std::uint64_t>(stepsOf(setup_->game.crashSeconds), 1);
+  eventLog_->say(contact.water ? "Ditched in the sea" : "Crashed into the ground",
+                setup_->game.messageSeconds);
+  eventLog_->report(GameEventKind::crashed, contact.position, 0, 0, contact.water);
+}
+
+AircraftSnapshot PlayerAircraft::snapshot() const {
+  AircraftSnapshot a;
+  const flight::BodyState& s = body();
+  const flight::Airflow flow =
+      flight::airflowOf(airplane_.settings(), airplane_.separation(), setup_->wind, s);
+  const flight::Attitude attitude = flight::attitudeOf(s.orientation);
+  a.present = true;
+  a.position = s.position;
+  a.orientation = s.orientation;
+  a.velocity = s.velocity;
+  a.angularVelocityBody = s.angularVelocity;
+  a.airspeedMps = crashed_ ? 0 : flow.airspeed;
+  a.throttle = crashed_ ? 0 : airplane_.throttle();
+  a.controls = controls_;
+  a.propellerAngleRad = propellerAngleRad_;
+  a.headingRad = attitude.headingRad;
+  a.pitchRad = attitude.pitchRad;
+  a.bankRad = attitude.bankRad;
+  a.trailingOrientation = trail_.orientation();
+  a.angleOfAttackRad = flow.angleOfAttack;
+  a.sideslipRad = flow.sideslip;
+  a.loadFactor = flow.loadFactor;
+  a.heightAboveGround = clearance_;
+  a.groundHeight = s.position.y - clearance_;
+  if (!crashed_) {
+    const double warning = airplane_.settings().stallWarning;
+    a.stalled = airplane_.separation() >= flight::kStalledSeparation;
+    a.stallWarning = a.stalled || flow.stallShare >= warning;
+    const double near = std::clamp((flow.stallShare - warning) / (1 - warning + 1e-9), 0.0, 1.0);
+    a.buffet = std::max(kBuffetBeforeStall * near, airplane_.separation());
+  }
+  a.crashed = crashed_;
+  a.secondsToRespawn = secondsOf(stepsToRespawn_);
+  a.spawnCount = spawnCount_;
+  return a;
+}
+
+void PlayerAircraft::addTo(core::StateHasher& h) const {
+  game::addTo(h, body());
+  h.add(airplane_.throttle()), h.add(airplane_.separation()), h.add(clearance_), h.add(propellerAngleRad_);
+  h.add(std::uint64_t{controls_.drop}), h.add(std::uint64_t{controls_.reset});
+  h.add(std::uint64_t{crashed_}), h.add(stepsToRespawn_), h.add(std::uint64_t{spawnCount_});
+  safePlaces_.addTo(h);
+}
+
+}  // namespace skydrop::game

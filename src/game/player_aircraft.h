@@ -1,0 +1,61 @@
+// The aircraft as the game flies it: controls in, contact with the ground, crash, respawn and reset.
+#pragma once
+
+#include <cstdint>
+
+#include "game/event_log.h"
+#include "game/safe_places.h"
+#include "game/trailing_attitude.h"
+#include "skydrop/flight/airplane.h"
+#include "skydrop/game/contact.h"
+#include "skydrop/game/controls.h"
+#include "skydrop/game/snapshot.h"
+#include "skydrop/game/world.h"
+
+namespace skydrop::game {
+
+class PlayerAircraft {
+ public:
+  // Keeps both, which must outlive it; the settings may change between steps. Starts at setup.start. Throws
+  // core::RangeError when settings or pose are unusable.
+  PlayerAircraft(const WorldSetup& setup, EventLog& eventLog);
+
+  // One step, number `step`: reset, waiting after a crash, or flight.
+  void advance(const Controls& controls, std::uint64_t step);
+
+  // Again at a pose, at cruise throttle; a pose inside the ground is raised. Throws core::RangeError, and
+  // changes nothing, unless finite.
+  void place(const StartPose& pose, std::uint64_t step);
+  void apply(const flight::AirplaneSettings& settings) { airplane_.apply(settings); }
+
+  const flight::BodyState& body() const { return airplane_.body().state(); }
+  bool crashed() const { return crashed_; }
+  // Whether this step pressed the key that the last one did not.
+  bool dropPressed() const { return controls_.drop && !lastControls_.drop; }
+  std::uint32_t spawnCount() const { return spawnCount_; }
+
+  AircraftSnapshot snapshot() const;
+  void addTo(core::StateHasher& hash) const;
+
+ private:
+  void put(const glm::dvec3& position, double headingRad, double pitchRad, double bankRad, double speed,
+           std::uint64_t step);
+  void respawn(std::uint64_t step);
+  void fly(std::uint64_t step);
+  void noteSafePlace(std::uint64_t step);
+  void crash(const Contact& contact);
+
+  const WorldSetup* setup_;
+  EventLog* eventLog_;
+  flight::Airplane airplane_;
+  Controls controls_, lastControls_;
+  double clearance_ = 0;  // of its middle above the surface, m
+  double propellerAngleRad_ = 0;
+  bool crashed_ = false;
+  std::uint64_t stepsToRespawn_ = 0;
+  std::uint32_t spawnCount_ = 0;
+  SafePlaces safePlaces_;
+  TrailingAttitude trail_;  // derived, for the view
+};
+
+}  // namespace skydrop::game

@@ -1,0 +1,38 @@
+// The textures of the cloud fields: the packed noise that all layers are made of, and the occupancy of each.
+// Context's thread.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "skydrop/clouds/cloud_field.h"
+#include "skydrop/render/gl/texture.h"
+
+namespace skydrop::render {
+
+class CloudTextures {
+ public:
+  CloudTextures(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
+                const clouds::CloudSettings& settings);
+
+  // Works the occupancy of a layer out again.
+  void rebuild(const clouds::CloudSettings& settings, std::size_t layer);
+
+  bool isEmpty(std::size_t layer) const { return layers_[layer].isEmpty; }
+  double meanDetail() const { return meanDetail_; }
+
+  void bind(std::size_t layer) const;  // units 0 to 3, as in shaders/clouds
+
+ private:
+  struct Layer {
+    bool isEmpty = true;
+    gl::Texture distances;
+  };
+
+  std::shared_ptr<const clouds::PackedCloudNoise> noise_;
+  double meanDetail_ = 0;
+  gl::Texture base_, detail_, weather_;
+  std::array<Layer, clouds::kCloudLayers> layers_;
+};
+
+}  // namespace skydrop::render

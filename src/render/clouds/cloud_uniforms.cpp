@@ -1,0 +1,56 @@
+#include "render/clouds/cloud_uniforms.h"
+
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "skydrop/clouds/occupancy.h"
+#include "skydrop/clouds/raised_sun.h"
+
+namespace skydrop::render {
+namespace {
+
+glm::vec4 packed(const glm::dvec3& xyz, double w) { return glm::vec4(glm::vec3(xyz), static_cast<float>(w)); }
+
+// In periods, [0, 1): wrapped in double before anything is rounded.
+glm::vec4 inPeriods(const glm::dvec3& place, double period) {
+  const glm::dvec3 periods = place / period;
+  return packed(periods - glm::floor(periods), 1 / period);
+}
+
+}  // namespace
+
+CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& s, double fadeDistance, const glm::dvec3& place,
+                            double meanDetail) {
+  const double weatherPeriod = clouds::weatherPeriod(s, fadeDistance);
+  CloudUniforms u{};
+  u.shapePlace = inPeriods(place, clouds::shapePeriod(s));
+  u.detailPlace = inPeriods(place, clouds::detailPeriod(s));
+  u.weatherPlace = inPeriods(place, weatherPeriod);
+  u.layer = glm::vec4(s.cloudHeight - place.y, s.thickness, fadeDistance, s.extinction);
+  u.medium = glm::vec4(s.densityThreshold, s.coverage, s.typeShift, s.erosion);
+  u.scattering = glm::vec4(s.anisotropy, s.forwardShare, meanDetail, 0);
+  const double cellsAPeriod = clouds::Occupancy::kSide;
+  u.cells = glm::vec4(u.weatherPlace.x * clouds::Occupancy::kSide, cellsAPeriod / weatherPeriod,
+                      u.weatherPlace.z * clouds::Occupancy::kSide, clouds::Occupancy::kRows / s.thickness);
+  return u;
+}
+
+void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const clouds::MarchSettings& march,
+              const SkyLight& light) {
+  u.toSun = packed(clouds::raisedSun(light.toSun), march.sunMarchDistanceM);
+  const double middle = layer.cloudHeight + 0.5 * layer.thickness;
+  u.sunLight = packed(sky::sunIlluminance(light, middle) * light.exposure, 0);
+  u.skyLight = packed(light.sky * light.exposure, 0);
+  u.groundLight = packed(light.ground * light.exposure, 0);
+}
+
+void addMarch(CloudUniforms& u, const clouds::MarchSettings& march, const View& view, int tilePixels) {
+  u.march = glm::vec4(march.stepM, march.emptyStepMultiplier, march.maxSegmentOpticalDepth, march.transmittanceCutoff);
+  // Where steps begin to grow: an even number of them, so that longer steps begin at multiples of themselves.
+  const double growthBegins = march.stepM * 2 * std::round(0.5 / march.stepGrowth);
+  // Of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.
+  const double halfDiagonal = 1.02 * std::sqrt(0.5) * tilePixels * view.pixelAngleRad();
+  u.sight = glm::vec4(growthBegins, halfDiagonal, march.tolerance, 0);
+}
+
+}  // namespace skydrop::render

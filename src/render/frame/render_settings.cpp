@@ -1,0 +1,107 @@
+#include "skydrop/render/frame/render_settings.h"
+
+#include <array>
+#include <string_view>
+
+namespace skydrop::render {
+
+void describe(core::SettingsVisitor& visitor, CameraSettings& s) {
+  const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
+                          std::string_view help, std::string_view aliases) {
+    visitor.number(name, value, {.unit = unit, .min = min, .max = max, .help = help, .aliases = aliases});
+  };
+  number("fovDegrees", s.fovDegrees, "deg", 20, 120, "Vertical field of view; more shows more, smaller.",
+         "FOV, zoom, angle of view");
+  number("nearM", s.nearM, "m", 0.02, 5,
+         "Near plane: of aircraft, packages and land, what is nearer to the eye is cut away.",
+         "near clip, clipping plane");
+  number("chaseDistance", s.chaseDistance, "m", 4, 60, "How far behind the aircraft the chase camera flies.",
+         "third person, follow camera");
+  number("chaseHeight", s.chaseHeight, "m", 0, 20, "How far above the aircraft the chase camera flies.",
+         "third person, follow camera");
+  number("chaseSoftness", s.chaseSoftness, "1", 0, 1,
+         "How far the chase camera hangs back in turns; 0 is bolted to the aircraft.",
+         "camera lag, smoothing, third person");
+  number("groundClearance", s.groundClearance, "m", 0.5, 50,
+         "The chase camera stays this far above land and sea.", "camera collision, third person");
+  number("buffetDegrees", s.buffetDegrees, "deg", 0, 2,
+         "How much a stall, and less what announces it, shakes the picture of chase camera and cockpit; 0 "
+         "keeps it still.",
+         "camera shake");
+  number("cockpitForward", s.cockpitForward, "m", -2, 5,
+         "In the cockpit: the pilot's eye ahead of the aircraft's centre.", "first person, eye position");
+  number("cockpitHeight", s.cockpitHeight, "m", -1, 3,
+         "In the cockpit: the pilot's eye above the aircraft's centre.", "first person, eye position");
+}
+
+void describe(core::SettingsVisitor& visitor, SunSettings& s) {
+  visitor.number(
+      "elevationDegrees", s.elevationDegrees,
+      {.unit = "deg",
+       .min = -30,
+       .max = 90,
+       .help = "Height of the sun above the horizon; below 0 it has set, and from -15 on it is night.",
+       .slider = core::Range{-15, 90},
+       .aliases = "altitude, height, time of day, night"});
+  visitor.number("azimuthDegrees", s.azimuthDegrees,
+                 {.unit = "deg",
+                  .min = 0,
+                  .max = 360,
+                  .help = "Compass direction of the sun: 90 is east, 180 south.",
+                  .aliases = "heading, direction, bearing, time of day"});
+}
+
+void describe(core::SettingsVisitor& visitor, AtmosphereSettings& s) {
+  visitor.number("visibilityM", s.visibilityM,
+                 {.unit = "m",
+                  .min = 1000,
+                  .max = 250000,
+                  .help = "Distance at sea level at which a dark hill is just seen against the sky; less is "
+                          "hazier.",
+                  .logarithmic = true,
+                  .aliases = "fog, haze, turbidity, view distance"});
+  visitor.number("hazeHeightM", s.hazeHeightM,
+                 {.unit = "m",
+                  .min = 100,
+                  .max = 4000,
+                  .help = "Height over which the haze thins to 37 %; more reaches higher.",
+                  .aliases = "fog, aerosol, scale height"});
+  visitor.number("hazeAnisotropy", s.hazeAnisotropy,
+                 {.unit = "1",
+                  .min = 0,
+                  .max = 0.95,
+                  .help = "How strongly haze scatters forward; more makes a brighter glow around the sun.",
+                  .aliases = "g, Mie, fog, phase function"});
+}
+
+void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
+  visitor.group("camera", s.camera, "Where the frame is seen from.");
+  visitor.group("sun", s.sun, "Where the sun stands.");
+  visitor.group("atmosphere", s.atmosphere, "Air and haze between the eye and the land.");
+  visitor.enterGroup("picture", "From light to the screen.");
+  visitor.number("exposureStops", s.exposureStops,
+                 {.unit = "EV",
+                  .min = -6,
+                  .max = 6,
+                  .help = "Brightness on top of the automatic exposure; each step doubles it.",
+                  .aliases = "brightness, gamma, exposure compensation"});
+  visitor.flag("smoothModels", s.smoothModels,
+               {.help = "Draws the edges of aircraft and packages with four samples a pixel; off, they are "
+                        "jagged.",
+                .aliases = "AA, antialiasing, MSAA, multisampling"});
+  visitor.leaveGroup();
+  visitor.enterGroup("land", "The land's surface, and ways to look at its mesh.");
+  static constexpr std::array<std::string_view, 2> kDetails = {"plain", "rich"};
+  visitor.choice("detail", s.landDetail, kDetails,
+                 {.help = "Rich land has single trees, layers of rock and rough ground, and takes half again "
+                          "the time of plain.",
+                  .takesEffect = core::TakesEffect::variant,
+                  .aliases = "quality, material, texture, trees"});
+  visitor.flag("wireframe", s.wireframe, {.help = "Draws the land as lines.", .aliases = "mesh, polygons"});
+  visitor.flag(
+      "terrainNormals", s.terrainNormals,
+      {.help = "Draws a stroke along the normal of each vertex of the land.", .aliases = "normals, debug"});
+  visitor.leaveGroup();
+}
+
+}  // namespace skydrop::render

@@ -1,0 +1,226 @@
+#include "skydrop/render/frame/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "skydrop/core/error.h"
+#include "skydrop/core/quantile.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr gl::FrameBufferFormat kSceneFormat{GL_RGBA16F, GL_DEPTH_COMPONENT32F};
+constexpr gl::FrameBufferFormat kOutputFormat{GL_RGBA8, 0};
+
+// Of the newest `count`.
+double median(const std::vector<double>& all, std::size_t count) {
+  return core::quantileOf(std::span(all).last(std::min(count, all.size())), 0.5);
+}
+
+}  // namespace
+
+Renderer::Renderer(gl::Context& context, const RenderSettings& settings, bool measuring)
+    : context_(context),
+      settings_(settings),
+      shaders_(context),
+      timer_(context, measuring),
+      uniforms_(context, sizeof(FrameUniforms), gl::Buffer::Use::write, "frame uniforms") {}
+
+Renderer::~Renderer() = default;
+
+void Renderer::add(std::unique_ptr<Pass> pass) {
+  const auto after = std::upper_bound(passes_.begin(), passes_.end(), pass->stage(),
+                                      [](RenderStage stage, const auto& other) { return stage < other->stage(); });
+  passes_.insert(after, std::move(pass));
+}
+
+void Renderer::setLayer(std::unique_ptr<StageLayer> layer) {
+  assert(!layer || layer->stage() <= RenderStage::models);
+  layer_ = std::move(layer);
+}
+
+void Renderer::resize(int width, int height) {
+  if (scene_ && scene_.width() == width && scene_.height() == height) return;
+  if (!scene_) {
+    scene_ = gl::FrameBuffer(context_, width, height, kSceneFormat, "scene");
+    output_ = gl::FrameBuffer(context_, width, height, kOutputFormat, "output");
+    output_.setClearColor(0, 0, 0, 1);
+  } else {
+    scene_.resize(width, height);
+    output_.resize(width, height);
+  }
+  sceneColorOnly_ = {};  // made where a pass needs it
+}
+
+void Renderer::bindTarget(RenderStage stage) {
+  const bool readsDepth = stage >= RenderStage::clouds && stage <= RenderStage::weatherEffects;
+  if (readsDepth && !sceneColorOnly_) {
+    sceneColorOnly_ = gl::FrameBuffer(context_, &scene_.colorTexture(), nullptr, "scene colour");
+  }
+  gl::FrameBuffer& target = readsDepth ? sceneColorOnly_ : stage <= RenderStage::models ? scene_ : output_;
+  target.bind(gl::FrameBuffer::Clear::no);
+}
+
+bool Renderer::beginLayer(const FrameInput& input) {
+  PixelBox all;
+  for (const std::unique_ptr<Pass>& pass : passes_) {
+    if (pass->stage() == layer_->stage() && !pass->skipReason(input)) all = unite(all, pass->extent(input));
+  }
+  if (const std::optional<std::string> reason = layer_->skipReason(settings_, all)) {
+    skipped_.insert_or_assign(std::string(layer_->name()), *reason);
+    return false;
+  }
+  layer_->begin(context_, input.view, all);
+  return true;
+}
+
+void Renderer::composeLayer(std::exception_ptr& failure) {
+  skipped_.erase(std::string(layer_->name()));
+  bindTarget(layer_->stage());
+  context_.setDefaultState();
+  tried(layer_->name(), failure, [&] { layer_->compose(context_, shaders_); });
+}
+
+void Renderer::draw(const FrameInput& asked) {
+  requireValid(asked.view);
+  context_.makeCurrent();
+  resize(asked.view.width, asked.view.height);
+  const SkyLight light = skyLight(settings_, asked.view.position.y);
+  FrameInput input = asked;
+  input.toSun = light.toSun;
+  const FrameUniforms uniforms = frameUniforms(input.view, light, input.simulatedSeconds);
+  const std::vector<std::string> defines = definesOf(input.features);
+
+  gl::GpuResourceTracker& resources = context_.resources();
+  resources.clearPasses();
+  timer_.beginFrame();
+  noteTimes();
+  uniforms_.writeValue(0, uniforms);
+  uniforms_.bindBase(GL_UNIFORM_BUFFER, kFrameUniformsBinding);
+  scene_.clear();
+  output_.clear();
+  FrameResources made;
+  FrameContext frame{context_,
+                     shaders_,
+                     input,
+                     light,
+                     uniforms,
+                     settings_,
+                     defines,
+                     made,
+                     scene_.colorTexture(),
+                     scene_.depthTexture()};
+  skipped_.clear();
+  if (layer_) skipped_.emplace(layer_->name(), layer_->skipReason(settings_, {}).value_or(""));
+  bool layered = false;  // the layer is the target
+  std::exception_ptr failure;
+  for (const std::unique_ptr<Pass>& pass : passes_) {
+    if (const std::optional<std::string> reason = pass->skipReason(input)) {
+      skipped_.emplace(pass->name(), *reason);
+      continue;
+    }
+    if (layered && pass->stage() > layer_->stage()) {
+      composeLayer(failure);
+      layered = false;
+    }
+    if (!layered && layer_ && pass->stage() == layer_->stage()) layered = beginLayer(input);
+    if (!layered) bindTarget(pass->stage());
+    context_.setDefaultState();
+    tried(pass->name(), failure, [&] { pass->draw(frame); });
+  }
+  if (layered) composeLayer(failure);
+  if (failure) std::rethrow_exception(failure);
+}
+
+void Renderer::tried(std::string_view name, std::exception_ptr& failure, const std::function<void()>& draw) {
+  try {
+    measured(name, draw);
+  } catch (const core::DataError& error) {
+    skipped_.insert_or_assign(std::string(name), error.what());
+    if (!failure) failure = std::current_exception();
+  }
+}
+
+void Renderer::measured(std::string_view name, const std::function<void()>& draw) {
+  context_.resources().beginPass(name);
+  timer_.begin(name);
+  try {
+    draw();
+  } catch (...) {
+    timer_.end();
+    context_.resources().endPass();
+    throw;
+  }
+  timer_.end();
+  context_.resources().endPass();
+}
+
+void Renderer::noteTimes() {
+  for (const auto& [pass, ms] : timer_.takeMilliseconds()) {
+    std::vector<double>& times = times_[pass];
+    if (times.size() >= kKeptTimes) times.erase(times.begin());
+    times.push_back(ms);
+  }
+}
+
+core::Image Renderer::readBack() {
+  if (!output_) return core::Image(1, 1);
+  core::Image image(output_.width(), output_.height());
+  std::vector<std::uint8_t> bottomUp(image.rgba.size());
+  output_.colorTexture().read(GL_RGBA, GL_UNSIGNED_BYTE, std::as_writable_bytes(std::span(bottomUp)));
+  const std::size_t row = static_cast<std::size_t>(image.width) * 4;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    const auto from = bottomUp.begin() +
+                      static_cast<std::ptrdiff_t>((static_cast<std::size_t>(image.height) - 1 - y) * row);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(row),
+              image.rgba.begin() + static_cast<std::ptrdiff_t>(y * row));
+  }
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
+
+void Renderer::present(int width, int height) {
+  if (output_) output_.drawToScreen(width, height);
+}
+
+void Renderer::finish() {
+  context_.api().Finish();
+  timer_.finish();
+  noteTimes();
+}
+
+void Renderer::clearTimes() {
+  finish();
+  times_.clear();
+}
+
+void Renderer::fillStatistics(core::FrameStatistics& statistics, std::size_t frames) {
+  const gl::GpuResourceTracker& resources = context_.resources();
+  statistics.clock = timer_.clockName();
+  statistics.renderer = context_.renderer();
+  statistics.passes.clear();
+  const auto addRow = [&](const std::string& name) {
+    core::PassStatistics row;
+    if (const auto times = times_.find(name); times != times_.end()) row.ms = median(times->second, frames);
+    if (const auto counts = resources.passes().find(name); counts != resources.passes().end()) {
+      row.draws = static_cast<std::int64_t>(counts->second.draws);
+      row.dispatches = static_cast<std::int64_t>(counts->second.dispatches);
+    }
+    if (const auto reason = skipped_.find(name); reason != skipped_.end()) row.skipped = reason->second;
+    statistics.passes.emplace_back(name, row);
+  };
+  bool hasLayered = false;
+  for (const std::unique_ptr<Pass>& pass : passes_) {
+    addRow(std::string(pass->name()));
+    hasLayered = hasLayered || (layer_ && pass->stage() == layer_->stage());
+  }
+  if (hasLayered) addRow(std::string(layer_->name()));
+  statistics.gl.textures = resources.live(gl::ObjectKind::texture);
+  statistics.gl.buffers = resources.live(gl::ObjectKind::buffer);
+  statistics.gl.programs = resources.live(gl::ObjectKind::program);
+  statistics.gl.framebuffers = resources.live(gl::ObjectKind::frameBuffer);
+  statistics.gl.errors = static_cast<std::int64_t>(context_.debugErrors());
+  statistics.gl.bytes = static_cast<std::int64_t>(resources.bytes());
+}
+
+}  // namespace skydrop::render

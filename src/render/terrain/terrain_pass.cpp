@@ -1,0 +1,228 @@
+#include "skydrop/render/terrain/terrain_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "skydrop/render/clouds/cloud_shadow_map.h"
+#include "skydrop/render/shadows/cast_shadows.h"
+#include "skydrop/terrain/chunk_grid.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr GLuint kHeightsUnit = 0, kNormalsUnit = 1, kTableUnit = 2, kDepthUnit = 3;  // as in shaders/terrain
+constexpr GLuint kSunShareUnit = 4;
+constexpr GLsizei kSeaVertices = 12;  // four triangles (shaders/terrain/sea.glsl)
+constexpr int kPatchSide = terrain::kPatchCells + 1;
+constexpr GLsizei kPatchIndices = 3 * terrain::kTrianglesPerPatch;
+
+// Rows of cells from north to south, each cut from its north-east to its south-west corner; then each vertex
+// once, for drawing points.
+std::vector<std::uint16_t> patchIndices() {
+  std::vector<std::uint16_t> indices;
+  for (int z = 0; z < terrain::kPatchCells; ++z) {
+    for (int x = 0; x < terrain::kPatchCells; ++x) {
+      const int nw = z * kPatchSide + x, ne = nw + 1, sw = nw + kPatchSide, se = sw + 1;
+      for (const int i : {nw, sw, ne, ne, sw, se}) indices.push_back(static_cast<std::uint16_t>(i));
+    }
+  }
+  for (int i = 0; i < kPatchSide * kPatchSide; ++i) indices.push_back(static_cast<std::uint16_t>(i));
+  return indices;
+}
+
+template <std::size_t N>
+std::array<float, N> inFloat(const std::array<double, N>& values) {
+  std::array<float, N> result{};
+  std::transform(values.begin(), values.end(), result.begin(),
+                 [](double v) { return static_cast<float>(v); });
+  return result;
+}
+
+// The variant of the land's shaders.
+std::vector<std::string> landDefines(const FrameContext& context) {
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  if (context.settings.landDetail == LandDetail::rich) defines.emplace_back("RICH_LAND");
+  return defines;
+}
+
+// Low 20 bits of a chunk index, signed: enough for the table and for the noise's lattice, which then goes on
+// across the origin and has its seams 5e8 m out.
+int lowBits(std::int64_t index) { return (static_cast<int>(index & 0xfffff) ^ 0x80000) - 0x80000; }
+
+}  // namespace
+
+terrain::ViewVolume viewVolume(const View& view) {
+  return terrain::makeViewVolume(view.position, view.worldToView, view.fovYRad, view.width, view.height);
+}
+
+TerrainPass::TerrainPass(gl::Context& context)
+    : context_(context),
+      indices_(
+          gl::Buffer::of<std::uint16_t>(context, patchIndices(), gl::Buffer::Use::fixed, "patch indices")),
+      patches_(context, "patches"),
+      triangle_(context),
+      seaPlane_(context, "sea") {
+  patches_.setIndexBuffer(indices_);
+}
+
+void TerrainPass::take(const terrain::TerrainFrame& frame) {
+  if (textures_.layers() != frame.layerCount) textures_ = ChunkTextures(context_, frame.layerCount);
+  for (const terrain::ChunkUpload& upload : frame.uploads) textures_.upload(upload);
+  textures_.setResident(frame.chunks);
+
+  std::vector<Instance> instances;
+  instances.reserve(frame.patches.size());
+  for (const terrain::PatchDraw& p : frame.patches) {
+    const int edges = p.coarser[0] | p.coarser[1] << 4 | p.coarser[2] << 8 | p.coarser[3] << 12;
+    instances.push_back({{p.x, p.z, p.layer, p.level}, {p.sampleX, p.sampleZ, p.chunkLevel, edges}});
+  }
+  const std::size_t bytes = instances.size() * sizeof(Instance);
+  if (bytes > instances_.size()) {
+    instances_ = gl::Buffer(context_, std::max<std::size_t>(2 * bytes, 1 << 14), gl::Buffer::Use::write,
+                            "patch instances");
+    patches_.setVertexBuffer(0, instances_, 0, sizeof(Instance), 1);
+    patches_.setIntegerAttribute(0, 0, 4, GL_INT, 0);
+    patches_.setIntegerAttribute(1, 0, 4, GL_INT, sizeof(glm::ivec4));
+  }
+  if (bytes > 0) instances_.write(0, std::as_bytes(std::span(instances)));
+  instanceCount_ = static_cast<GLsizei>(instances.size());
+  base_ = frame.base;
+  heightRange_ = frame.heightRange;
+  lod_ = frame.lod;
+  farDistanceM_ = frame.farDistanceM;
+  seaFloorDepthM_ = frame.seaFloorDepthM;
+}
+
+std::optional<std::string> TerrainPass::skipReason(const FrameInput&) const {
+  if (textures_.layers() == 0) return "no land has been handed over yet";
+  return std::nullopt;
+}
+
+void TerrainPass::draw(FrameContext& context) {
+  const View& view = context.frame.view;
+  if (context.settings.wireframe) {
+    drawLines(context);
+  } else {
+    drawDepth(context);
+    drawLand(context.shaders.shader("fullscreen.vert", "terrain/land.frag", landDefines(context)), view);
+    if (view.position.y > 0) drawSea(context);
+  }
+  if (context.settings.terrainNormals) {
+    gl::Shader& shader =
+        context.shaders.shader("terrain/normals.vert", "terrain/line.frag", {}, "terrain/normals.geom");
+    shader.setVec3("lineAlbedo", {0.8f, 0.3f, 0.1f});
+    drawPatches(shader, view, GL_POINTS);
+  }
+}
+
+void TerrainPass::setEye(gl::Shader& shader, const View& view) const {
+  const glm::dvec2 eye = glm::dvec2(view.position.x, view.position.z) - base_;
+  shader.setVec3("eyeFromBase", glm::vec3(eye.x, view.position.y, eye.y));
+}
+
+void TerrainPass::drawPatches(gl::Shader& shader, const View& view, GLenum mode) {
+  if (instanceCount_ == 0) return;
+  shader.use();
+  setEye(shader, view);
+  shader.setVec2("heightRange", glm::vec2(heightRange_.lowest, heightRange_.step()));
+  shader.setFloats("lodMorph", inFloat(lod_.morph));
+  textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
+  patches_.bind();
+  const GLsizei indices = mode == GL_POINTS ? kPatchSide * kPatchSide : kPatchIndices;
+  context_.drawElementsInstanced(mode, indices, GL_UNSIGNED_SHORT, mode == GL_POINTS ? kPatchIndices : 0,
+                                 instanceCount_);
+}
+
+void TerrainPass::drawDepth(FrameContext& context) {
+  const View& view = context.frame.view;
+  if (!surface_) {
+    surface_ =
+        gl::FrameBuffer(context_, view.width, view.height, {GL_R16F, GL_DEPTH_COMPONENT32F}, "land surface");
+    surface_.setClearColor(1, 1, 1, 1);
+  }
+  surface_.resize(view.width, view.height);
+  surface_.bind();
+  context_.api().ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), view, GL_TRIANGLES);
+  context_.api().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (const auto* shadowMap = context.resources.find<CloudShadowMap>()) drawCloudShadows(context, *shadowMap);
+  if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
+  surface_.unBind();
+}
+
+// Before the land is lit, so that it is lit once, and only pixels that may be in shadow ask for shadows:
+// those where the inner faces of a shadow's volume lie behind the land. What the shadows leave is multiplied.
+void TerrainPass::drawShadows(FrameContext& context, const CastShadows& shadows) {
+  const gl::Functions& api = context_.api();
+  gl::Shader& shader = context.shaders.shader("shadow/volume.vert", "terrain/sun_share.frag");
+  shader.use();
+  setSurface(shader, context.frame.view);
+  api.Enable(GL_CULL_FACE);
+  api.CullFace(GL_FRONT);
+  api.DepthFunc(GL_LEQUAL);
+  api.DepthMask(GL_FALSE);
+  api.Enable(GL_BLEND);
+  api.BlendFunc(GL_ZERO, GL_SRC_COLOR);
+  api.TextureBarrier();  // the depth is target and texture at once, to be read alone
+  shadows.drawVolumes(shader);
+  context_.setDefaultState();
+}
+
+void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap) {
+  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/cloud_share.frag");
+  shader.use();
+  setSurface(shader, context.frame.view);
+  shadowMap.bind(shader);
+  context_.api().DepthMask(GL_FALSE);
+  context_.api().Disable(GL_DEPTH_TEST);
+  context_.api().TextureBarrier();
+  triangle_.draw();
+  context_.setDefaultState();
+}
+
+void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
+  setEye(shader, view);
+  const terrain::ChunkKey base = terrain::chunkAt(base_);
+  shader.setIvec2("baseChunk", {lowBits(base.x), lowBits(base.z)});
+  shader.setFloat("farM", static_cast<float>(farDistanceM_));
+  textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
+  if (!surface_) return;
+  surface_.depthTexture().bind(kDepthUnit);
+  surface_.colorTexture().bind(kSunShareUnit);
+}
+
+void TerrainPass::setLand(gl::Shader& shader, const View& view) const {
+  setSurface(shader, view);
+  shader.setFloats("chunkSplit", inFloat(lod_.split));
+}
+
+void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
+  shader.use();
+  setLand(shader, view);
+  triangle_.draw();
+}
+
+// Separate from the land, so that only pixels that show water pay for it: a software renderer runs both sides
+// of a branch, but skips what the depth test rejects.
+void TerrainPass::drawSea(FrameContext& context) {
+  gl::Shader& shader = context.shaders.shader("terrain/sea.vert", "terrain/sea.frag", context.defines);
+  shader.use();
+  setSurface(shader, context.frame.view);
+  shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
+  context_.api().Enable(GL_BLEND);
+  context_.api().BlendFunc(GL_ONE, GL_SRC1_COLOR);
+  seaPlane_.bind();
+  context_.drawArrays(GL_TRIANGLES, 0, kSeaVertices);
+  context_.api().Disable(GL_BLEND);
+}
+
+void TerrainPass::drawLines(FrameContext& context) {
+  context_.api().PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  gl::Shader& shader = context.shaders.shader("terrain/depth.vert", "terrain/line.frag");
+  shader.setVec3("lineAlbedo", {0.25f, 0.4f, 0.2f});
+  drawPatches(shader, context.frame.view, GL_TRIANGLES);
+  context_.api().PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+}  // namespace skydrop::render

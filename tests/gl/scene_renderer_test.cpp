@@ -1,0 +1,82 @@
+#include "app/session/scene_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "app/session/run_config.h"
+#include "support/gl_test.h"
+#include "support/shared_noise.h"
+
+namespace skydrop::app {
+namespace {
+
+// The scene that the game starts with, and one without clouds.
+class SceneRendererGLTest : public test::GLTest, public testing::WithParamInterface<const char*> {
+ protected:
+  static std::unique_ptr<app::RunConfig> prepared() {
+    CommandLine line;
+    line.verb = Verb::render;
+    line.scene = GetParam();
+    return prepareRun(line);
+  }
+
+  static SceneRenderer::Setup setupOf(const Simulation& simulation) {
+    const bool hasClouds = simulation.effects().contains(scene::Effect::clouds);
+    return {simulation.effects(), simulation.ground(), 1, false,
+            hasClouds ? PreparedResources(test::sharedNoise()) : PreparedResources()};
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, SceneRendererGLTest, testing::Values(kDefaultScene, "terrain"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST_P(SceneRendererGLTest, afterWarmingUpNoFrameCompilesAShader) {
+  // Warmed up: the first frames with the aircraft ahead, with a package in the air and with a target in sight use
+  // programs that are there already.
+  const auto run = prepared();
+  Simulation simulation(run->setup, run->settings, run->table);
+  SceneRenderer sceneRenderer(context(), setupOf(simulation), run->settings);
+  const Size size{160, 90};
+  game::Snapshot shown = simulation.world().now();
+  sceneRenderer.warmUp(shown, size);
+  const std::int64_t warm = context().resources().live(render::gl::ObjectKind::program);
+  const auto workOf = [&](const char* pass) {
+    core::FrameStatistics statistics;
+    sceneRenderer.writeTo(statistics);
+    for (const auto& [name, row] : statistics.passes) {
+      if (name == pass) return row.draws + row.dispatches;
+    }
+    return std::int64_t{0};
+  };
+
+  sceneRenderer.camera().setMode(render::CameraMode::chase);
+  game::PackageSnapshot package;
+  package.position = shown.aircraft.position + shown.aircraft.orientation * glm::dvec3(0, 0, -20);
+  package.parachuteOpen = 0.5;
+  shown.packages = {package};
+  shown.target.present = true;
+  shown.target.position = shown.aircraft.position + shown.aircraft.orientation * glm::dvec3(0, -50, -400);
+  shown.target.radius = 50;
+  sceneRenderer.draw(shown, size, Streaming::asItComes);
+  EXPECT_GT(workOf("aircraft"), 0);
+  EXPECT_GT(workOf("packages"), 0);
+  EXPECT_GT(workOf("marker"), 0);
+  if (simulation.effects().contains(scene::Effect::clouds)) {
+    EXPECT_GT(workOf("clouds"), 0);
+  }
+  EXPECT_EQ(context().resources().live(render::gl::ObjectKind::program), warm);
+}
+
+TEST_P(SceneRendererGLTest, theGpusMemoryIsWithinItsBudget) {
+  // All textures and buffers at 640 x 360, those of the land's chunks above all: at most 128 MiB.
+  const auto run = prepared();
+  Simulation simulation(run->setup, run->settings, run->table);
+  SceneRenderer sceneRenderer(context(), setupOf(simulation), run->settings);
+  sceneRenderer.draw(simulation.world().now(), {640, 360}, Streaming::asItComes);
+  core::FrameStatistics statistics;
+  sceneRenderer.writeTo(statistics);
+  EXPECT_GT(statistics.gl.bytes, 32 << 20);
+  EXPECT_LE(statistics.gl.bytes, 128 << 20);
+}
+
+}  // namespace
+}  // namespace skydrop::app
