@@ -15,7 +15,7 @@ RaySpan layerOfCone(float directionY, float width) {
   return overlap(overlap(aboveBase, belowTop), make_raySpan(0.0, clouds.layer.z));
 }
 
-// The part of a cone's stretch in which it touches occupied cells; conservative.
+// The part of a cone's interval in which it touches occupied cells; conservative.
 RaySpan occupiedSpan(vec3 direction, float width, RaySpan span) {
   CellRay ray = cellRay(direction);
   vec3 cellsAMetre = clouds.cells.ywy;

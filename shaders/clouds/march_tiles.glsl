@@ -1,4 +1,4 @@
-// Marches the rays of a listed tile. CARRIED: as far as one dispatch may go, from where the one before came to.
+// Marches the rays of a listed tile. MULTI_DISPATCH: as far as one dispatch may go, from where the one before came to.
 #include "clouds/view.glsl"
 #include "clouds/tiles.glsl"
 #include "clouds/resolve.glsl"
@@ -11,20 +11,20 @@ layout(std430, binding = 0) buffer Tiles {
 layout(binding = 0, rgba16f) uniform writeonly image2D light;       // rgb, transmittance
 layout(binding = 1, rg16f) uniform writeonly image2D distances;     // mean of the light's; the surface's
 
-#ifdef CARRIED
-layout(binding = 2, rgba32f) uniform image2D carriedLight;  // sun, sky, ground, transmittance
-layout(binding = 3, rgba32f) uniform image2D carriedWay;    // weight, distance, at, clear
+#ifdef MULTI_DISPATCH
+layout(binding = 2, rgba32f) uniform image2D rayLight;  // sun, sky, ground, transmittance
+layout(binding = 3, rgba32f) uniform image2D rayState;    // weight, distance, at, clear
 layout(std430, binding = 2) buffer UnderWay { uint raysUnderWay; };
 
 March begunMarch(ivec2 at, float begin) {
-  vec4 l = imageLoad(carriedLight, at);
-  vec4 w = imageLoad(carriedWay, at);
+  vec4 l = imageLoad(rayLight, at);
+  vec4 w = imageLoad(rayState, at);
   return March(l.x, l.y, l.z, l.w, w.x, w.y, max(w.z, alignedBefore(begin)), w.w);
 }
 
 void keepMarch(ivec2 at, March march, RaySpan span) {
-  imageStore(carriedLight, at, vec4(march.sun, march.sky, march.ground, march.transmittance));
-  imageStore(carriedWay, at, vec4(march.weight, march.distance, march.at, march.clear));
+  imageStore(rayLight, at, vec4(march.sun, march.sky, march.ground, march.transmittance));
+  imageStore(rayState, at, vec4(march.weight, march.distance, march.at, march.clear));
   if (isUnderWay(march, span)) atomicAdd(raysUnderWay, 1u);
 }
 #else

@@ -7,7 +7,7 @@ layout(binding = 11) uniform sampler3D coarseShadowMap;
 uniform vec4 inFineShadowMap[2];    // rows: a place relative to the eye, and 1, to the texture
 uniform vec4 inCoarseShadowMap[2];
 uniform vec2 shadowMapLayer;        // base above the eye (m), 1 / thickness
-uniform vec2 shadeRadii;        // how far the fine and the coarse map reach for certain (m)
+uniform vec2 shadowRadii;        // how far the fine and the coarse map reach for certain (m)
 
 vec2 placeInShadowMap(vec4 rows[2], vec3 relative) {
   return vec2(dot(rows[0], vec4(relative, 1.0)), dot(rows[1], vec4(relative, 1.0)));
@@ -26,8 +26,8 @@ float sunThroughClouds(vec3 relative) {
   vec2 fine = placeInShadowMap(inFineShadowMap, relative);
   vec2 coarse = placeInShadowMap(inCoarseShadowMap, relative);
   float depth = mix(texture(coarseShadowMap, vec3(coarse, 0.5)).x, texture(fineShadowMap, vec3(fine, 0.5)).x,
-                    insideShadowMap(inFineShadowMap, relative, shadeRadii.x));
+                    insideShadowMap(inFineShadowMap, relative, shadowRadii.x));
   // Within the layer the clouds below a place do not shade it: taken as even from base to top.
   float above = 1.0 - saturate((relative.y - shadowMapLayer.x) * shadowMapLayer.y);
-  return mix(1.0, sunBelowCloud(depth * above), insideShadowMap(inCoarseShadowMap, relative, shadeRadii.y));
+  return mix(1.0, sunBelowCloud(depth * above), insideShadowMap(inCoarseShadowMap, relative, shadowRadii.y));
 }

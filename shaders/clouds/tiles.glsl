@@ -1,4 +1,4 @@
-// Lists of what is to be marched: tiles of 8 x 8 rays with the stretch in which there may be cloud; and edges, single
+// Lists of what is to be marched: tiles of 8 x 8 rays with the interval in which there may be cloud; and edges, single
 // pixels of such tiles.
 #include "shared/dialect.glsl"
 

@@ -14,7 +14,7 @@ layout(std140, binding = 1) uniform Clouds {
   vec4 sunLight;      // rgb: illuminance of the sun in the layer
   vec4 skyLight;      // rgb: illuminance by the sky on a level surface
   vec4 groundLight;   // rgb: illuminance from below
-  vec4 march;         // step (m), steps of a stride in clear air, most optical depth of a stretch, least transmittance
+  vec4 march;         // step (m), emptyStepMultiplier, maxSegmentOpticalDepth, transmittanceCutoff
   vec4 cells;         // xz: the eye in cells of the occupancy; y: cells in a metre; w: rows in a metre
   vec4 sight;         // xyz: where steps begin to grow (m), half-width of a tile's ray at 1 m, tolerance
   vec4 nearGrid[3];   // rows: a place, 1 to a place in the texture

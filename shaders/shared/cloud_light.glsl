@@ -5,7 +5,7 @@
 #include "shared/cloud_medium.glsl"
 #endif
 
-// A stretch of a ray, in lengths along its direction; empty where end <= begin.
+// An interval of a ray, in lengths along its direction; empty where end <= begin.
 struct RaySpan {
   Real begin;
   Real end;
@@ -18,7 +18,7 @@ FN RaySpan make_raySpan(Real begin, Real end) {
   return span;
 }
 
-// The stretch ahead of the start (t >= 0) where one coordinate lies in [low, high]. A ray that runs along the planes is
+// The interval ahead of the start (t >= 0) where one coordinate lies in [low, high]. A ray that runs along the planes is
 // inside for all its length or not at all; on a plane counts as inside. low > high: empty.
 FN RaySpan raySpanBetween(Real at, Real direction, Real low, Real high) {
   if (low > high) return make_raySpan(Real(0.0), Real(0.0));

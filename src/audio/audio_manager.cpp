@@ -31,8 +31,9 @@ ALfloat clamped(double value, double least, double most) {
 
 ALenum formatOf(const Sound& sound) { return sound.channels == 1 ? AL_FORMAT_MONO16 : AL_FORMAT_STEREO16; }
 
-// Where there is no sound card, ALSA and OpenAL print a dozen lines of their own, which neither lets be turned
-// off at run time; status() says it in one. Opening a device happens once, before any other thread exists.
+// Where there is no sound card, ALSA and OpenAL print a dozen lines of their own, which neither lets be
+// turned off at run time; status() says it in one. Opening a device happens once, before any other thread
+// exists.
 class StandardErrorMuted {
  public:
 #if defined(__unix__)
@@ -87,13 +88,21 @@ void AudioManager::State::openDevice() {
 }
 
 void AudioManager::State::openLoopback() {
-  if (!alcIsExtensionPresent(nullptr, "ALC_SOFT_loopback")) throw std::runtime_error("OpenAL has no loopback device");
-  const auto open = reinterpret_cast<LPALCLOOPBACKOPENDEVICESOFT>(alcGetProcAddress(nullptr, "alcLoopbackOpenDeviceSOFT"));
-  renderSamples = reinterpret_cast<LPALCRENDERSAMPLESSOFT>(alcGetProcAddress(nullptr, "alcRenderSamplesSOFT"));
+  if (!alcIsExtensionPresent(nullptr, "ALC_SOFT_loopback"))
+    throw std::runtime_error("OpenAL has no loopback device");
+  const auto open =
+      reinterpret_cast<LPALCLOOPBACKOPENDEVICESOFT>(alcGetProcAddress(nullptr, "alcLoopbackOpenDeviceSOFT"));
+  renderSamples =
+      reinterpret_cast<LPALCRENDERSAMPLESSOFT>(alcGetProcAddress(nullptr, "alcRenderSamplesSOFT"));
   device = open(nullptr);
   if (!device) throw std::runtime_error("OpenAL opens no loopback device");
-  const ALCint attributes[] = {ALC_FORMAT_CHANNELS_SOFT, ALC_MONO_SOFT, ALC_FORMAT_TYPE_SOFT, ALC_FLOAT_SOFT,
-                               ALC_FREQUENCY,            kLoopbackRate, 0};
+  const ALCint attributes[] = {ALC_FORMAT_CHANNELS_SOFT,
+                               ALC_MONO_SOFT,
+                               ALC_FORMAT_TYPE_SOFT,
+                               ALC_FLOAT_SOFT,
+                               ALC_FREQUENCY,
+                               kLoopbackRate,
+                               0};
   openContext(attributes);
   if (!context) throw std::runtime_error("OpenAL makes no loopback context");
 }
@@ -131,7 +140,8 @@ ALenum AudioManager::State::stateOf(const Slot& slot) const {
 
 Slot* AudioManager::State::slotOf(Voice voice) {
   if (voice == 0 || !context) return nullptr;
-  const auto found = std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) { return slot.voice == voice; });
+  const auto found =
+      std::find_if(slots.begin(), slots.end(), [&](const Slot& slot) { return slot.voice == voice; });
   return found == slots.end() ? nullptr : &*found;
 }
 
@@ -147,8 +157,10 @@ Slot* AudioManager::State::freeSlot() {
 }
 
 AudioManager::AudioManager(const AudioSettings& settings, Output output) : state_(std::make_unique<State>()) {
-  if (output == Output::device) state_->openDevice();
-  else state_->openLoopback();
+  if (output == Output::device)
+    state_->openDevice();
+  else
+    state_->openLoopback();
   apply(settings);
 }
 
@@ -164,8 +176,8 @@ void AudioManager::load(const std::filesystem::path& file) {
   ALuint buffer = 0;
   if (!isSilent()) {
     alGenBuffers(1, &buffer);
-    alBufferData(buffer, formatOf(sound), sound.samples.data(), static_cast<ALsizei>(sound.samples.size() * 2),
-                 sound.sampleRate);
+    alBufferData(buffer, formatOf(sound), sound.samples.data(),
+                 static_cast<ALsizei>(sound.samples.size() * 2), sound.sampleRate);
   }
   state_->buffers[file] = buffer;
 }

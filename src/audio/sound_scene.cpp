@@ -14,8 +14,8 @@ namespace {
 using game::GameEventKind;
 
 constexpr std::string_view kEngine = "engine", kStallHorn = "stall";
-constexpr std::array<std::string_view, 7> kEventSounds = {"drop",  "parachute", "landing", "score",
-                                                          "miss",  "crash",     "splash"};
+constexpr std::array<std::string_view, 7> kEventSounds = {"drop", "parachute", "landing", "score",
+                                                          "miss", "crash",     "splash"};
 
 std::filesystem::path soundFile(std::string_view name) {
   return core::assetPath("audio/" + std::string(name) + ".wav");
@@ -23,16 +23,23 @@ std::filesystem::path soundFile(std::string_view name) {
 
 std::optional<std::string_view> soundOf(const game::GameEvent& event) {
   switch (event.kind) {
-    case GameEventKind::drop: return "drop";
-    case GameEventKind::parachuteOpened: return "parachute";
-    case GameEventKind::packageLanded: return event.onWater ? "splash" : "landing";
-    case GameEventKind::scored: return "score";
-    case GameEventKind::missed: return "miss";
-    case GameEventKind::crashed: return event.onWater ? "splash" : "crash";
+    case GameEventKind::drop:
+      return "drop";
+    case GameEventKind::parachuteOpened:
+      return "parachute";
+    case GameEventKind::packageLanded:
+      return event.onWater ? "splash" : "landing";
+    case GameEventKind::scored:
+      return "score";
+    case GameEventKind::missed:
+      return "miss";
+    case GameEventKind::crashed:
+      return event.onWater ? "splash" : "crash";
     case GameEventKind::packageRemoved:
     case GameEventKind::targetDrawn:
     case GameEventKind::respawned:
-    case GameEventKind::reset: return std::nullopt;
+    case GameEventKind::reset:
+      return std::nullopt;
   }
   return std::nullopt;
 }
@@ -42,7 +49,8 @@ constexpr double kCruiseSpeed = 70;  // m/s, where the airflow leaves the propel
 
 }  // namespace
 
-SoundScene::SoundScene(AudioManager& audio, const AudioSettings& settings) : audio_(audio), settings_(settings) {
+SoundScene::SoundScene(AudioManager& audio, const AudioSettings& settings)
+    : audio_(audio), settings_(settings) {
   audio_.load(soundFile(kEngine));
   audio_.load(soundFile(kStallHorn));
   for (const std::string_view name : kEventSounds) audio_.load(soundFile(name));

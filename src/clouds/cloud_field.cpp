@@ -116,7 +116,7 @@ double inPeriods(double metres, double period) {
 }  // namespace
 
 PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::TextureData& detail,
-                      const core::TextureData& weather) {
+                                const core::TextureData& weather) {
   requireNoise(shape, "shape", true);
   requireNoise(detail, "detail", true);
   requireNoise(weather, "weather", false);

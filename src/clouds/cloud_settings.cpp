@@ -128,8 +128,8 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
          core::noteWhile([&s] { return s.resolution == MarchResolution::full; },
                          "Does nothing in full resolution: every pixel has a ray."),
          core::Range{0.005, 4});
-  number("emptyStepMultiplier", s.emptyStepMultiplier, "1", 1, 16, "Steps at a time through clear air; more may miss thin wisps.",
-         "stride");
+  number("emptyStepMultiplier", s.emptyStepMultiplier, "1", 1, 16,
+         "Steps at a time through clear air; more may miss thin wisps.", "stride");
   number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.",
          "step size, LOD");
   number(
@@ -203,6 +203,14 @@ double weatherPeriod(const CloudLayerSettings& layer, double fadeDistance) {
   const double least = std::max(kWeatherPeriodAtOne / layer.weatherScale, 2 * fadeDistance);
   const double shape = shapePeriod(layer);
   return std::ceil(least / shape) * shape;
+}
+
+bool isSameField(const CloudSettings& a, const CloudSettings& b, std::size_t layer) {
+  CloudLayerSettings other = b.layers[layer];
+  other.anisotropy = a.layers[layer].anisotropy;
+  other.forwardShare = a.layers[layer].forwardShare;
+  return a.layers[layer] == other &&
+         weatherPeriod(a.layers[layer], a.fadeDistance) == weatherPeriod(other, b.fadeDistance);
 }
 
 }  // namespace skydrop::clouds

@@ -20,7 +20,7 @@ constexpr int kSide = Occupancy::kSide, kRows = Occupancy::kRows;
 // that knows 1/256 of a texel only, may fetch from beyond the cell's border.
 constexpr float kSlack = 1.0f / 256;
 
-// The texels that filtering may touch in one cell, along one axis: two stretches of a common length, a power
+// The texels that filtering may touch in one cell, along one axis: two runs of a common length, a power
 // of two, that cover them.
 struct Window {
   std::size_t first, second;
@@ -28,7 +28,7 @@ struct Window {
 
 struct Windows {
   std::size_t side;    // texels until they repeat, a power of two
-  std::size_t length;  // of a stretch
+  std::size_t length;  // of a run
   std::vector<Window> cells;
 };
 
@@ -258,9 +258,9 @@ BitVolume occupiedCells(const PackedCloudNoise& noise, const CloudLayerSettings&
   const std::vector<float> highestType = largestWeather(noise, [](const glm::vec3& w) { return w.z; });
   const std::vector<float> lowestType = largestWeather(noise, [](const glm::vec3& w) { return -w.z; });
   static const ProfileTable kProfiles;
-  const f32::CloudMedium medium{
-      static_cast<float>(layer.densityThreshold), static_cast<float>(layer.coverage),
-      static_cast<float>(layer.typeShift), static_cast<float>(layer.erosion)};
+  const f32::CloudMedium medium{static_cast<float>(layer.densityThreshold),
+                                static_cast<float>(layer.coverage), static_cast<float>(layer.typeShift),
+                                static_cast<float>(layer.erosion)};
   for (std::size_t column = 0; column < coverage.size(); ++column) {
     const std::size_t x = column % kSide, z = column / kSide;
     const float covered = f32::localCoverage(medium, coverage[column] + kSlack);

@@ -20,7 +20,8 @@ std::filesystem::path findDataFolder() {
   }
   std::error_code ignored;
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  for (std::filesystem::path folder = executable.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+  for (std::filesystem::path folder = executable.parent_path(); !folder.empty();
+       folder = folder.parent_path()) {
     if (isDataFolder(folder)) return folder;
     if (folder == folder.root_path()) break;
   }

@@ -125,7 +125,8 @@ struct Temporary {
 Temporary makeTemporary(const fs::path& folder, mode_t mode) {
   static std::atomic<unsigned> counter{0};
   while (true) {
-    fs::path path = folder / (".skydrop-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+    fs::path path =
+        folder / (".skydrop-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
     if (!file && errno == EEXIST) continue;  // left by a process that was killed
     return {std::move(file), std::move(path)};
@@ -317,7 +318,8 @@ void requireFolder(const fs::path& folder) {
                     error ? error.message() : std::strerror(isThere ? EEXIST : ENOTDIR));
   }
   if (!takesFiles(at)) {
-    throw DataError(folder.string(), isThere ? "cannot write" : "cannot make the folder", std::strerror(errno));
+    throw DataError(folder.string(), isThere ? "cannot write" : "cannot make the folder",
+                    std::strerror(errno));
   }
 }
 

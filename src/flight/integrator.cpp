@@ -68,8 +68,7 @@ BodyState whole(const Step& step, const BodyState& s);
   for (int i = 0; i < parts; ++i) {
     const double time = step.time + step.dt * i / parts;
     const Step part{step.body, step.wrench, step.integrator, dt, time, true, nullptr};
-    at = explicitly ? whole(part, at)
-                    : implicitStep(part.dynamics(), at, part.time, dt);
+    at = explicitly ? whole(part, at) : implicitStep(part.dynamics(), at, part.time, dt);
   }
   return at;
 }

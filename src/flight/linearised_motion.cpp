@@ -53,8 +53,8 @@ LinearisedMotion::LinearisedMotion(const Dynamics& dynamics, const BodyState& at
   const double least = kLeastDisplacement / dt;
   const double byVelocity = std::max(kShareOfMotion * speed, least),
                bySpin = std::max(kShareOfMotion * spin, least);
-  const double byPosition = std::max({kShareOfMotion * dt * speed, kLeastDisplacement,
-                                      kShareOfPosition * largest(at.position)});
+  const double byPosition =
+      std::max({kShareOfMotion * dt * speed, kLeastDisplacement, kShareOfPosition * largest(at.position)});
   const double byTurn = std::clamp(kShareOfMotion * dt * spin, kLeastDisplacement, kLargestTurn);
   const auto setColumn = [&](Matrix6& matrix, std::size_t column, const BodyState& displaced, double scale) {
     const std::array<double, 6> there = row(dynamics(displaced, time));
@@ -171,7 +171,8 @@ BodyState implicitStep(const Dynamics& dynamics, const BodyState& start, double 
     double share = 1;
     for (int n = 0; n <= kHalvings; ++n, share /= 2) {
       const Acceleration next{change.linear + share * way.linear, change.angular + share * way.angular};
-      if (!(size(missing(next, dynamics(arriving(next), end))) <= (1 - kLeastGain * share) * before)) continue;
+      if (!(size(missing(next, dynamics(arriving(next), end))) <= (1 - kLeastGain * share) * before))
+        continue;
       change = next;
       return share;
     }
@@ -183,8 +184,8 @@ BodyState implicitStep(const Dynamics& dynamics, const BodyState& start, double 
     const double before = size(left);
     if (before == 0) break;
     double share = go(motion.answerTo(left), before);
-    // A slope that is small beside what the force bends may have the wrong sign (dry friction, along the motion):
-    // then the way of the force itself.
+    // A slope that is small beside what the force bends may have the wrong sign (dry friction, along the
+    // motion): then the way of the force itself.
     if (share == 0) share = go(left, before);
     if (share == 0 || share == 1) break;  // nothing but rounding is left, or no step helps; or there
   }

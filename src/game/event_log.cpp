@@ -24,7 +24,7 @@ void EventLog::say(std::string text, double seconds) {
 }
 
 void EventLog::report(GameEventKind kind, const glm::dvec3& position, std::uint32_t id, double missDistance,
-                     bool onWater) {
+                      bool onWater) {
   if (events_.size() == kMostEvents) events_.erase(events_.begin());
   events_.push_back({kind, step_, position, id, missDistance, onWater});
 }

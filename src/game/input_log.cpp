@@ -101,8 +101,8 @@ void InputLogWriter::writeRun() {
   text_ += "[" + std::to_string(run_.steps);
   const QuantisedControls& c = run_.controls;
   if (writtenControls_ != c) {
-    for (const int value :
-         {int{c.thrust}, int{c.brake}, int{c.pitch}, int{c.roll}, int{c.yaw}, (c.drop ? 1 : 0) + (c.reset ? 2 : 0)}) {
+    for (const int value : {int{c.thrust}, int{c.brake}, int{c.pitch}, int{c.roll}, int{c.yaw},
+                            (c.drop ? 1 : 0) + (c.reset ? 2 : 0)}) {
       text_ += "," + std::to_string(value);
     }
   }
@@ -123,7 +123,8 @@ std::string encodeInputLog(const InputLog& log) {
   while (true) {
     for (; checkpoint < log.checkpoints.size() && log.checkpoints[checkpoint].step == step; ++checkpoint) {
       const bool isEnd = log.ended && checkpoint + 1 == log.checkpoints.size();
-      isEnd ? writer.end(log.checkpoints[checkpoint].hash) : writer.checkpoint(log.checkpoints[checkpoint].hash);
+      isEnd ? writer.end(log.checkpoints[checkpoint].hash)
+            : writer.checkpoint(log.checkpoints[checkpoint].hash);
     }
     for (; change < log.changes.size() && log.changes[change].step == step; ++change)
       writer.change(log.changes[change].setting);
@@ -159,7 +160,8 @@ InputLog readInputLog(const std::filesystem::path& file) {
 }
 
 std::optional<std::uint64_t> InputReplay::hashDue() {
-  if (checkpoint_ == log_->checkpoints.size() || log_->checkpoints[checkpoint_].step > step_) return std::nullopt;
+  if (checkpoint_ == log_->checkpoints.size() || log_->checkpoints[checkpoint_].step > step_)
+    return std::nullopt;
   return log_->checkpoints[checkpoint_++].hash;
 }
 

@@ -10,19 +10,21 @@ void LogEvents::fail(std::string_view where, std::string_view reason) const {
   throw core::DataError(file_, where, reason);
 }
 
-void LogEvents::wrong(std::string_view what) const { fail(place(), std::string(what) + " does not belong here"); }
+void LogEvents::wrong(std::string_view what) const {
+  fail(place(), std::string(what) + " does not belong here");
+}
 
 void LogEvents::requireText(const std::string& value, std::size_t most) const {
   if (value.size() > most) fail(place(), "a text of more than " + std::to_string(most) + " characters");
 }
 
-InputLog::Run makeRun(const std::array<std::int64_t, 7>& row, std::uint64_t stepsBefore, std::string_view file,
-                      const std::string& place) {
+InputLog::Run makeRun(const std::array<std::int64_t, 7>& row, std::uint64_t stepsBefore,
+                      std::string_view file, const std::string& place) {
   const auto within = [&](std::size_t column, std::int64_t low, std::int64_t high) {
     if (row[column] < low || row[column] > high) {
-      throw core::DataError(file, place + "[" + std::to_string(column) + "]",
-                            std::to_string(row[column]) + " is outside " + std::to_string(low) + " .. " +
-                                std::to_string(high));
+      throw core::DataError(
+          file, place + "[" + std::to_string(column) + "]",
+          std::to_string(row[column]) + " is outside " + std::to_string(low) + " .. " + std::to_string(high));
     }
     return row[column];
   };

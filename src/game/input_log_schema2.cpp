@@ -9,7 +9,8 @@
 namespace skydrop::game {
 namespace {
 
-constexpr core::JsonLimits kHeaderLimits = {.bytes = InputLog::kMaxBytes, .values = 4 * InputLog::kMaxSettings};
+constexpr core::JsonLimits kHeaderLimits = {.bytes = InputLog::kMaxBytes,
+                                            .values = 4 * InputLog::kMaxSettings};
 constexpr core::JsonLimits kRecordLimits = {.bytes = InputLog::kMaxBytes, .values = 100};
 
 class HeaderReader final : public LogEvents {
@@ -17,7 +18,8 @@ class HeaderReader final : public LogEvents {
   HeaderReader(std::string_view file, InputLog& log) : LogEvents(file), log_(log) {}
 
   void finish() {
-    for (const char* needed : {"schema", "kind", "seed", "scene", "scene.source", "scene.digest", "scene.text"}) {
+    for (const char* needed :
+         {"schema", "kind", "seed", "scene", "scene.source", "scene.digest", "scene.text"}) {
       if (!seen_.contains(needed)) fail(needed, "is missing");
     }
     if (digest_ != sceneDigest(log_.scene.text)) fail("scene.digest", "is not that of the scene's text");
@@ -59,8 +61,9 @@ class HeaderReader final : public LogEvents {
   }
 
   bool key(std::string& name) override {
-    static constexpr std::array<std::string_view, 9> kKnown = {
-        "schema", "kind", "program", "seed", "scene", "settings", "scene.source", "scene.digest", "scene.text"};
+    static constexpr std::array<std::string_view, 9> kKnown = {"schema",       "kind",         "program",
+                                                               "seed",         "scene",        "settings",
+                                                               "scene.source", "scene.digest", "scene.text"};
     const std::string path = (depth_ == 2 ? "scene." : "") + name;
     key_ = path.substr(0, 40);
     if (std::find(kKnown.begin(), kKnown.end(), path) == kKnown.end() ||

@@ -53,7 +53,7 @@ void PlayerAircraft::place(const StartPose& pose, std::uint64_t step) {
 }
 
 void PlayerAircraft::put(const glm::dvec3& position, double headingRad, double pitchRad, double bankRad,
-                        double speed, std::uint64_t step) {
+                         double speed, std::uint64_t step) {
   flight::BodyState state;
   state.position = position;
   state.orientation = flight::orientationOf({headingRad, pitchRad, bankRad});
@@ -142,7 +142,7 @@ void PlayerAircraft::crash(const Contact& contact) {
   crashed_ = true;
   stepsToRespawn_ = std::max<std::uint64_t>(stepsOf(setup_->game.crashSeconds), 1);
   eventLog_->say(contact.water ? "Ditched in the sea" : "Crashed into the ground",
-                setup_->game.messageSeconds);
+                 setup_->game.messageSeconds);
   eventLog_->report(GameEventKind::crashed, contact.position, 0, 0, contact.water);
 }
 

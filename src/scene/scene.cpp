@@ -13,8 +13,8 @@
 namespace skydrop::scene {
 namespace {
 
-using nlohmann::json;
 using core::DataError;
+using nlohmann::json;
 
 constexpr int kSchema = 1;
 constexpr std::string_view kEnding = ".json";
@@ -30,12 +30,18 @@ class SceneReader {
     checkSchema(root);
     for (const auto& [name, value] : root.items()) {
       if (name == "schema") continue;
-      if (name == "description") scene.description = text(value, name);
-      else if (name == "seed") scene.seed = static_cast<std::uint64_t>(whole(value, name, 0, 0x1p53));
-      else if (name == "effects") readEffects(value, scene.effects);
-      else if (name == "start") readStart(value, scene.start);
-      else if (name == "settings") scene.settingsJson = settings(value);
-      else fail(name, "unknown member");
+      if (name == "description")
+        scene.description = text(value, name);
+      else if (name == "seed")
+        scene.seed = static_cast<std::uint64_t>(whole(value, name, 0, 0x1p53));
+      else if (name == "effects")
+        readEffects(value, scene.effects);
+      else if (name == "start")
+        readStart(value, scene.start);
+      else if (name == "settings")
+        scene.settingsJson = settings(value);
+      else
+        fail(name, "unknown member");
     }
     return scene;
   }
@@ -47,7 +53,8 @@ class SceneReader {
 
   void checkSchema(const json& root) const {
     if (!root.contains("schema")) fail("schema", "is missing");
-    if (root["schema"] != kSchema) fail("schema", root["schema"].dump() + " is not " + std::to_string(kSchema));
+    if (root["schema"] != kSchema)
+      fail("schema", root["schema"].dump() + " is not " + std::to_string(kSchema));
   }
 
   std::string text(const json& value, std::string_view place) const {

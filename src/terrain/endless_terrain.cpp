@@ -49,7 +49,8 @@ class ArrayLayerPool {
   // Gives its layer back when it dies.
   class Lease {
    public:
-    Lease(std::shared_ptr<std::vector<ArrayLayer>> free, ArrayLayer layer) : free_(std::move(free)), layer_(layer) {}
+    Lease(std::shared_ptr<std::vector<ArrayLayer>> free, ArrayLayer layer)
+        : free_(std::move(free)), layer_(layer) {}
     Lease(Lease&& other) noexcept = default;
     Lease& operator=(Lease&&) = delete;
     ~Lease() {

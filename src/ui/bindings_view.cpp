@@ -43,7 +43,7 @@ class Section {
     ImGui::TextUnformatted(fittingText(gamepad, ImGui::GetContentRegionAvail().x).c_str());
     tooltip(gamepad);
     textInPlace(content_.waiting ? kWaiting : content_.note, kNoteLines, TextRole::note);
-    if (ImGui::Button("Reset all controls")) wish_.kind = Kind::resetAll;
+    if (ImGui::Button("Reset all controls")) request_.kind = Kind::resetAll;
     places_.resetAll = lastItemRect();
     if (ImGui::BeginTable("bindings", 3, ImGuiTableFlags_SizingStretchProp)) {
       ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.36f);
@@ -53,7 +53,7 @@ class Section {
       for (std::size_t row = 0; row < content_.rows.size(); ++row) drawRow(row);
       ImGui::EndTable();
     }
-    return wish_;
+    return request_;
   }
 
  private:
@@ -78,7 +78,7 @@ class Section {
     }
     ImGui::TableNextColumn();
     if (!row.isDefault) {
-      if (ImGui::Button("Reset")) wish_ = {Kind::reset, {index, 0}};
+      if (ImGui::Button("Reset")) request_ = {Kind::reset, {index, 0}};
       place.reset = lastItemRect();
     }
     ImGui::PopID();
@@ -89,16 +89,16 @@ class Section {
     if (waiting) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     const std::string id = "###" + std::to_string(at.slot);
     if (flow.button(label + id, (waiting ? "\u2026" : label) + id))
-      wish_ = {waiting ? Kind::cancel : Kind::capture, at};
+      request_ = {waiting ? Kind::cancel : Kind::capture, at};
     if (waiting) ImGui::PopStyleColor();
     const bool isThere = at.slot < content_.rows[at.row].inputs.size();
-    if (isThere && ImGui::IsItemClicked(ImGuiMouseButton_Right)) wish_ = {Kind::remove, at};
+    if (isThere && ImGui::IsItemClicked(ImGuiMouseButton_Right)) request_ = {Kind::remove, at};
     if (!content_.waiting) tooltip(help);
   }
 
   const BindingsContent& content_;
   BindingsPlaces& places_;
-  BindingRequest wish_;
+  BindingRequest request_;
 };
 
 }  // namespace

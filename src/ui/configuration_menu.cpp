@@ -58,9 +58,9 @@ struct ConfigurationMenu::Parts {
   bool changedOnly = false;
   std::set<std::string> kept;  // rows that the filter has shown since it was set
   std::string keptFor;         // the filter that they were kept for
-  std::string refusal;     // of what was typed last
-  bool held = false;       // a widget may go on with the step that is open
-  int framesToSearch = 0;  // while the search field is to get the keyboard
+  std::string refusal;         // of what was typed last
+  bool held = false;           // a widget may go on with the step that is open
+  int framesToSearch = 0;      // while the search field is to get the keyboard
   // Of the last frame.
   std::map<std::string, MenuRowPlace> places;
   ItemPlaces items;

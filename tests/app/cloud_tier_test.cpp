@@ -94,7 +94,8 @@ TEST(CloudTier, theQualityChoosesItAndEveryOtherSourceLiesAbove) {
   line.scene = folder.write(
       "a.json",
       R"({"schema": 1, "settings": {"clouds": {"tier": "medium", "march": {"stepM": 21, "maxSegmentOpticalDepth": 2}}}})");
-  folder.write("settings.json", R"({"schema": 1, "settings": {"clouds": {"march": {"maxSegmentOpticalDepth": 3}}}})");
+  folder.write("settings.json",
+               R"({"schema": 1, "settings": {"clouds": {"march": {"maxSegmentOpticalDepth": 3}}}})");
   line.userDir = folder.path();
   const auto run = prepareRun(line);
   EXPECT_EQ(run->settings.clouds.march.lightCellM, marchOf(CloudTier::medium).lightCellM);
@@ -110,7 +111,8 @@ TEST(CloudTier, oneThatIsPickedInTheMenuTakesItsRowsAlong) {
   choose(*run, "clouds.march.maxSegmentOpticalDepth=1.5");
   const std::vector<std::string> changed = choose(*run, "clouds.tier=low");
   EXPECT_EQ(run->settings.clouds.march.stepM, marchOf(CloudTier::low).stepM);
-  EXPECT_EQ(run->settings.clouds.march.maxSegmentOpticalDepth, marchOf(CloudTier::low).maxSegmentOpticalDepth);
+  EXPECT_EQ(run->settings.clouds.march.maxSegmentOpticalDepth,
+            marchOf(CloudTier::low).maxSegmentOpticalDepth);
   EXPECT_EQ(run->settings.clouds.layers[0].coverage, 0.8);
   for (const char* path : {"clouds.tier", "clouds.march.stepM", "clouds.march.maxSegmentOpticalDepth"}) {
     EXPECT_EQ(std::count(changed.begin(), changed.end(), path), 1) << path;

@@ -1,9 +1,8 @@
-#include "app/cli/command_line_parser.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "app/cli/command_line_parser.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/message.h"
 #include "support/refusal.h"
@@ -27,10 +26,13 @@ TEST(CommandLine, noWordsFlyTheTerrainScene) {
 }
 
 TEST(CommandLine, everyFlagOfRenderArrives) {
-  const CommandLine line = parse({"render", "--backend", "osmesa", "--size", "320x180", "--out", "a-%d.png", "--frames",
-                                  "3", "--fps", "0.25", "--time", "4", "--pose", "1,2,-3,90,-10,5", "--menu", "--scene",
-                                  "empty", "--set", "a=1", "--set", "b=2", "--seed", "-1", "--workers", "2",
-                                  "--user-dir", "u", "--stats", "s.json", "--autopilot"})
+  const CommandLine line = parse({"render",     "--backend",  "osmesa",   "--size",  "320x180",
+                                  "--out",      "a-%d.png",   "--frames", "3",       "--fps",
+                                  "0.25",       "--time",     "4",        "--pose",  "1,2,-3,90,-10,5",
+                                  "--menu",     "--scene",    "empty",    "--set",   "a=1",
+                                  "--set",      "b=2",        "--seed",   "-1",      "--workers",
+                                  "2",          "--user-dir", "u",        "--stats", "s.json",
+                                  "--autopilot"})
                                .commandLine;
   EXPECT_EQ(line.verb, Verb::render);
   EXPECT_EQ(line.backend, render::gl::Backend::osmesa);
@@ -50,8 +52,8 @@ TEST(CommandLine, everyFlagOfRenderArrives) {
 }
 
 TEST(CommandLine, aCameraTakesCompassDegrees) {
-  // Heading 0 is north (-z, yaw -90 of a pose), 90 east (+x, yaw 0); what is not given is 0. For a window and for
-  // pictures.
+  // Heading 0 is north (-z, yaw -90 of a pose), 90 east (+x, yaw 0); what is not given is 0. For a window and
+  // for pictures.
   for (const char* verb : {"render", "--fullscreen"}) {
     const Pose north = *parse({verb, "--camera", "1,2,-3"}).commandLine.pose;
     EXPECT_EQ(north.position, glm::dvec3(1, 2, -3));
@@ -88,7 +90,8 @@ TEST(CommandLine, flagsOfTheHudStandForItsSetting) {
 
 TEST(CommandLine, helpOfEveryVerbNamesTheExitCodes) {
   for (const char* verb : {"render", "simulate", "accuracy", "noise", "info", "--help"}) {
-    EXPECT_NE(parse({verb, "--help"}).answer->find("0 ok, 1 failed, 2 usage, 3 no OpenGL"), std::string::npos) << verb;
+    EXPECT_NE(parse({verb, "--help"}).answer->find("0 ok, 1 failed, 2 usage, 3 no OpenGL"), std::string::npos)
+        << verb;
   }
 }
 
@@ -138,9 +141,11 @@ TEST(CommandLine, wrongWordsAreRefusedInOneLineThatNamesThem) {
   EXPECT_EQ(refusalOf({"--size", "99999999999x5"}), "--size: '99999999999' is not a whole number");
   EXPECT_EQ(refusalOf({"--seed", "one"}), "--seed: 'one' is not a whole number of 64 bits");
   EXPECT_EQ(refusalOf({"--workers", "0"}), "--workers: 0 is out of range 1 to 64");
-  EXPECT_EQ(refusalOf({"render", "--pose", "1,2,3"}), "--pose: '1,2,3' is not of the form X,Y,Z,YAW,PITCH,ROLL");
+  EXPECT_EQ(refusalOf({"render", "--pose", "1,2,3"}),
+            "--pose: '1,2,3' is not of the form X,Y,Z,YAW,PITCH,ROLL");
   EXPECT_EQ(refusalOf({"render", "--pose", "nan,2,3,0,0,0"}), "--pose: 'nan' is not a finite number");
-  EXPECT_EQ(refusalOf({"render", "--pose", "1e13,2,3,0,0,0"}), "--pose: 1e13 is out of range -1e+12 to 1e+12");
+  EXPECT_EQ(refusalOf({"render", "--pose", "1e13,2,3,0,0,0"}),
+            "--pose: 1e13 is out of range -1e+12 to 1e+12");
   EXPECT_EQ(refusalOf({"render", "--camera", "1,2"}), "--camera: '1,2' is not of the form X,Y,Z");
   EXPECT_EQ(refusalOf({"render", "--camera", "1,2e5,3"}), "--camera: 2e5 is out of range -1e+12 to 20000");
   EXPECT_EQ(refusalOf({"render", "--pose", "1,2e5,3,0,0,0"}), "--pose: 2e5 is out of range -1e+12 to 20000");
@@ -148,16 +153,19 @@ TEST(CommandLine, wrongWordsAreRefusedInOneLineThatNamesThem) {
             "--camera and --pose exclude each other");
   for (const char* flag : {"--heading=1", "--pitch=1", "--roll=1", "--above-ground"}) {
     const std::string name = std::string(flag).substr(0, std::string(flag).find('='));
-    EXPECT_EQ(refusalOf({"render", flag, "--pose", "1,2,3,0,0,0"}), name + " belongs to --camera, which is not given");
+    EXPECT_EQ(refusalOf({"render", flag, "--pose", "1,2,3,0,0,0"}),
+              name + " belongs to --camera, which is not given");
     EXPECT_EQ(refusalOf({flag}), name + " belongs to --camera, which is not given");
   }
   EXPECT_EQ(refusalOf({"render", "--camera", "1,2,3", "--heading", "north"}),
             "--heading: 'north' is not a finite number");
-  EXPECT_EQ(refusalOf({"render", "--camera", "1,2,3", "--pitch", "91"}), "--pitch: 91 is out of range -90 to 90");
+  EXPECT_EQ(refusalOf({"render", "--camera", "1,2,3", "--pitch", "91"}),
+            "--pitch: 91 is out of range -90 to 90");
   EXPECT_EQ(refusalOf({"render", "--hud", "--no-hud"}), "--hud and --no-hud exclude each other");
   EXPECT_EQ(refusalOf({"render", "--frames", "2"}), "--out: 'skydrop.png' needs %d for several frames");
   EXPECT_EQ(refusalOf({"render", "--out", "a.bmp"}), "--out: 'a.bmp' does not end in .png");
-  EXPECT_EQ(refusalOf({"render", "--backend", "vulkan"}), "--backend: 'vulkan' is not one of egl osmesa window");
+  EXPECT_EQ(refusalOf({"render", "--backend", "vulkan"}),
+            "--backend: 'vulkan' is not one of egl osmesa window");
   EXPECT_EQ(refusalOf({"render", "--fps", "0"}), "--fps: 0 is out of range 0.001 to 1000");
   EXPECT_EQ(refusalOf({"simulate", "--seconds", "-1"}), "--seconds: -1 is out of range 0 to 1e+06");
   EXPECT_EQ(refusalOf({"--autopilot", "--replay", "a"}), "--autopilot and --replay exclude each other");
@@ -178,13 +186,16 @@ TEST(CommandLine, onlyTheNameOfAPictureCountsFrames) {
     EXPECT_NE(refusalOf({"render", "--out", wrong}).find(wrong), std::string::npos) << wrong;
   }
   for (const char* one : {"%d/x.png", "%%d.png", "-"}) {
-    EXPECT_NE(refusalOf({"render", "--frames", "2", "--out", one}).find("needs %d"), std::string::npos) << one;
+    EXPECT_NE(refusalOf({"render", "--frames", "2", "--out", one}).find("needs %d"), std::string::npos)
+        << one;
   }
 }
 
 TEST(CommandLine, twoOutputsOfOneNameAreRefused) {
-  EXPECT_EQ(refusalOf({"simulate", "--stats", "a", "--trace", "./a"}), "--stats and --trace name the same file");
-  EXPECT_EQ(refusalOf({"simulate", "--record", "a", "--stats", "a"}), "--stats and --record name the same file");
+  EXPECT_EQ(refusalOf({"simulate", "--stats", "a", "--trace", "./a"}),
+            "--stats and --trace name the same file");
+  EXPECT_EQ(refusalOf({"simulate", "--record", "a", "--stats", "a"}),
+            "--stats and --record name the same file");
   EXPECT_EQ(refusalOf({"render", "--out", "-", "--stats", "-"}), "--out and --stats name the same file");
   EXPECT_TRUE(parse({"simulate", "--stats", "/dev/null", "--trace", "/dev/null"}).commandLine.trace);
 }

@@ -22,7 +22,8 @@
 namespace skydrop::app {
 namespace {
 
-constexpr const char* kScene = R"({"schema": 1, "effects": ["aircraft"], "start": {"position": [0, 500, 0]}})";
+constexpr const char* kScene =
+    R"({"schema": 1, "effects": ["aircraft"], "start": {"position": [0, 500, 0]}})";
 
 CommandLine lineOf(const test::TemporaryFolder& folder) {
   CommandLine line;
@@ -136,8 +137,9 @@ TEST(FlightRecorder, aTamperedLogNamesTheFirstCheckpointThatDiffers) {
   };
   EXPECT_TRUE(divergence("[\"check\",240,", "[1]\n[\"check\",240,").starts_with("step 360 (3.000 s): "));
   EXPECT_TRUE(divergence("[\"end\",605,", "[1]\n[\"end\",605,").starts_with("step 606 (5.050 s): "));
-  EXPECT_TRUE(divergence("[\"set\",\"aircraft.rollFactor\",\"0.5\"]", "[\"set\",\"aircraft.rollFactor\",\"0.6\"]")
-                  .starts_with("step 360 (3.000 s): "));
+  EXPECT_TRUE(
+      divergence("[\"set\",\"aircraft.rollFactor\",\"0.5\"]", "[\"set\",\"aircraft.rollFactor\",\"0.6\"]")
+          .starts_with("step 360 (3.000 s): "));
   EXPECT_TRUE(divergence("[\"aircraft.rollFactor\",\"0.75\"]", "[\"aircraft.rollFactor\",\"0.7\"]")
                   .starts_with("step 0 (0.000 s): "));
 }
@@ -204,7 +206,8 @@ TEST(FlightRecorder, aLogOfSchema1IsComparedAtItsEndAndCanBeRecordedAnew) {
     for (const auto& s : flown.settings) {
       text += (text.back() == '[' ? "[\"" : ",[\"") + s.path + "\",\"" + s.value + "\"]";
     }
-    text += "],\"changes\":[[" + std::to_string(flown.changes.at(0).step) + ",\"aircraft.rollFactor\",\"0.5\"]],\"runs\":[";
+    text += "],\"changes\":[[" + std::to_string(flown.changes.at(0).step) +
+            ",\"aircraft.rollFactor\",\"0.5\"]],\"runs\":[";
     for (const auto& r : flown.runs) {
       text += (text.back() == '[' ? "[" : ",[") + std::to_string(r.steps) + ",0,0," +
               std::to_string(r.controls.pitch) + "," + std::to_string(r.controls.roll) + ",0,0]";
@@ -277,8 +280,9 @@ TEST(FlightRecorder, noRecordIsReplacedAndAnUnusedFileIsNotLeft) {
   { FlightRecorder recorder(fresh), onEmpty(empty); }
   EXPECT_FALSE(std::filesystem::exists(fresh));
   EXPECT_TRUE(std::filesystem::exists(empty));
-  EXPECT_TRUE(test::refusalOf<core::DataError>([] { FlightRecorder recorder("/nowhere/a.log"); })
-                  .starts_with("/nowhere/a.log: cannot write: "))
+  EXPECT_TRUE(test::refusalOf<core::DataError>([] {
+                FlightRecorder recorder("/nowhere/a.log");
+              }).starts_with("/nowhere/a.log: cannot write: "))
       << "a path is tried before the flight";
 }
 

@@ -1,4 +1,5 @@
-// What was written with the names of earlier versions still means the same: scenes, presets, the player's file, --set.
+// What was written with the names of earlier versions still means the same: scenes, presets, the player's
+// file, --set.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -54,7 +55,8 @@ nlohmann::json underFormerNames() {
 }
 
 void expectTaken(const core::SettingsTable& table, const char* by) {
-  for (const Renamed& row : kRenamed) EXPECT_EQ(table.at(row.now).get(), row.value) << by << ": " << row.formerly;
+  for (const Renamed& row : kRenamed)
+    EXPECT_EQ(table.at(row.now).get(), row.value) << by << ": " << row.formerly;
 }
 
 class FormerNames : public testing::Test {
@@ -83,7 +85,8 @@ class FormerNames : public testing::Test {
 
 TEST_F(FormerNames, areReadFromAScene) {
   CommandLine scene = line();
-  scene.scene = folder.write("a.json", nlohmann::json({{"schema", 1}, {"settings", underFormerNames()}}).dump());
+  scene.scene =
+      folder.write("a.json", nlohmann::json({{"schema", 1}, {"settings", underFormerNames()}}).dump());
   expectTaken(prepareRun(scene)->table, "scene");
 }
 
@@ -112,7 +115,8 @@ TEST_F(FormerNames, areReadFromAPresetOfTheGroupThatTheyWereIn) {
   }
   expectTaken(table, "preset");
   settings.wind.speed = 33;
-  const nlohmann::json other = {{"schema", 1}, {"groups", {"clouds"}}, {"settings", {{"clouds", {{"coverage", 1}}}}}};
+  const nlohmann::json other = {
+      {"schema", 1}, {"groups", {"clouds"}}, {"settings", {{"clouds", {{"coverage", 1}}}}}};
   for (const ui::SettingValue& value : readPreset(folder.write("new.json", other.dump()))) {
     table.at(value.path).set(value.value);
   }
@@ -127,7 +131,8 @@ TEST_F(FormerNames, aChoiceOfTheMenuReplacesThemInThePlayersFile) {
   choose(*run, "clouds.layers.0.coverage", 0.3);
   choose(*run, "wind.speed", core::SettingsTable(run->base).at("wind.speed").get());
   EXPECT_EQ(run->userSettings.save(run->playerTable, run->bindings), std::nullopt);
-  EXPECT_EQ(kept(), nlohmann::json::parse(R"({"clouds": {"scale": 0.7, "layers": {"0": {"coverage": 0.3}}}})"));
+  EXPECT_EQ(kept(),
+            nlohmann::json::parse(R"({"clouds": {"scale": 0.7, "layers": {"0": {"coverage": 0.3}}}})"));
   const auto next = prepareRun(line());
   EXPECT_EQ(next->settings.clouds.layers[0].coverage, 0.3);
   EXPECT_EQ(next->settings.clouds.layers[0].scale, 0.7);

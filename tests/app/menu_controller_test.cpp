@@ -29,8 +29,8 @@ TEST(MenuController, theCopiedFlagsReproduceEverySettingFromTheSceneAndFromTheDe
     if (field.kind != core::FieldKind::number || !field.path.starts_with("render.")) continue;
     core::setField(field, field.min + (field.max - field.min) / 3);
   }
-  MenuController desk(std::nullopt);
-  const ui::MenuTools tools = desk.tools(baseTable, someView(), {});
+  MenuController menuController(std::nullopt);
+  const ui::MenuTools tools = menuController.tools(baseTable, someView(), {});
   EXPECT_FALSE(tools.presets) << "no folder, no presets";
   std::istringstream words(core::setFlags(table, tools.bases));
   std::vector<std::string> assignments;
@@ -52,34 +52,34 @@ TEST(MenuController, theCopiedFlagsReproduceEverySettingFromTheSceneAndFromTheDe
 TEST(MenuController, presetsAreServedThroughTheMenu) {
   // Saved with what the table has; loaded as one step of its history; a refusal changes nothing.
   const test::TemporaryFolder folder;
-  MenuController desk(folder.path());
+  MenuController menuController(folder.path());
   ui::ConfigurationMenu menu;
   Settings settings;
   const core::SettingsTable table(settings);
   settings.aircraft.mass = 900;
   using Kind = ui::PresetRequest::Kind;
-  desk.serve({Kind::save, "light", {"aircraft"}}, table, menu);
-  ASSERT_EQ(desk.tools(table, someView(), {}).presets.value().size(), 1u);
+  menuController.serve({Kind::save, "light", {"aircraft"}}, table, menu);
+  ASSERT_EQ(menuController.tools(table, someView(), {}).presets.value().size(), 1u);
   settings.aircraft.mass = 1500;
-  const MenuController::Served served = desk.serve({Kind::load, "light"}, table, menu);
+  const MenuController::Served served = menuController.serve({Kind::load, "light"}, table, menu);
   EXPECT_EQ(served.changedPaths, std::vector<std::string>{"aircraft.mass"});
   EXPECT_EQ(settings.aircraft.mass, 900);
-  EXPECT_THROW(desk.serve({Kind::load, "heavy"}, table, menu), core::DataError);
-  EXPECT_THROW(desk.serve({Kind::save, "a/b"}, table, menu), core::RangeError);
+  EXPECT_THROW(menuController.serve({Kind::load, "heavy"}, table, menu), core::DataError);
+  EXPECT_THROW(menuController.serve({Kind::save, "a/b"}, table, menu), core::RangeError);
   EXPECT_EQ(settings.aircraft.mass, 900);
-  desk.serve({Kind::remove, "light"}, table, menu);
-  EXPECT_TRUE(desk.tools(table, someView(), {}).presets.value().empty());
+  menuController.serve({Kind::remove, "light"}, table, menu);
+  EXPECT_TRUE(menuController.tools(table, someView(), {}).presets.value().empty());
 }
 
 TEST(MenuController, theMenuIsRememberedAndABrokenMemoryIsSetAside) {
   const test::TemporaryFolder folder;
-  MenuController desk(folder.path());
+  MenuController menuController(folder.path());
   ui::ConfigurationMenu menu;
-  EXPECT_EQ(desk.load(menu), std::nullopt) << "no file is as good as none";
-  desk.save(menu);
+  EXPECT_EQ(menuController.load(menu), std::nullopt) << "no file is as good as none";
+  menuController.save(menu);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "menu.json")) << "nothing to remember";
   menu.setState({ui::ScreenRect{0.25f, 0.1f, 0.6f, 0.9f}, {{"aircraft", false}, {"#costs", true}}});
-  desk.save(menu);
+  menuController.save(menu);
   ui::ConfigurationMenu next;
   MenuController nextDesk(folder.path());
   EXPECT_EQ(nextDesk.load(next), std::nullopt);
@@ -94,8 +94,9 @@ TEST(MenuController, theMenuIsRememberedAndABrokenMemoryIsSetAside) {
     EXPECT_EQ(core::readTextFile(folder.path() / "menu.json.bad"), broken);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "menu.json"));
   }
-  for (const char* wrong : {R"({"schema": 1, "place": [0, 0, 1]})", R"({"schema": 1, "place": [0, 0, 1, 7]})",
-                            R"({"schema": 1, "open": {"aircraft": 3, "game": true}})", R"({"schema": 1, "open": 3})"}) {
+  for (const char* wrong :
+       {R"({"schema": 1, "place": [0, 0, 1]})", R"({"schema": 1, "place": [0, 0, 1, 7]})",
+        R"({"schema": 1, "open": {"aircraft": 3, "game": true}})", R"({"schema": 1, "open": 3})"}) {
     folder.write("menu.json", wrong);
     ui::ConfigurationMenu fresh;
     const auto warning = MenuController(folder.path()).load(fresh);
@@ -110,18 +111,20 @@ TEST(MenuController, theMenuIsRememberedAndABrokenMemoryIsSetAside) {
 TEST(MenuController, onlyWhatChangedInTheMenuIsWritten) {
   const test::TemporaryFolder folder;
   folder.write("menu.json", R"({"schema": 1, "open": {"aircraft": true, "game": true}})");
-  MenuController desk(folder.path());
+  MenuController menuController(folder.path());
   ui::ConfigurationMenu menu;
-  desk.load(menu);
+  menuController.load(menu);
   const std::string edited = folder.write(
-      "menu.json", R"({"schema": 1, "open": {"aircraft": true, "game": false, "sails": true}, "colour": "red"})");
+      "menu.json",
+      R"({"schema": 1, "open": {"aircraft": true, "game": false, "sails": true}, "colour": "red"})");
   ui::MenuState state = menu.state();
   state.open["aircraft"] = false;
   menu.setState(state);
-  EXPECT_EQ(desk.save(menu), std::nullopt);
-  EXPECT_EQ(nlohmann::json::parse(core::readTextFile(edited)),
-            nlohmann::json::parse(
-                R"({"schema": 1, "open": {"aircraft": false, "game": false, "sails": true}, "colour": "red"})"));
+  EXPECT_EQ(menuController.save(menu), std::nullopt);
+  EXPECT_EQ(
+      nlohmann::json::parse(core::readTextFile(edited)),
+      nlohmann::json::parse(
+          R"({"schema": 1, "open": {"aircraft": false, "game": false, "sails": true}, "colour": "red"})"));
 }
 
 }  // namespace

@@ -19,14 +19,14 @@ TEST(Notices, eachIsShownForItsOwnTime) {
   // After the game's messages, in the order in which they came, until their seconds have passed.
   using testing::ElementsAre;
   Notices notices;
-  notices.add("long", Notices::kNewsSeconds);
+  notices.add("long", Notices::kUnrequestedSeconds);
   notices.add("short");
   EXPECT_THAT(shown(notices), ElementsAre("of the game", "long", "short"));
   notices.pass(Notices::kSeconds / 2);
   EXPECT_THAT(shown(notices), ElementsAre("of the game", "long", "short"));
   notices.pass(Notices::kSeconds / 2);
   EXPECT_THAT(shown(notices), ElementsAre("of the game", "long"));
-  notices.pass(Notices::kNewsSeconds);
+  notices.pass(Notices::kUnrequestedSeconds);
   EXPECT_THAT(shown(notices), ElementsAre("of the game"));
 }
 

@@ -1,4 +1,3 @@
-#include "app/cli/command_line_parser.h"
 #include "app/session/pose_text.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <random>
 
+#include "app/cli/command_line_parser.h"
 #include "skydrop/render/frame/camera.h"
 
 namespace skydrop::app {

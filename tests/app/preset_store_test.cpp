@@ -16,7 +16,7 @@
 namespace skydrop::app {
 namespace {
 
-class PresetShelfTest : public testing::Test {
+class PresetStoreTest : public testing::Test {
  protected:
   static void apply(const core::SettingsTable& table, const std::vector<ui::SettingValue>& values) {
     for (const ui::SettingValue& value : values) core::setField(table.at(value.path), value.value);
@@ -29,7 +29,7 @@ class PresetShelfTest : public testing::Test {
   core::SettingsTable table{settings};
 };
 
-TEST_F(PresetShelfTest, aPresetOfEverythingBringsEveryValueOfTheGameBack) {
+TEST_F(PresetStoreTest, aPresetOfEverythingBringsEveryValueOfTheGameBack) {
   // Bit for bit, those that were at their default too; what is the player's own stays.
   for (const core::Field& field : table.fields()) {
     const double middle = (field.min + field.max) / 3;
@@ -44,13 +44,14 @@ TEST_F(PresetShelfTest, aPresetOfEverythingBringsEveryValueOfTheGameBack) {
   apply(otherTable, shelf.load("first try"));
   for (std::size_t i = 0; i < table.fields().size(); ++i) {
     const core::Field& field = table.fields()[i];
-    if (field.path.starts_with("view") || field.path.starts_with("audio") || field.path == "quality") continue;
+    if (field.path.starts_with("view") || field.path.starts_with("audio") || field.path == "quality")
+      continue;
     EXPECT_EQ(otherTable.fields()[i].get(), field.get()) << field.path;
   }
   EXPECT_FALSE(other.view.hud);
 }
 
-TEST_F(PresetShelfTest, aPresetOfASectionLeavesTheOthersAlone) {
+TEST_F(PresetStoreTest, aPresetOfASectionLeavesTheOthersAlone) {
   settings.aircraft.mass = 900;
   settings.game.targetRadius = 50;
   shelf.save("light", table, {"aircraft"});
@@ -66,7 +67,7 @@ TEST_F(PresetShelfTest, aPresetOfASectionLeavesTheOthersAlone) {
   EXPECT_THROW(shelf.save("x", table, {"airkraft"}), core::RangeError);
 }
 
-TEST_F(PresetShelfTest, onlyWhatDiffersIsWritten) {
+TEST_F(PresetStoreTest, onlyWhatDiffersIsWritten) {
   settings.aircraft.mass = 900;
   shelf.save("light", table, {"aircraft"});
   EXPECT_THAT(
@@ -74,7 +75,7 @@ TEST_F(PresetShelfTest, onlyWhatDiffersIsWritten) {
       testing::AllOf(testing::HasSubstr("\"mass\": 900"), testing::Not(testing::HasSubstr("rollFactor"))));
 }
 
-TEST_F(PresetShelfTest, presetsAreListedByNameAndDeleted) {
+TEST_F(PresetStoreTest, presetsAreListedByNameAndDeleted) {
   EXPECT_TRUE(shelf.list().empty()) << "the folder need not exist";
   shelf.save("b", table, {"game"});
   shelf.save("a", table, {});
@@ -87,7 +88,7 @@ TEST_F(PresetShelfTest, presetsAreListedByNameAndDeleted) {
   EXPECT_THROW(shelf.remove("a"), core::DataError);
 }
 
-TEST_F(PresetShelfTest, aBrokenPresetIsALineAndLosesNothing) {
+TEST_F(PresetStoreTest, aBrokenPresetIsALineAndLosesNothing) {
   // It is listed with what is wrong, stays on the disk as it is, and nothing of it is applied.
   shelf.save("good", table, {});
   for (const char* broken :
@@ -109,7 +110,7 @@ TEST_F(PresetShelfTest, aBrokenPresetIsALineAndLosesNothing) {
   }
 }
 
-TEST_F(PresetShelfTest, aPresetThatCannotBeReadIsNotWrittenOver) {
+TEST_F(PresetStoreTest, aPresetThatCannotBeReadIsNotWrittenOver) {
   // It may be one slip of a hand away from a good one.
   EXPECT_EQ(shelf.save("light", table, {"aircraft"}), std::nullopt);
   EXPECT_EQ(shelf.save("light", table, {"game"}), std::nullopt) << "a good one is replaced";
@@ -122,7 +123,7 @@ TEST_F(PresetShelfTest, aPresetThatCannotBeReadIsNotWrittenOver) {
   }
 }
 
-TEST_F(PresetShelfTest, aNameIsNeverAPath) {
+TEST_F(PresetStoreTest, aNameIsNeverAPath) {
   for (const std::string name : {"", ".", "..", "../settings", "a/b", "a\\b", ".hidden", "dot.", " space",
                                  "space ", "tab\t", "c:", "*", "\xc3\xa4"}) {
     EXPECT_NE(presetNameRefusal(name), "") << name;
@@ -137,7 +138,7 @@ TEST_F(PresetShelfTest, aNameIsNeverAPath) {
   EXPECT_FALSE(std::filesystem::exists(presets)) << "nothing was written";
 }
 
-TEST_F(PresetShelfTest, theCommandLineNamesAPresetOrAFile) {
+TEST_F(PresetStoreTest, theCommandLineNamesAPresetOrAFile) {
   settings.aircraft.mass = 900;
   shelf.save("light", table, {"aircraft"});
   for (const std::string& word : {std::string("light"), (presets / "light.json").string()}) {
@@ -152,7 +153,7 @@ TEST_F(PresetShelfTest, theCommandLineNamesAPresetOrAFile) {
   EXPECT_THROW(presetOfCommandLine("heavy.json", presets), core::DataError);
 }
 
-TEST_F(PresetShelfTest, aPresetOfTheCommandLineStandsBetweenThePlayersFileAndSet) {
+TEST_F(PresetStoreTest, aPresetOfTheCommandLineStandsBetweenThePlayersFileAndSet) {
   settings.aircraft.mass = 900;
   settings.aircraft.pitchSpeed = 22;
   shelf.save("light", table, {"aircraft"});

@@ -31,7 +31,8 @@ TEST(SettingsChange, isWhatDiffersBetweenTwoStates) {
   EXPECT_TRUE(SettingsChange::between(beforeTable, nowTable).empty());
   now.wind.speed = 30;
   now.clouds.layers[0].coverage = 1;
-  EXPECT_EQ(SettingsChange::between(beforeTable, nowTable).paths(), (Paths{"clouds.layers.0.coverage", "wind.speed"}));
+  EXPECT_EQ(SettingsChange::between(beforeTable, nowTable).paths(),
+            (Paths{"clouds.layers.0.coverage", "wind.speed"}));
 }
 
 TEST(SettingsChange, eachPathCountsOnce) {

@@ -330,8 +330,7 @@ render::View seenBy(render::CameraMode mode, const Settings& settings) {
 
 std::uint64_t cameras(const Settings& settings) {
   StateHasher h;
-  for (const auto mode :
-       {settings.view.camera, render::CameraMode::chase, render::CameraMode::cockpit}) {
+  for (const auto mode : {settings.view.camera, render::CameraMode::chase, render::CameraMode::cockpit}) {
     const render::View view = seenBy(mode, settings);
     add(h, view.position), add(h, view.forward()), add(h, view.up());
     h.add(view.fovYRad), h.add(view.nearM);
@@ -451,9 +450,9 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
   EXPECT_GT(rows, 0);
 }
 
-constexpr const char* kGroups[] = {"aircraft.", "package.", "game.",  "autopilot.", "terrain.", "streaming.",
-                                   "audio.",    "view.",    "input.", "quality",    "clouds.", "render.",
-                                   "wind."};
+constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot.", "terrain.",
+                                   "streaming.", "audio.",   "view.", "input.",     "quality",
+                                   "clouds.",    "render.",  "wind."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -41,9 +41,11 @@ TEST_F(SettingsSearch, theThesisNamesOfItsFourteenParametersAreFound) {
         std::pair("Pitch Speed", "aircraft.pitchSpeed"), std::pair("Yaw Speed", "aircraft.yawSpeed"),
         std::pair("Roll Speed", "aircraft.rollSpeed"), std::pair("maxThrottle", "aircraft.maxThrottle"),
         std::pair("inducedYawFactor", "aircraft.inducedYawFactor"),
-        std::pair("Density Threshold", "clouds.layers.0.densityThreshold"), std::pair("Scale", "clouds.layers.0.scale"),
-        std::pair("HG", "clouds.layers.0.anisotropy"), std::pair("SIGMA", "clouds.layers.0.extinction"),
-        std::pair("Higher Scale", "clouds.layers.0.higherScale"), std::pair("Weather Scale", "clouds.layers.0.weatherScale"),
+        std::pair("Density Threshold", "clouds.layers.0.densityThreshold"),
+        std::pair("Scale", "clouds.layers.0.scale"), std::pair("HG", "clouds.layers.0.anisotropy"),
+        std::pair("SIGMA", "clouds.layers.0.extinction"),
+        std::pair("Higher Scale", "clouds.layers.0.higherScale"),
+        std::pair("Weather Scale", "clouds.layers.0.weatherScale"),
         std::pair("Cloud Height", "clouds.layers.0.cloudHeight")}) {
     EXPECT_THAT(found(name), Contains(path)) << name;
   }
@@ -54,10 +56,12 @@ TEST_F(SettingsSearch, whatOthersCallARowIsFound) {
   for (const auto& [name, path] :
        {std::pair("fov", "render.camera.fovDegrees"), std::pair("AA", "render.picture.smoothModels"),
         std::pair("antialiasing", "render.picture.smoothModels"), std::pair("LOD", "streaming.pixelError"),
-        std::pair("absorption", "clouds.layers.0.extinction"), std::pair("brightness", "render.picture.exposureStops"),
-        std::pair("wind", "wind.speed"), std::pair("windSpeed", "wind.speed"), std::pair("fog", "render.atmosphere.visibilityM"),
+        std::pair("absorption", "clouds.layers.0.extinction"),
+        std::pair("brightness", "render.picture.exposureStops"), std::pair("wind", "wind.speed"),
+        std::pair("windSpeed", "wind.speed"), std::pair("fog", "render.atmosphere.visibilityM"),
         std::pair("FPS", "view.frameCapHz"), std::pair("joystick", "input.gamepad.deadZone"),
-        std::pair("draw distance", "streaming.farDistanceM"), std::pair("Henyey", "clouds.layers.0.anisotropy"),
+        std::pair("draw distance", "streaming.farDistanceM"),
+        std::pair("Henyey", "clouds.layers.0.anisotropy"),
         std::pair("time of day", "render.sun.elevationDegrees"), std::pair("thrust", "aircraft.maxThrottle"),
         std::pair("sea level", "terrain.landBias")}) {
     EXPECT_THAT(found(name), Contains(path)) << name;
@@ -67,7 +71,8 @@ TEST_F(SettingsSearch, whatOthersCallARowIsFound) {
 TEST_F(SettingsSearch, anUnknownPathIsAnsweredWithTheRowsThatWereMeant) {
   for (const auto& [wrong, right] :
        {std::pair("sun.elevation", "are 'render.sun.elevationDegrees'"),
-        std::pair("clouds.HG", "are 'clouds.layers.0.anisotropy'"), std::pair("SIGMA", "are 'clouds.layers.0.extinction'"),
+        std::pair("clouds.HG", "are 'clouds.layers.0.anisotropy'"),
+        std::pair("SIGMA", "are 'clouds.layers.0.extinction'"),
         std::pair("camera.fov", "are 'render.camera.fovDegrees'"),
         std::pair("FOV", "are 'render.camera.fovDegrees'"),
         std::pair("exposure", "are 'render.picture.exposureStops'"),

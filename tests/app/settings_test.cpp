@@ -196,7 +196,8 @@ TEST(Settings, anEditedPlayerFileTakesEffectWhereItFits) {
   const auto run = prepareRun(line);
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"pitchSpeed": 21, "yawSpeed": 22}}})");
-  EXPECT_EQ(reloadPlayer(*run).paths(), std::vector<std::string>{"aircraft.pitchSpeed"}) << "--set still wins";
+  EXPECT_EQ(reloadPlayer(*run).paths(), std::vector<std::string>{"aircraft.pitchSpeed"})
+      << "--set still wins";
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 21);
   EXPECT_EQ(run->player.aircraft.yawSpeed, 22);
   EXPECT_EQ(run->warning, std::nullopt);
@@ -377,7 +378,8 @@ TEST_F(UserSettingsTest, boundKeysComeBack) {
   folder.write("settings.json", R"({"schema": 1, "bindings": {"camera": ["V"]}})");
   reloadPlayer(*next);
   EXPECT_EQ(next->bindings.actionOf(keyInput('V')), Action::camera);
-  EXPECT_EQ(next->bindings.actionOf(keyInput('N')), std::nullopt) << "what the file no longer changes is at its default";
+  EXPECT_EQ(next->bindings.actionOf(keyInput('N')), std::nullopt)
+      << "what the file no longer changes is at its default";
 }
 
 TEST_F(UserSettingsTest, keysMovedAroundTheRulesAreSavedWhole) {
@@ -398,12 +400,14 @@ TEST_F(UserSettingsTest, aFlightNeverStartsFrozenBecauseTheLastOneWas) {
 
 TEST_F(UserSettingsTest, aFileThatIsBrokenAsAWholeIsKeptAsideUnderANewNameEachTime) {
   std::vector<std::string> expected;
-  for (const char* broken : {"{", "[]", R"({"schema": 2})", R"({"schema": 1, "settings": {"aircraft": {"mass": 900},}})",
-                             R"({"schema": 1, "settings": 7})"}) {
+  for (const char* broken :
+       {"{", "[]", R"({"schema": 2})", R"({"schema": 1, "settings": {"aircraft": {"mass": 900},}})",
+        R"({"schema": 1, "settings": 7})"}) {
     const auto run = start(broken);
     ASSERT_TRUE(run->warning) << broken;
     EXPECT_EQ(run->warning->find('\n'), std::string::npos);
-    expected.push_back(expected.empty() ? "settings.json.bad" : "settings.json.bad" + std::to_string(expected.size() + 1));
+    expected.push_back(expected.empty() ? "settings.json.bad"
+                                        : "settings.json.bad" + std::to_string(expected.size() + 1));
     EXPECT_THAT(*run->warning, testing::EndsWith(expected.back())) << broken;
     EXPECT_EQ(core::readTextFile(folder.path() / expected.back()), broken);
     EXPECT_EQ(names(), expected);
@@ -418,7 +422,8 @@ TEST_F(UserSettingsTest, whatDoesNotFitIsSaidInOneLineAndTheRestApplies) {
                                       std::pair(R"("mass": -1)", "aircraft.mass: -1 is out of range"),
                                       std::pair(R"("mass": null)", "aircraft.mass: null is not a number")}) {
     const std::string content =
-        std::string(R"({"schema": 1, "settings": {"game": 3, "aircraft": {"rollSpeed": 40, )") + wrong + "}}}";
+        std::string(R"({"schema": 1, "settings": {"game": 3, "aircraft": {"rollSpeed": 40, )") + wrong +
+        "}}}";
     const auto run = start(content);
     ASSERT_TRUE(run->warning) << wrong;
     EXPECT_TRUE(run->warning->starts_with(file.string() + ": ")) << *run->warning;

@@ -40,7 +40,8 @@ TEST(StartCamera, aCameraUnderTheSurfaceIsReported) {
     placeCamera(camera, {{at.x, -40, at.y}, 0, 0, 0, true}, land());
     const auto line = underSurface(camera, land());
     ASSERT_TRUE(line);
-    EXPECT_NE(line->find("40.0 m under the " + std::string(water ? "sea" : "land")), std::string::npos) << *line;
+    EXPECT_NE(line->find("40.0 m under the " + std::string(water ? "sea" : "land")), std::string::npos)
+        << *line;
     EXPECT_EQ(line->find('\n'), std::string::npos);
     placeCamera(camera, {{at.x, 0.1, at.y}, 0, 0, 0, true}, land());
     EXPECT_FALSE(underSurface(camera, land()));

@@ -28,7 +28,8 @@ TEST(Statistics, theFileHasTheMembersOfTheContract) {
   for (const char* name : {"chunksDrawn", "triangles", "generated", "cacheHits", "queue", "bytes"}) {
     EXPECT_TRUE(json["terrain"].contains(name)) << name;
   }
-  for (const char* name : {"score", "drops", "position", "targets"}) EXPECT_TRUE(json["game"].contains(name)) << name;
+  for (const char* name : {"score", "drops", "position", "targets"})
+    EXPECT_TRUE(json["game"].contains(name)) << name;
   EXPECT_EQ(json["stateHash"], "0000000000000abc");
   EXPECT_EQ(json["effects"][0], "sky");
 }

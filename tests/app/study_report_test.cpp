@@ -33,16 +33,16 @@ TEST(StudyReport, aRowIsParetoOptimalUnlessAnotherIsBetterInSomethingAndWorseInN
 TEST(StudyReport, markdownHasAColumnAMetric) {
   const std::string report = studyReport({twoMetrics()}, ReportFormat::markdown);
   EXPECT_TRUE(report.starts_with("# What accuracy costs\n\n")) << report;
-  EXPECT_TRUE(report.ends_with(
-      "## Knobs, turned\n\n"
-      "A \"knob\" against itself.\n\n"
-      "Timed by wall clock on a machine.\n\n"
-      "| | position error, m | attitude error, degrees | ms a frame | Pareto-optimal | |\n"
-      "|---|---|---|---|---|---|\n"
-      "| good | 0.5 | 2 | 10 | yes | default |\n"
-      "| slow | 0.6 | 2 | 11 |  |  |\n"
-      "| even | 0.5 | 2 | 10 | yes |  |\n"
-      "| other | 0.123 | 3 | 12 | yes |  |\n\n"))
+  EXPECT_TRUE(
+      report.ends_with("## Knobs, turned\n\n"
+                       "A \"knob\" against itself.\n\n"
+                       "Timed by wall clock on a machine.\n\n"
+                       "| | position error, m | attitude error, degrees | ms a frame | Pareto-optimal | |\n"
+                       "|---|---|---|---|---|---|\n"
+                       "| good | 0.5 | 2 | 10 | yes | default |\n"
+                       "| slow | 0.6 | 2 | 11 |  |  |\n"
+                       "| even | 0.5 | 2 | 10 | yes |  |\n"
+                       "| other | 0.123 | 3 | 12 | yes |  |\n\n"))
       << report;
 }
 

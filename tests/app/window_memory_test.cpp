@@ -41,18 +41,22 @@ TEST(WindowMemory, editsAndKeysOfOtherVersionsStay) {
   const auto warning = loadWindowMemory(memory, file);
   EXPECT_EQ(warning, file.path().string() + ": opacity: unknown setting; not used, but kept");
   EXPECT_EQ(memory.width, 900);
-  folder.write("window.json", R"({"schema": 1, "settings": {"width": 800, "opacity": 0.5}, "screen": "left"})");
+  folder.write("window.json",
+               R"({"schema": 1, "settings": {"width": 800, "opacity": 0.5}, "screen": "left"})");
   WindowMemory now = memory;
   now.top = 30;
   saveWindowMemory(now, memory, {}, file);
   EXPECT_EQ(nlohmann::json::parse(core::readTextFile(file.path())),
-            nlohmann::json({{"schema", 1}, {"screen", "left"}, {"settings", {{"width", 800}, {"opacity", 0.5}, {"top", 30}}}}));
+            nlohmann::json({{"schema", 1},
+                            {"screen", "left"},
+                            {"settings", {{"width", 800}, {"opacity", 0.5}, {"top", 30}}}}));
 }
 
 TEST(WindowMemory, whatIsWrongIsSaidInOneLineAndTheWindowOpensAsUsual) {
   // Broken as a whole the file is kept aside; a wrong value is left out.
   const test::TemporaryFolder folder;
-  for (const char* broken : {"{", R"({"schema": 1, "settings": 3})", R"({"schema": 1, "settings": {"width": 0}})"}) {
+  for (const char* broken :
+       {"{", R"({"schema": 1, "settings": 3})", R"({"schema": 1, "settings": {"width": 0}})"}) {
     std::filesystem::remove(folder.path() / "window.json.bad");
     KeptFile file(folder.write("window.json", broken));
     WindowMemory memory;

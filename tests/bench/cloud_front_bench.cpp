@@ -35,8 +35,10 @@ constexpr Change kChanges[] = {
     {"maxSegmentOpticalDepth 2", [](MarchSettings& m) { m.maxSegmentOpticalDepth = 2; }},
     {"tolerance 0.1", [](MarchSettings& m) { m.tolerance = 0.1; }},
     {"tolerance 1", [](MarchSettings& m) { m.tolerance = 1; }},
-    {"lightGrid, sunMarchDistanceM 60", [](MarchSettings& m) { m.lightGrid = true, m.sunMarchDistanceM = 60; }},
-    {"lightGrid, sunMarchDistanceM 200", [](MarchSettings& m) { m.lightGrid = true, m.sunMarchDistanceM = 200; }},
+    {"lightGrid, sunMarchDistanceM 60",
+     [](MarchSettings& m) { m.lightGrid = true, m.sunMarchDistanceM = 60; }},
+    {"lightGrid, sunMarchDistanceM 200",
+     [](MarchSettings& m) { m.lightGrid = true, m.sunMarchDistanceM = 200; }},
 };
 
 struct FrontRow {

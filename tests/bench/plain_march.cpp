@@ -1,4 +1,5 @@
 #include "bench/plain_march.h"
+
 #include "support/paths.h"
 
 namespace skydrop::bench {

@@ -191,15 +191,15 @@ TEST_F(CloudReferenceGLTest, aMediumOfTheHeightAloneHasItsQuadrature) {
 }
 
 // Counts what shaders/clouds/march.glsl does in a dispatch: its own text, with the calls that stand for a
-// step and for a stretch replaced by ones that count. Behind the clouds' pass: what that bound is bound
+// step and for a segment replaced by ones that count. Behind the clouds' pass: what that bound is bound
 // still.
 class CountingPass final : public Pass {
  public:
   // Of a dispatch, by ray: steps before each evaluation of light, then those after the last.
-  static constexpr std::size_t kMostStretches = 1024;
+  static constexpr std::size_t kMostSegments = 1024;
   struct Ray {
-    std::array<GLuint, kMostStretches> steps;
-    GLuint stretches;
+    std::array<GLuint, kMostSegments> steps;
+    GLuint segments;
     float weight, distance;  // opacity so far, and what is kept of its distance
     GLuint unused;
   };
@@ -219,7 +219,7 @@ class CountingPass final : public Pass {
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Tiles { uvec4 groups; Task tasks[]; } tiles;
-struct Count { uint steps[1024]; uint stretches; float weight; float distance; uint unused; };
+struct Count { uint steps[1024]; uint segments; float weight; float distance; uint unused; };
 layout(std430, binding = 4) buffer Counts { Count counts[]; };
 struct Carried { float sun, sky, ground, transmittance, weight, distance, at, clear; };
 layout(std430, binding = 5) buffer CarriedMarches { Carried carried[]; };
@@ -227,12 +227,12 @@ layout(std430, binding = 6) buffer UnderWay { uint raysUnderWay; };
 uniform bool isFirst;
 
 uint steps = 0u;
-uint stretches = 0u;
+uint segments = 0u;
 float noteStep(ivec3 cell) { ++steps; return emptyCells(cell); }
 float noteStretch(vec3 place, float height) {
-  counts[gl_GlobalInvocationID.x].steps[min(stretches, 1022u)] = steps;
+  counts[gl_GlobalInvocationID.x].steps[min(segments, 1022u)] = steps;
   steps = 0u;
-  ++stretches;
+  ++segments;
   return sunDepth(place, height);
 }
 #define emptyCells noteStep
@@ -252,8 +252,8 @@ void main() {
     march = March(c.sun, c.sky, c.ground, c.transmittance, c.weight, c.distance, c.at, c.clear);
   }
   marchOn(march, direction, span);
-  counts[ray].steps[min(stretches, 1023u)] = steps;
-  counts[ray].stretches = stretches;
+  counts[ray].steps[min(segments, 1023u)] = steps;
+  counts[ray].segments = segments;
   counts[ray].weight = march.weight;
   counts[ray].distance = seenDistance(march);
   carried[ray] = Carried(march.sun, march.sky, march.ground, march.transmittance, march.weight, march.distance,
@@ -329,29 +329,29 @@ class CloudCountGLTest : public CloudReferenceGLTest {
 
 TEST_F(CloudCountGLTest, noDispatchRunsMoreLoopsThanADriverAllows) {
   // In mist that rays go through for 24 km, several dispatches are needed. None runs a ray for more than 32
-  // 000 turns of all its loops: steps, stretches and samples to the sun. Rays that run together wait for the
-  // slowest of them at each stretch: 16 of them (what the widest software renderer runs at once) stay below
+  // 000 turns of all its loops: steps, segments and samples to the sun. Rays that run together wait for the
+  // slowest of them at each segment: 16 of them (what the widest software renderer runs at once) stay below
   // the 65 535 turns at which llvmpipe ends a loop.
   fillWithMist();
   const Dispatches& dispatches = countFrom(small({0, 2400, 0}, 40, 3));
   EXPECT_GT(dispatches.size(), 1u) << "proves little";
-  const GLuint aStretch = static_cast<GLuint>(clouds_.march.sunSamples) + 1;
+  const GLuint aSegment = static_cast<GLuint>(clouds_.march.sunSamples) + 1;
   GLuint mostOfRay = 0, mostOfGroup = 0;
   for (const std::vector<CountingPass::Ray>& rays : dispatches) {
     for (std::size_t first = 0; first < rays.size(); first += 16) {
       std::vector<GLuint> slowest;
       for (std::size_t i = first; i < first + 16; ++i) {
         const CountingPass::Ray& ray = rays[i];
-        ASSERT_LT(ray.stretches, CountingPass::kMostStretches - 1);
-        GLuint turns = ray.stretches * aStretch;
-        if (slowest.size() <= ray.stretches) slowest.resize(ray.stretches + 1);
-        for (std::size_t k = 0; k <= ray.stretches; ++k) {
+        ASSERT_LT(ray.segments, CountingPass::kMostSegments - 1);
+        GLuint turns = ray.segments * aSegment;
+        if (slowest.size() <= ray.segments) slowest.resize(ray.segments + 1);
+        for (std::size_t k = 0; k <= ray.segments; ++k) {
           turns += ray.steps[k];
           slowest[k] = std::max(slowest[k], ray.steps[k]);
         }
         mostOfRay = std::max(mostOfRay, turns);
       }
-      GLuint turns = static_cast<GLuint>(slowest.size() - 1) * aStretch;
+      GLuint turns = static_cast<GLuint>(slowest.size() - 1) * aSegment;
       for (const GLuint steps : slowest) turns += steps;
       mostOfGroup = std::max(mostOfGroup, turns);
     }

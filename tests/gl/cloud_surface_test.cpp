@@ -158,9 +158,9 @@ class PoisonPass final : public Pass {
       : system_(system), file_(folder.write("poison.comp", R"(
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 1, rg16f) uniform writeonly image2D distances;
-#ifdef CARRIED
-layout(binding = 2, rgba32f) uniform writeonly image2D carriedLight;
-layout(binding = 3, rgba32f) uniform writeonly image2D carriedWay;
+#ifdef MULTI_DISPATCH
+layout(binding = 2, rgba32f) uniform writeonly image2D rayLight;
+layout(binding = 3, rgba32f) uniform writeonly image2D rayState;
 #endif
 layout(std430, binding = 0) buffer Tiles { uint words[]; } tiles;
 uniform float poison;
@@ -168,9 +168,9 @@ void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
   vec4 none = vec4(poison);
   imageStore(distances, at, none);
-#ifdef CARRIED
-  imageStore(carriedLight, at, none);
-  imageStore(carriedWay, at, none);
+#ifdef MULTI_DISPATCH
+  imageStore(rayLight, at, none);
+  imageStore(rayState, at, none);
 #endif
   int index = at.y * 64 + at.x;
   if (index < tiles.words.length()) tiles.words[index] = 0xffffffffu;
@@ -181,7 +181,7 @@ void main() {
   RenderStage stage() const override { return RenderStage::hud; }
   void draw(FrameContext& context) override {
     gl::ComputeShader& shader = context.shaders.computeShader(
-        file_, isCarried ? std::vector<std::string>{"CARRIED"} : std::vector<std::string>{});
+        file_, isMultiDispatch ? std::vector<std::string>{"MULTI_DISPATCH"} : std::vector<std::string>{});
     shader.use();
     shader.setFloat("poison", poison);
     shader.dispatch(8, 8);
@@ -190,7 +190,7 @@ void main() {
     context.gl.api().MemoryBarrier(GL_ALL_BARRIER_BITS);
   }
 
-  bool isCarried = true;
+  bool isMultiDispatch = true;
   float poison = 0;
 
  private:
@@ -230,7 +230,7 @@ TEST_F(CloudRowsGLTest, C10_nothingIsReadThatTheFrameDidNotWrite) {
   renderer().add(std::move(pass));
   for (std::size_t i = 0; i < tiers.size(); ++i) {
     clouds_.march = rowsOf(tiers[i]);
-    poison.isCarried = tiers[i] == reference;
+    poison.isMultiDispatch = tiers[i] == reference;
     for (const float value : {std::numeric_limits<float>::quiet_NaN(), 1.0f, 65000.0f}) {
       poison.poison = value;
       sceneFrom(viewOf(tiers[i]));

@@ -29,7 +29,7 @@ class CloudSystemGLTest : public test::FrameTest {
     draw(view);
     return light_;
   }
-  std::string idleReasonOf(const View& view) {
+  std::string skipReasonOf(const View& view) {
     system_->apply(clouds_, wind_);
     return system_->skipReason(gameFrame(snapshot_, view, features_)).value_or("");
   }
@@ -60,18 +60,18 @@ TEST_F(CloudSystemGLTest, C31_dispatchesNothingWhereNoCloudCanBeSeen) {
     return row == passes.end() ? 0 : row->second.dispatches;
   };
   EXPECT_GT(dispatches(below()), 0u);
-  EXPECT_EQ(idleReasonOf(below()), "");
+  EXPECT_EQ(skipReasonOf(below()), "");
   const View down = pose({0, 600, 0}, 40, -45, 0, 160, 90);
   EXPECT_EQ(dispatches(down), 0u);
-  EXPECT_EQ(idleReasonOf(down), "the layer is out of view");
-  EXPECT_EQ(idleReasonOf(pose({0, 600 + 1e5, 0}, 40, -45, 0)), "the layer is out of view");
+  EXPECT_EQ(skipReasonOf(down), "the layer is out of view");
+  EXPECT_EQ(skipReasonOf(pose({0, 600 + 1e5, 0}, 40, -45, 0)), "the layer is out of view");
   clouds_.layers[0].coverage = 0;
   EXPECT_EQ(dispatches(below()), 0u);
-  EXPECT_EQ(idleReasonOf(below()), "no cloud anywhere");
+  EXPECT_EQ(skipReasonOf(below()), "no cloud anywhere");
   clouds_.layers[0].coverage = 0.5;
   clouds_.tier = clouds::CloudTier::off;
   EXPECT_EQ(dispatches(below()), 0u);
-  EXPECT_EQ(idleReasonOf(below()), "switched off");
+  EXPECT_EQ(skipReasonOf(below()), "switched off");
 }
 
 TEST_F(CloudSystemGLTest, everyEndOfEverySliderDrawsFiniteLight) {

@@ -82,8 +82,7 @@ class MarkerGLTest : public test::FrameTest {
     drawShares(view);
     const glm::dvec3 foot = snapshot_.target.position - view.position;
     const glm::dvec3 onAxis(foot.x, std::clamp(0.0, foot.y, foot.y + shared::kBeamHeight), foot.z);
-    const double radius =
-        shared::beamRadius(glm::length(onAxis), view.pixelAngleRad());
+    const double radius = shared::beamRadius(glm::length(onAxis), view.pixelAngleRad());
     const glm::dmat3 rays = rayMatrix(view);
     const auto rayThrough = [&](double x, double y) {
       return glm::normalize(rays * glm::dvec3(2 * x / view.width - 1, 2 * y / view.height - 1, 1));

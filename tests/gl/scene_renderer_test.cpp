@@ -30,8 +30,8 @@ INSTANTIATE_TEST_SUITE_P(, SceneRendererGLTest, testing::Values(kDefaultScene, "
                          [](const auto& scene) { return std::string(scene.param); });
 
 TEST_P(SceneRendererGLTest, afterWarmingUpNoFrameCompilesAShader) {
-  // Warmed up: the first frames with the aircraft ahead, with a package in the air and with a target in sight use
-  // programs that are there already.
+  // Warmed up: the first frames with the aircraft ahead, with a package in the air and with a target in sight
+  // use programs that are there already.
   const auto run = prepared();
   Simulation simulation(run->setup, run->settings, run->table);
   SceneRenderer sceneRenderer(context(), setupOf(simulation), run->settings);

@@ -50,7 +50,8 @@ TEST_F(CloudRowsEffectGLTest, everyTenthOfEveryRowOfTheWeatherMakesADifference) 
   snapshot_.simulatedSeconds = 100;
   int rows = 0;
   for (const core::Field& field : table.fields()) {
-    const bool isOfTheWeather = field.path == "clouds.fadeDistance" || field.group.starts_with("clouds.layers.") ||
+    const bool isOfTheWeather = field.path == "clouds.fadeDistance" ||
+                                field.group.starts_with("clouds.layers.") ||
                                 (field.group == "wind" && field.kind == core::FieldKind::number);
     if (!isOfTheWeather) continue;
     ++rows;
@@ -155,7 +156,8 @@ TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference
     if (!isOfThePicture) continue;
     ++rows;
     const auto given = std::ranges::find(kGiven, field.path, &Given::row);
-    for (const std::string& line : idleSteps(field, given == kGiven.end() ? Given() : *given)) ADD_FAILURE() << line;
+    for (const std::string& line : idleSteps(field, given == kGiven.end() ? Given() : *given))
+      ADD_FAILURE() << line;
   }
   EXPECT_GE(rows, 20);
 }

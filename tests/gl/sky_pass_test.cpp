@@ -141,9 +141,10 @@ class HazePass final : public Pass {
  public:
   HazePass(gl::Context& context, const test::TemporaryFolder& folder, double distance)
       : triangle_(context),
-        fragment_(folder.write("haze.frag",
-                               "#include \"frame.glsl\"\nin vec2 ndc;\nuniform vec3 place;\nout vec4 color;\n"
-                               "void main() { color = vec4(applyAerialPerspective(vec3(0.0), place), 1.0); }\n")),
+        fragment_(
+            folder.write("haze.frag",
+                         "#include \"frame.glsl\"\nin vec2 ndc;\nuniform vec3 place;\nout vec4 color;\n"
+                         "void main() { color = vec4(applyAerialPerspective(vec3(0.0), place), 1.0); }\n")),
         distance_(distance) {}
   std::string_view name() const override { return "haze"; }
   RenderStage stage() const override { return RenderStage::weatherEffects; }

@@ -67,8 +67,7 @@ class MountainSource final : public terrain::HeightSource {
   }
 
   std::shared_ptr<const terrain::HeightSource> hills_ = test::makeHillsSource();
-  double factor_ =
-      (kEarth.highest - kEarth.lowest) / (hills_->range().highest - hills_->range().lowest);
+  double factor_ = (kEarth.highest - kEarth.lowest) / (hills_->range().highest - hills_->range().lowest);
 };
 
 // A land and its pass, drawn settled.

@@ -1,6 +1,6 @@
 // Golden frames: the program itself renders, headless, and the picture is compared with the one that was
-// looked at and blessed (SKYDROP_UPDATE_GOLDENS=1). tests/golden/<name>.png are the references; a failure leaves
-// actual, reference and difference in the artifact folder.
+// looked at and blessed (SKYDROP_UPDATE_GOLDENS=1). tests/golden/<name>.png are the references; a failure
+// leaves actual, reference and difference in the artifact folder.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -25,8 +25,8 @@ class WorldCamera : public testing::Test {
   Picture picture(std::vector<std::string> words) {
     const char* backend = std::getenv("SKYDROP_TEST_BACKEND");
     const std::string file = (folder_.path() / "picture.png").string();
-    words.insert(words.begin(), {"render", "--scene", "terrain", "--size", "160x90", "--out", file, "--backend",
-                                 backend ? backend : "egl"});
+    words.insert(words.begin(), {"render", "--scene", "terrain", "--size", "160x90", "--out", file,
+                                 "--backend", backend ? backend : "egl"});
     const ProcessResult result = runSkydrop(words);
     if (result.exitCode == 3) {
       [&] { GTEST_SKIP() << result.err; }();
@@ -49,7 +49,8 @@ TEST_F(WorldCamera, compassDegreesAndAPoseSeeTheSame) {
   // Heading 130 is yaw 40; every angle is taken over.
   const Picture pose = picture({"--pose=6500,1000,-1800,40,-6,20"});
   if (IsSkipped()) return;
-  const Picture camera = picture({"--camera=6500,1000,-1800", "--heading", "130", "--pitch=-6", "--roll", "20"});
+  const Picture camera =
+      picture({"--camera=6500,1000,-1800", "--heading", "130", "--pitch=-6", "--roll", "20"});
   EXPECT_TRUE(areEqual(pose.image, camera.image));
   EXPECT_EQ(camera.err, "");
 }

@@ -60,8 +60,8 @@ TEST(Stability, P04_anHourOfScriptedFlightStaysFinite) {
 }
 
 TEST(Stability, P04_noAircraftClimbsOutOfTheWorldThatIsDrawn) {
-  // Ten minutes upwards with the strongest engine that can be set, from just below the thin air: it stays below the
-  // ceiling, and comes down again when the engine idles.
+  // Ten minutes upwards with the strongest engine that can be set, from just below the thin air: it stays
+  // below the ceiling, and comes down again when the engine idles.
   AirplaneSettings settings;
   settings.maxThrottle = 1000;
   BodyState start = flyingNorth(250);

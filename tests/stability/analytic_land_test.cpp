@@ -33,10 +33,8 @@ TEST(Stability, T17_aTiltedPlaneHasItsNormal) {
       ASSERT_LT(degreesBetween(decodeNormal(chunk.normals[normalAt(column, row)]), truth), 0.6);
   }
   // The stored heights rise along the columns and fall along the rows.
-  EXPECT_NEAR(chunk.height(at(100, 0)) - chunk.height(at(0, 0)), 120.0,
-              chunk.heightRange.step());
-  EXPECT_NEAR(chunk.height(at(0, 100)) - chunk.height(at(0, 0)), -80.0,
-              chunk.heightRange.step());
+  EXPECT_NEAR(chunk.height(at(100, 0)) - chunk.height(at(0, 0)), 120.0, chunk.heightRange.step());
+  EXPECT_NEAR(chunk.height(at(0, 100)) - chunk.height(at(0, 0)), -80.0, chunk.heightRange.step());
 }
 
 TEST(Stability, T17_storedNormalsAreNeverFarOff) {

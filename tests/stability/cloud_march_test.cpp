@@ -70,7 +70,7 @@ double integral(const Function& f, double a, double b, double tolerance) {
   return halved(halved, a, b, fa, fm, fb, simpson(fa, fm, fb, b - a), tolerance, 40);
 }
 
-// Sun's light along a homogeneous stretch that begins at `begin`, with the way out of it towards the sun.
+// Sun's light along a homogeneous segment that begins at `begin`, with the way out of it towards the sun.
 template <class Way>
 double sunThrough(double extinction, const MarchLight& light, const MarchRay& ray, double begin, double end,
                   const Way& wayToSun) {
@@ -129,14 +129,14 @@ TEST(Stability, C04_extinctionWithoutBoundTendsToTheSource) {
   }
 }
 
-// The stretch of a ray in a closed box, by looking at the middle of every piece between crossings of planes.
+// The interval of a ray in a closed box, by looking at the middle of every piece between crossings of planes.
 struct LightSegment {
   double begin = 0, end = 0;
   bool isHit() const { return end > begin; }
 };
 
 LightSegment searchedStretch(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& low,
-                        const glm::dvec3& high) {
+                             const glm::dvec3& high) {
   std::vector<double> crossings{0};
   for (int axis = 0; axis < 3; ++axis) {
     for (const double plane : {low[axis], high[axis]}) {
@@ -157,7 +157,7 @@ LightSegment searchedStretch(const glm::dvec3& origin, const glm::dvec3& directi
   return found;
 }
 
-// Whether the box is hit; the stretch in floats is held to the one searched for.
+// Whether the box is hit; the interval in floats is held to the one searched for.
 bool hitOf(const glm::vec3& origin, const glm::vec3& direction, const glm::vec3& low, const glm::vec3& high,
            float scale) {
   const f32::RaySpan span = f32::raySpanOfBox(origin, direction, low, high);
@@ -175,7 +175,7 @@ bool hitOf(const glm::vec3& origin, const glm::vec3& direction, const glm::vec3&
   return true;
 }
 
-TEST(Stability, C09_stretchInABoxIsThatOfASearchInDoubles) {
+TEST(Stability, C09_intervalInABoxIsThatOfASearchInDoubles) {
   // A million random rays at scales from a metre to a hundred kilometres; floats.
   core::RandomStream random{1, 0};
   const auto unit = [&] { return static_cast<float>(2 * random.nextUnit() - 1); };

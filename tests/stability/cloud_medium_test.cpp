@@ -56,9 +56,8 @@ TEST(CloudMedium, densityStaysBetweenNothingAndOneForAnySettings) {
   }
   CloudSettings settings;
   const core::SettingsTable table(settings);
-  for (const char* wrong :
-       {"layers.0.extinction=-1", "layers.0.extinction=nan", "layers.0.densityThreshold=1",
-        "layers.0.thickness=0", "layers.0.scale=0"}) {
+  for (const char* wrong : {"layers.0.extinction=-1", "layers.0.extinction=nan",
+                            "layers.0.densityThreshold=1", "layers.0.thickness=0", "layers.0.scale=0"}) {
     EXPECT_THROW(core::setField(table, wrong), core::RangeError) << wrong;
   }
 }
@@ -188,7 +187,8 @@ TEST(CloudMedium, foreignNoiseOfAnotherShapeIsRefused) {
                           map = makeNoise(NoiseTexture::weather, 0);
   EXPECT_THROW(packCloudNoise(map, good, map), core::RangeError);
   EXPECT_THROW(packCloudNoise(good, good, good), core::RangeError);
-  EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::r8, 32, 32, 32), good, map), core::RangeError);
+  EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::r8, 32, 32, 32), good, map),
+               core::RangeError);
   EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::rgba8, 24, 24, 24), good, map),
                core::RangeError);
   EXPECT_THROW(packCloudNoise(core::TextureData(core::TexelFormat::rgba8, 32, 32, 16), good, map),

@@ -288,8 +288,8 @@ TEST(Stability, T07_flyingTurningAndLeapingNeverShowsAHole) {
       eye.y = std::max(source->height({eye.x, eye.z}), 0.0) + 200;
     }
     const ViewVolume view = lookingAlong(eye, yaw, -0.1, 160, 90);
-    // update() waits for the coarsest chunks a quarter of a second at most. On a machine that is too busy to make
-    // them by then the frame is asked for again; one that came sooner is judged as it is.
+    // update() waits for the coarsest chunks a quarter of a second at most. On a machine that is too busy to
+    // make them by then the frame is asked for again; one that came sooner is judged as it is.
     const auto timed = [&] {
       const auto begin = std::chrono::steady_clock::now();
       terrain.update(view);

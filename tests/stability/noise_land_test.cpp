@@ -209,8 +209,8 @@ TEST(Stability, T06_chunksHoldTheHeightsOfPoints) {
       int row = static_cast<int>(random.next() % kChunkSamples);
       if (i % 4 == 0) column = i % 8 == 0 ? 0 : kChunkCells;
       if (i % 4 == 1) row = i % 8 == 1 ? 0 : kChunkCells;
-      ASSERT_NEAR(chunk.height(at(column, row)),
-                  land->height(samplePosition(key, column, row)), chunk.heightRange.step() / 2 + kFloatMetres)
+      ASSERT_NEAR(chunk.height(at(column, row)), land->height(samplePosition(key, column, row)),
+                  chunk.heightRange.step() / 2 + kFloatMetres)
           << "level " << key.level << " column " << column << " row " << row;
     }
   }
@@ -399,8 +399,7 @@ TEST(Stability, T22_theLandFavoursNoDirection) {
           };
           values[row * kSize + column] =
               window(row) * window(column) *
-              (chunk.height(at(static_cast<int>(column), static_cast<int>(row))) -
-               chunk.bounds.lowest);
+              (chunk.height(at(static_cast<int>(column), static_cast<int>(row))) - chunk.bounds.lowest);
         }
       }
       for (std::size_t i = 0; i < kSize; ++i) transform(&values[i * kSize], kSize, 1);

@@ -107,7 +107,9 @@ struct Random {
   core::RandomStream stream;
   double between(double from, double to) { return from + (to - from) * stream.nextUnit(); }
   double decades(double from, double to) { return std::pow(10, between(from, to)); }
-  glm::dvec3 vector(double most) { return {between(-most, most), between(-most, most), between(-most, most)}; }
+  glm::dvec3 vector(double most) {
+    return {between(-most, most), between(-most, most), between(-most, most)};
+  }
 };
 
 // A body with a right-hand side, and what may not grow.
@@ -175,14 +177,14 @@ TEST(Stability, P24_dampersAndDragsOfAnyStrengthOnlyTakeEnergy) {
         const double linear = k / std::pow(glm::length(v), exponent),
                      angular = k / std::pow(glm::length(w), exponent);
         const double mass = body.mass(), least = body.properties().inertia[0][0];
-        return Stiff{k, body,
-                     [=](const BodyState& s) {
-                       const double speed = std::pow(glm::length(s.velocity), exponent),
-                                    spin = std::pow(glm::length(s.angularVelocity), exponent);
-                       return Wrench{-mass * linear * speed * s.velocity,
-                                     -least * angular * spin * s.angularVelocity};
-                     },
-                     [](const RigidBody& b) { return b.kineticEnergy(); }};
+        return Stiff{
+            k, body,
+            [=](const BodyState& s) {
+              const double speed = std::pow(glm::length(s.velocity), exponent),
+                           spin = std::pow(glm::length(s.angularVelocity), exponent);
+              return Wrench{-mass * linear * speed * s.velocity, -least * angular * spin * s.angularVelocity};
+            },
+            [](const RigidBody& b) { return b.kineticEnergy(); }};
       },
       60, 1e-9);
 }
@@ -195,7 +197,9 @@ TEST(Stability, P24_aStiffDragTakesABodyAlongWithTheWind) {
         RigidBody body = anyBody(random);
         const double k = random.decades(-3, 9), mass = body.mass();
         return Stiff{k, body,
-                     [=](const BodyState& s) { return Wrench{-mass * k * (s.velocity - wind), glm::dvec3(0)}; },
+                     [=](const BodyState& s) {
+                       return Wrench{-mass * k * (s.velocity - wind), glm::dvec3(0)};
+                     },
                      [=](const RigidBody& b) {
                        const glm::dvec3 through = b.velocity() - wind;
                        return glm::dot(through, through);
@@ -213,14 +217,15 @@ TEST(Stability, P24_dampedSpringsOfAnyStiffnessComeToRest) {
         RigidBody body = anyBody(random);
         const double k = random.decades(-3, 9), ratio = random.decades(-0.5, 1), mass = body.mass();
         const double w = std::sqrt(k);
-        return Stiff{w * std::max(ratio, 1.0), body,
-                     [=](const BodyState& s) {
-                       return Wrench{-mass * (k * s.position + 2 * ratio * w * s.velocity), glm::dvec3(0)};
-                     },
-                     [=](const RigidBody& b) {
-                       return 0.5 * mass *
-                              (glm::dot(b.velocity(), b.velocity()) + k * glm::dot(b.position(), b.position()));
-                     }};
+        return Stiff{
+            w * std::max(ratio, 1.0), body,
+            [=](const BodyState& s) {
+              return Wrench{-mass * (k * s.position + 2 * ratio * w * s.velocity), glm::dvec3(0)};
+            },
+            [=](const RigidBody& b) {
+              return 0.5 * mass *
+                     (glm::dot(b.velocity(), b.velocity()) + k * glm::dot(b.position(), b.position()));
+            }};
       },
       60, 0.1);
 }
@@ -232,11 +237,12 @@ TEST(Stability, P24_dryFrictionOfAnyStrengthStopsABody) {
       [](Random& random) {
         RigidBody body = anyBody(random);
         const double k = random.decades(2, 9), mass = body.mass();
-        return Stiff{0, body,
-                     [=](const BodyState& s) {
-                       return Wrench{-mass * k / (glm::length(s.velocity) + 1e-3) * s.velocity, glm::dvec3(0)};
-                     },
-                     [](const RigidBody& b) { return glm::dot(b.velocity(), b.velocity()); }};
+        return Stiff{
+            0, body,
+            [=](const BodyState& s) {
+              return Wrench{-mass * k / (glm::length(s.velocity) + 1e-3) * s.velocity, glm::dvec3(0)};
+            },
+            [](const RigidBody& b) { return glm::dot(b.velocity(), b.velocity()); }};
       },
       40, 1e-9);
 }
@@ -341,7 +347,8 @@ TEST(Stability, P24_anAircraftTunedFarTooStiffStaysInTheAir) {
     for (int i = 0; i < 5 * 120; ++i) {
       airplane.step({.pitch = i < 120 ? 1.0 : 0.0, .roll = i < 240 ? 1.0 : -1.0}, glm::dvec3(0), 1.0 / 120);
       ASSERT_TRUE(isFinite(airplane.body().state())) << nameOf(integrator) << " step " << i;
-      ASSERT_LT(glm::length(airplane.body().state().angularVelocity), 3) << nameOf(integrator) << " step " << i;
+      ASSERT_LT(glm::length(airplane.body().state().angularVelocity), 3)
+          << nameOf(integrator) << " step " << i;
     }
     EXPECT_GT(core::guardCount(core::Guard::stiffStep), 0u) << nameOf(integrator);
   }

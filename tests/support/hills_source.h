@@ -1,5 +1,5 @@
-// A land with a closed form for tests: hills of three sizes, 770 m high at most, with sea between them. It repeats
-// every 7680 m, exactly: a place 61 440 m away (or a multiple) has the same bits.
+// A land with a closed form for tests: hills of three sizes, 770 m high at most, with sea between them. It
+// repeats every 7680 m, exactly: a place 61 440 m away (or a multiple) has the same bits.
 #pragma once
 
 #include <memory>

@@ -1,10 +1,11 @@
 #include "support/image_compare.h"
-#include "support/paths.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
+
+#include "support/paths.h"
 
 namespace skydrop::test {
 namespace {

@@ -34,8 +34,8 @@ std::filesystem::path artifactFolder();
 void writeArtifact(std::string_view name, const core::Image& image);  // name without .png
 
 // Compares with the PNG at `reference`. A failure writes <name>.actual.png, .reference.png and
-// .difference.png (ten times the difference) to the artifact folder. With SKYDROP_UPDATE_GOLDENS=1 in the environment
-// the reference is written instead.
+// .difference.png (ten times the difference) to the artifact folder. With SKYDROP_UPDATE_GOLDENS=1 in the
+// environment the reference is written instead.
 ::testing::AssertionResult matchesReference(const core::Image& actual, const std::filesystem::path& reference,
                                             const ImageLimits& limits);
 // The same for two pictures at hand.

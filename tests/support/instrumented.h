@@ -1,5 +1,5 @@
-// Under a sanitizer code runs 5 to 20 times as long, and what is looked for are faults of memory and threads, which
-// need no statistics: tests that repeat for the sake of numbers repeat less.
+// Under a sanitizer code runs 5 to 20 times as long, and what is looked for are faults of memory and threads,
+// which need no statistics: tests that repeat for the sake of numbers repeat less.
 #pragma once
 
 namespace skydrop::test {

@@ -1,4 +1,3 @@
-#include "support/paths.h"
 #include "support/process.h"
 
 #include <fcntl.h>
@@ -10,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "support/paths.h"
 #include "support/shared_noise.h"
 
 namespace skydrop::test {
@@ -17,15 +17,17 @@ namespace skydrop::test {
 void applyEnvironment(const std::vector<std::string>& environment) {
   for (const std::string& entry : environment) {
     const std::size_t equals = entry.find('=');
-    if (equals == std::string::npos) unsetenv(entry.c_str());
-    else setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
+    if (equals == std::string::npos)
+      unsetenv(entry.c_str());
+    else
+      setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
   }
 }
 
 namespace {
 
-[[noreturn]] void runChild(const std::vector<std::string>& words, const std::vector<std::string>& environment, int out,
-                           int err) {
+[[noreturn]] void runChild(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                           int out, int err) {
   applyEnvironment(environment);
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(out, STDOUT_FILENO);

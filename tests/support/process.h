@@ -12,8 +12,8 @@ struct ProcessResult {
 };
 
 // words[0] is the program. `environment` is added to the caller's; "NAME" alone takes the variable away.
-ProcessResult runProcess(const std::vector<std::string>& words, const std::vector<std::string>& environment = {},
-                         double timeoutSeconds = 60);
+ProcessResult runProcess(const std::vector<std::string>& words,
+                         const std::vector<std::string>& environment = {}, double timeoutSeconds = 60);
 
 // In a child before exec: "NAME=value" sets a variable, "NAME" alone takes it away.
 void applyEnvironment(const std::vector<std::string>& environment);

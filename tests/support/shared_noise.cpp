@@ -1,4 +1,3 @@
-#include "support/paths.h"
 #include "support/shared_noise.h"
 
 #include <array>
@@ -6,6 +5,7 @@
 #include <utility>
 
 #include "skydrop/clouds/noise_cache.h"
+#include "support/paths.h"
 
 namespace skydrop::test {
 namespace {

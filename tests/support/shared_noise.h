@@ -11,8 +11,8 @@
 
 namespace skydrop::test {
 
-// What stands for $XDG_CACHE_HOME wherever a test starts the program: $SKYDROP_TEST_CACHE, so that builds with
-// sanitizers need not make the noise again, or a folder of the build tree.
+// What stands for $XDG_CACHE_HOME wherever a test starts the program: $SKYDROP_TEST_CACHE, so that builds
+// with sanitizers need not make the noise again, or a folder of the build tree.
 std::filesystem::path sharedCacheHome();
 
 // A texture in it, of the seed that the game uses; made if it is not there. Throws core::DataError.

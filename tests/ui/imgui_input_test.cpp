@@ -157,10 +157,10 @@ TEST_F(ImGuiInputTest, aTextFieldsShortcutsGoByTheLetterOfAFrenchLayout) {
 
 TEST(CursorAutoHide, aPointerAtRestHidesUnlessAMenuNeedsIt) {
   CursorAutoHide pointer;
-  EXPECT_TRUE(pointer.isShown(0.5 * kPointerRestSeconds, false, false));
-  EXPECT_FALSE(pointer.isShown(0.6 * kPointerRestSeconds, false, false));
+  EXPECT_TRUE(pointer.isShown(0.5 * kCursorIdleSeconds, false, false));
+  EXPECT_FALSE(pointer.isShown(0.6 * kCursorIdleSeconds, false, false));
   EXPECT_TRUE(pointer.isShown(1, true, false)) << "moved";
-  EXPECT_FALSE(pointer.isShown(kPointerRestSeconds, false, false));
+  EXPECT_FALSE(pointer.isShown(kCursorIdleSeconds, false, false));
   EXPECT_TRUE(pointer.isShown(10, false, true)) << "a menu is open";
   EXPECT_TRUE(pointer.isShown(0.5, false, false)) << "and stays a little when it closes";
 }

@@ -59,8 +59,8 @@ TEST(PlayerInput, everyFlightKeyMovesItsControlToTheEnd) {
 }
 
 TEST(PlayerInput, heldKeysMoveTheirLeversSoftlyAndLetGoOnesFaster) {
-  // D held: the lever leaves the centre by less than a hundredth in a step, never moves by more than a fifteenth,
-  // arrives after .25 s and is back .2 s after the release. Pitch takes .4 s.
+  // D held: the lever leaves the centre by less than a hundredth in a step, never moves by more than a
+  // fifteenth, arrives after .25 s and is back .2 s after the release. Pitch takes .4 s.
   PlayerInput input;
   input.handle(keyEvent('D', true));
   input.handle(keyEvent(key::kDown, true));

@@ -31,7 +31,8 @@ std::set<std::string> testedIds() {
     const std::string text = contentOf(entry.path());
     for (std::sregex_iterator test(text.begin(), text.end(), name), end; test != end; ++test) {
       const std::string names = (*test)[1];
-      for (std::sregex_iterator i(names.begin(), names.end(), id); i != std::sregex_iterator(); ++i) ids.insert(i->str());
+      for (std::sregex_iterator i(names.begin(), names.end(), id); i != std::sregex_iterator(); ++i)
+        ids.insert(i->str());
     }
   }
   return ids;
@@ -39,7 +40,8 @@ std::set<std::string> testedIds() {
 
 TEST(HardCases, everyRowIsTestedOrSaidToBePlanned) {
   // The list says "tested" of a row exactly when some test carries its id; "absent" needs a reason.
-  const auto list = nlohmann::json::parse(contentOf(fs::path(skydrop::test::sourceDir()) / "tests/stability/cases.json"));
+  const auto list =
+      nlohmann::json::parse(contentOf(fs::path(skydrop::test::sourceDir()) / "tests/stability/cases.json"));
   std::map<std::string, std::string> status;
   for (const auto& row : list["cases"]) {
     const std::string id = row["id"], state = row["status"];

@@ -79,7 +79,8 @@ TEST(InputLog, logsOfSchema1AreStillRead) {
   EXPECT_EQ(log.changes, same.changes);
   EXPECT_EQ(log.settings, same.settings);
   EXPECT_EQ(log.seed, same.seed);
-  const InputLog open = decodeInputLog(replaced(kSchema1, "\"finalHash\": \"0123456789abcdef\",\n", ""), "old.log");
+  const InputLog open =
+      decodeInputLog(replaced(kSchema1, "\"finalHash\": \"0123456789abcdef\",\n", ""), "old.log");
   EXPECT_TRUE(open.checkpoints.empty());
   EXPECT_FALSE(open.ended);
 }
@@ -151,8 +152,8 @@ TEST(InputLog, replayHandsOutEveryStepAndEachChangeOnceBeforeItsStep) {
 }
 
 TEST(InputLog, everyTruncationIsTheLogUpToThere) {
-  // Cut anywhere behind its header, a log is valid and holds what its whole lines hold: the steps, changes and
-  // checkpoints of the uncut log up to there. Cut within the header it is refused in one line.
+  // Cut anywhere behind its header, a log is valid and holds what its whole lines hold: the steps, changes
+  // and checkpoints of the uncut log up to there. Cut within the header it is refused in one line.
   const InputLog log = example();
   const std::string text = encodeInputLog(log);
   const std::size_t header = text.find('\n') + 1;
@@ -176,7 +177,8 @@ TEST(InputLog, everyTruncationIsTheLogUpToThere) {
   }
   EXPECT_GT(shorter, 0u);
   for (std::size_t length = 0; length + 2 < std::string(kSchema1).size(); ++length)
-    ASSERT_NE(refusal(std::string(kSchema1).substr(0, length)).find("flight.json: line"), std::string::npos) << length;
+    ASSERT_NE(refusal(std::string(kSchema1).substr(0, length)).find("flight.json: line"), std::string::npos)
+        << length;
 }
 
 TEST(InputLog, everyDamagedByteIsRefusedOrReadAsAnotherWholeLog) {
@@ -256,7 +258,9 @@ TEST(InputLog, wrongValuesAreNamedWithTheirPlace) {
   expect(replaced(text, "{\\n", std::string((1 << 20) + 1, 'x')), "scene.text", "1048576");
 
   const auto expect1 = [&](const std::string& what, const std::string& with, const std::string& place,
-                           const std::string& reason) { expect(replaced(kSchema1, what, with), place, reason); };
+                           const std::string& reason) {
+    expect(replaced(kSchema1, what, with), place, reason);
+  };
   expect1("\"schema\": 1", "\"schema\": 7", "schema", "schemas 1 and 2");
   expect1("\"schema\": 1,", "", "schema", "missing");
   expect1("\"seed\"", "\"scene\": \"twice\", \"seed\"", "scene", "twice");

@@ -184,7 +184,8 @@ TEST_F(NoiseCacheTest, aFolderThatCannotBeMadeIsAnError) {
 TEST(NoiseCache, theDefinitionIsTheOneThatItsNumberNames) {
   // Whoever changes the noise raises kNoiseDefinition, or old caches would be taken for new ones.
   EXPECT_EQ(kNoiseDefinition, 1u);
-  const std::array<std::uint64_t, 3> digests = {15652582648506124404u, 15171973740172691631u, 12613845850247122945u};
+  const std::array<std::uint64_t, 3> digests = {15652582648506124404u, 15171973740172691631u,
+                                                12613845850247122945u};
   for (const NoiseTexture which : kNoiseTextures) {
     const core::TextureData made = makeNoise(which, 0);
     EXPECT_EQ(noiseDigest(made), digests[static_cast<std::size_t>(which)]) << noiseLayout(which).name;

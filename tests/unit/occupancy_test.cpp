@@ -37,9 +37,11 @@ std::vector<Named> corners() {
   add("cumulus", [](Layer& s) { s.typeShift = 1; });
   add("thin and high", [](Layer& s) { s.thickness = 50, s.cloudHeight = 7777, s.coverage = 0.9; });
   add("thick", [](Layer& s) { s.thickness = 6000, s.cloudHeight = 100; });
-  add("huge billows, quick weather", [](Layer& s) { s.scale = 0.1, s.weatherScale = 0.1; }, 1000);
+  add(
+      "huge billows, quick weather", [](Layer& s) { s.scale = 0.1, s.weatherScale = 0.1; }, 1000);
   add("small billows, slow weather", [](Layer& s) { s.scale = 4, s.weatherScale = 0.005; });
-  add("one shape a period", [](Layer& s) { s.scale = 0.13, s.weatherScale = 0.1; }, 9000);
+  add(
+      "one shape a period", [](Layer& s) { s.scale = 0.13, s.weatherScale = 0.1; }, 9000);
   for (Named& corner : all) corner.settings = uneroded(corner.settings);
   return all;
 }

@@ -43,7 +43,8 @@ class OutputFileTest : public testing::Test {
 // A pipe's end to read from that never waits.
 class Reader {
  public:
-  explicit Reader(const fs::path& pipe) : descriptor_(::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
+  explicit Reader(const fs::path& pipe)
+      : descriptor_(::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
   ~Reader() { ::close(descriptor_); }
   std::string read() const {
     char text[4096];
@@ -80,7 +81,8 @@ TEST_F(OutputFileTest, whatCannotBeWrittenIsRefusedByThePathAskedFor) {
   EXPECT_EQ(refusal(folder.path() / "new/"), cannotWrite(folder.path() / "new/", "is a folder"));
   EXPECT_EQ(refusal(file / "inner"), cannotWrite(file / "inner", "Not a directory"));
   EXPECT_EQ(refusal(loop), cannotWrite(loop, "Too many levels of symbolic links"));
-  EXPECT_EQ(refusal(folder.path() / "astray"), cannotWrite(folder.path() / "astray", "No such file or directory"));
+  EXPECT_EQ(refusal(folder.path() / "astray"),
+            cannotWrite(folder.path() / "astray", "No such file or directory"));
   EXPECT_EQ(refusal(folder.path() / tooLong), cannotWrite(folder.path() / tooLong, "File name too long"));
   EXPECT_EQ(refusal("/proc/a"), cannotWrite("/proc/a", "No such file or directory"));
   EXPECT_EQ(refusal("/dev/fd/917"), cannotWrite("/dev/fd/917", "No such file or directory"));
@@ -202,8 +204,8 @@ TEST_F(OutputFileTest, aFullDeviceIsAnError) {
 }
 
 TEST_F(OutputFileTest, aNamedPipeIsWrittenToOnceItHasAReader) {
-  // Without one it is refused: to wait could be for ever. It stays a pipe, and is open from the start, so that
-  // its reader sees one stream.
+  // Without one it is refused: to wait could be for ever. It stays a pipe, and is open from the start, so
+  // that its reader sees one stream.
   const fs::path pipe = folder.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_EQ(refusal(pipe), cannotWrite(pipe, "nobody reads from this pipe"));
@@ -229,8 +231,8 @@ TEST_F(OutputFileTest, aPipeWhoseReaderLeftIsAnError) {
 }
 
 TEST_F(OutputFileTest, descriptorsOfTheProgramAreWrittenToAsTheyAre) {
-  // By every name, also where their file could not be opened again, as that of another user's terminal or pipe;
-  // a file is added to where the descriptor stands, and a link to one is followed.
+  // By every name, also where their file could not be opened again, as that of another user's terminal or
+  // pipe; a file is added to where the descriptor stands, and a link to one is followed.
   int ends[2];
   ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);
   const std::string number = std::to_string(ends[1]);
@@ -286,8 +288,9 @@ TEST_F(OutputFileTest, aFullDiskKeepsTheOldContentAndWholeAdditions) {
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   OutputFile out(growing);
   out.append(std::string(60, 'a'));
-  const std::string refusals = test::refusalOf<DataError>([&] { out.append(std::string(60, 'b')); }) +
-                               test::refusalOf<DataError>([&] { OutputFile(file).write(std::string(200, 'c')); });
+  const std::string refusals =
+      test::refusalOf<DataError>([&] { out.append(std::string(60, 'b')); }) +
+      test::refusalOf<DataError>([&] { OutputFile(file).write(std::string(200, 'c')); });
   out.append(std::string(40, 'd'));
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
   std::signal(SIGXFSZ, before);
@@ -305,7 +308,8 @@ TEST_F(OutputFileTest, foldersAreJudgedWithoutBeingMade) {
   EXPECT_EQ(refusalOf(folder.path()), "");
   EXPECT_EQ(refusalOf(folder.path() / "new" / "inner/"), "");
   EXPECT_EQ(refusalOf(file), file.string() + ": cannot make the folder: File exists");
-  EXPECT_EQ(refusalOf(file / "inner"), (file / "inner").string() + ": cannot make the folder: Not a directory");
+  EXPECT_EQ(refusalOf(file / "inner"),
+            (file / "inner").string() + ": cannot make the folder: Not a directory");
   EXPECT_NE(refusalOf("/proc/skydrop"), "");
   EXPECT_EQ(entries(), 1u);
 }

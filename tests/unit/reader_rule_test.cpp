@@ -18,7 +18,8 @@ TEST(ReaderRule, filesAreOpenedAndJsonIsParsedInOnePlace) {
   // Any other reader would wait for a pipe, or let depth and names through that the one refuses.
   const std::regex opens(R"(ifstream|\bfopen\s*\(|\bfdopen\s*\(|freopen)");
   const std::regex parses(R"(json::parse\s*\(|sax_parse\s*\(|json::accept\s*\()");
-  const std::set<std::string> openers = {"file", "output_file", "system_info"};  // the last: /proc of this machine
+  const std::set<std::string> openers = {"file", "output_file",
+                                         "system_info"};  // the last: /proc of this machine
   int files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(skydrop::test::sourceDir()) / "src")) {
     if (!entry.is_regular_file()) continue;

@@ -120,7 +120,8 @@ struct Moved {
   Layer layer;
 };
 void describe(SettingsVisitor& visitor, Moved& moved) {
-  visitor.number("now", moved.now, {.unit = "1", .min = 0, .max = 10, .help = "A number.", .aliases = "figure"});
+  visitor.number("now", moved.now,
+                 {.unit = "1", .min = 0, .max = 10, .help = "A number.", .aliases = "figure"});
   visitor.group("layer", moved.layer, "The layer.");
   visitor.renamed("before", "now");
   visitor.renamed("old.height", "layer.base");
@@ -139,8 +140,9 @@ TEST(SettingsTable, formerNamesStillReachTheField) {
   EXPECT_EQ(moved.now, 4);
   EXPECT_EQ(moved.layer.base, 5);
   EXPECT_EQ(toJson(table, true), (nlohmann::json{{"now", 4.0}, {"layer", {{"base", 5.0}}}}));
-  const std::string reason =
-      test::refusalOf<DataError>([&] { applyJson(table, {{"old", {{"width", 5}}}}, "file.json"); });
+  const std::string reason = test::refusalOf<DataError>([&] {
+    applyJson(table, {{"old", {{"width", 5}}}}, "file.json");
+  });
   EXPECT_NE(reason.find("old.width: unknown setting"), std::string::npos) << reason;
 }
 
@@ -148,7 +150,8 @@ TEST(SettingsTable, ofAFormerAndACurrentNameTheCurrentOneCounts) {
   // Whatever their order in the file: "before" comes first by the alphabet, "old" last.
   Moved moved;
   const SettingsTable table(moved);
-  applyJson(table, {{"before", 4}, {"now", 6}, {"layer", {{"base", 7}}}, {"old", {{"height", 5}}}}, "file.json");
+  applyJson(table, {{"before", 4}, {"now", 6}, {"layer", {{"base", 7}}}, {"old", {{"height", 5}}}},
+            "file.json");
   EXPECT_EQ(moved.now, 6);
   EXPECT_EQ(moved.layer.base, 7);
 }

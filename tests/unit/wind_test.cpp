@@ -13,7 +13,8 @@ TEST(Wind, blowsFromItsDirection) {
     double from;
     glm::dvec2 towards;
   };
-  for (const Case& c : {Case{0, {0, 1}}, Case{90, {-1, 0}}, Case{180, {0, -1}}, Case{270, {1, 0}}, Case{360, {0, 1}}}) {
+  for (const Case& c :
+       {Case{0, {0, 1}}, Case{90, {-1, 0}}, Case{180, {0, -1}}, Case{270, {1, 0}}, Case{360, {0, 1}}}) {
     const glm::dvec2 drift = windDrift({.speed = 5, .direction = c.from}, 60);
     EXPECT_NEAR(drift.x, 300 * c.towards.x, 1e-9) << c.from;
     EXPECT_NEAR(drift.y, 300 * c.towards.y, 1e-9) << c.from;

@@ -50,9 +50,10 @@ FlownGame::FlownGame(Launch launch)
                                     "--user-dir", userFolder().string()};
   if (launch.sized)
     words.insert(words.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});
-  const auto has = [&](const char* word) { return std::ranges::find(launch.words, word) != launch.words.end(); };
-  if (!has("--scene") && !has("--replay"))
-    words.insert(words.end(), {"--scene", "terrain"});
+  const auto has = [&](const char* word) {
+    return std::ranges::find(launch.words, word) != launch.words.end();
+  };
+  if (!has("--scene") && !has("--replay")) words.insert(words.end(), {"--scene", "terrain"});
   words.insert(words.end(), launch.words.begin(), launch.words.end());
   std::vector<std::string> environment = {"DISPLAY=" + display_->name(), "WAYLAND_DISPLAY",
                                           "LIBGL_ALWAYS_SOFTWARE=1",

@@ -178,7 +178,8 @@ TEST_F(LastGoodState, aTierWhoseFileIsBrokenIsNotTakenNorKept) {
   flown().process().askToEnd();
   ASSERT_EQ(flown().process().wait(60), 0) << flown().log();
   const json kept = json::parse(contentOf(flown().userFolder() / "settings.json")).at("settings");
-  EXPECT_EQ(kept, json({{"clouds", {{"layers", {{"0", {{"coverage", 0.25}}}}}}}})) << "what was not taken is not kept";
+  EXPECT_EQ(kept, json({{"clouds", {{"layers", {{"0", {{"coverage", 0.25}}}}}}}}))
+      << "what was not taken is not kept";
 }
 
 TEST_F(LastGoodState, aSettingThatCallsForABrokenShaderIsTakenBack) {

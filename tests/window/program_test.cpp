@@ -81,9 +81,8 @@ TEST(Program, badDataExitsWithOneAndNamesTheFile) {
 
 // A shell's view of the program: redirections and pipes.
 ProcessResult runShell(const std::string& command) {
-  return runProcess({"/bin/sh", "-c", command},
-                    {"DISPLAY", "WAYLAND_DISPLAY", "SKYDROP=" + programFile(),
-                     "XDG_CACHE_HOME=" + sharedCacheHome().string()});
+  return runProcess({"/bin/sh", "-c", command}, {"DISPLAY", "WAYLAND_DISPLAY", "SKYDROP=" + programFile(),
+                                                 "XDG_CACHE_HOME=" + sharedCacheHome().string()});
 }
 
 TEST(Program, outputsAreTriedBeforeTheWork) {
@@ -95,10 +94,12 @@ TEST(Program, outputsAreTriedBeforeTheWork) {
   std::filesystem::create_directory(folder.path() / "shape.dds");
   const std::string old = folder.write("old.json", "old");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
-      {{"accuracy", "--out", "/nonexistent/a.md"}, "/nonexistent/a.md: cannot write: No such file or directory"},
+      {{"accuracy", "--out", "/nonexistent/a.md"},
+       "/nonexistent/a.md: cannot write: No such file or directory"},
       {{"accuracy", "--out", here}, here + ": cannot write: is a folder"},
       {{"render", "--out", picture, "--frames", "2"}, here + "/a-1.png: cannot write: is a folder"},
-      {{"render", "--out", here + "/no%d/a.png"}, here + "/no%d/a.png: cannot write: No such file or directory"},
+      {{"render", "--out", here + "/no%d/a.png"},
+       here + "/no%d/a.png: cannot write: No such file or directory"},
       {{"render", "--out", here + "/b.png", "--stats", "/nonexistent/s"}, "/nonexistent/s: cannot write"},
       {{"simulate", "--stats", old + "/s"}, old + "/s: cannot write: Not a directory"},
       {{"--stats", "/nonexistent/s"}, "/nonexistent/s: cannot write"},
@@ -139,11 +140,12 @@ TEST(Program, aResultThatCannotBeWrittenIsAFailure) {
   // A full disk and a closed descriptor, for everything that prints.
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "a.png").string(), report = (folder.path() / "a.md").string();
-  for (const std::string& words : {std::string("--help"), std::string("--version"), std::string("--list-scenes"),
-                                   std::string("render --help"), std::string("simulate --seconds 1"),
-                                   std::string("simulate --seconds 1 --stats -"), std::string("noise"),
-                                   std::string("info"), std::string("accuracy integrators --out ") + report,
-                                   "render --scene empty --size 16x16 --out " + out}) {
+  for (const std::string& words :
+       {std::string("--help"), std::string("--version"), std::string("--list-scenes"),
+        std::string("render --help"), std::string("simulate --seconds 1"),
+        std::string("simulate --seconds 1 --stats -"), std::string("noise"), std::string("info"),
+        std::string("accuracy integrators --out ") + report,
+        "render --scene empty --size 16x16 --out " + out}) {
     const ProcessResult result = runShell("\"$SKYDROP\" " + words + " >/dev/full");
     EXPECT_EQ(result.exitCode, 1) << words;
     EXPECT_NE(result.err.find("skydrop: standard output: cannot write: No space left on device\n"),
@@ -151,7 +153,8 @@ TEST(Program, aResultThatCannotBeWrittenIsAFailure) {
         << words << ": " << result.err;
     const ProcessResult closed = runShell("\"$SKYDROP\" " + words + " >&-");
     EXPECT_EQ(closed.exitCode, 1) << words;
-    EXPECT_NE(closed.err.find("skydrop: standard output: cannot write: Bad file descriptor\n"), std::string::npos)
+    EXPECT_NE(closed.err.find("skydrop: standard output: cannot write: Bad file descriptor\n"),
+              std::string::npos)
         << words << ": " << closed.err;
   }
 }
@@ -176,7 +179,8 @@ TEST(Program, aDashWritesAFileToStandardOutputAndNothingElse) {
   EXPECT_EQ(stats.exitCode, 0);
   EXPECT_TRUE(nlohmann::json::accept(stats.out)) << stats.out;
   EXPECT_NE(stats.err.find("1.000 s, score"), std::string::npos) << stats.err;
-  EXPECT_TRUE(nlohmann::json::accept(runSkydrop({"simulate", "--seconds", "1", "--stats", "/dev/stdout"}).out));
+  EXPECT_TRUE(
+      nlohmann::json::accept(runSkydrop({"simulate", "--seconds", "1", "--stats", "/dev/stdout"}).out));
   const ProcessResult trace = runSkydrop({"simulate", "--seconds", "1", "--trace", "-"});
   EXPECT_TRUE(trace.out.starts_with("time_s,")) << trace.out;
   EXPECT_EQ(trace.out.find("score 0 of"), std::string::npos) << "the result stands in the table";
@@ -195,7 +199,8 @@ TEST(Program, longWorkTellsHowFarItIsWhereItIsAsked) {
   EXPECT_TRUE(runSkydrop(asked).err.starts_with("simulate: 0 of 30 s\n"));
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "a-%d.png").string();
-  EXPECT_TRUE(runSkydrop({"render", "--scene", "empty", "--size", "16x16", "--frames", "2", "--out", out, "--progress"})
+  EXPECT_TRUE(runSkydrop({"render", "--scene", "empty", "--size", "16x16", "--frames", "2", "--out", out,
+                          "--progress"})
                   .err.starts_with("render: 0 of 0 s, frame 1 of 2\n"));
 }
 

@@ -1,6 +1,6 @@
-// Records of flights outlive whatever ends the program, and say what they are worth when they are flown again.
+// Records of flights outlive whatever ends the program, and say what they are worth when they are flown
+// again.
 #include <gtest/gtest.h>
-
 #include <signal.h>
 
 #include <algorithm>
@@ -104,8 +104,9 @@ TEST(Records, aDisplayThatGoesAwayLeavesAValidLog) {
 }
 
 TEST(Records, whatWouldBeginARecordingAnewIsRefusedByFile) {
-  // The scene's file and the land in the player's file are written while a flight is recorded: both are refused
-  // with a line, the flight goes on, and its log replays to the end with the scene that it began with.
+  // The scene's file and the land in the player's file are written while a flight is recorded: both are
+  // refused with a line, the flight goes on, and its log replays to the end with the scene that it began
+  // with.
   SKIP_WITHOUT_DISPLAY();
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "my scenes");
@@ -116,7 +117,8 @@ TEST(Records, whatWouldBeginARecordingAnewIsRefusedByFile) {
   ASSERT_TRUE(game.flew);
   const std::uint64_t before = stepsOf(game.flown->statistics());
   const auto says = [&](const std::string& line) {
-    return game.flown->waitFor([&](const json&) { return game.flown->log().find(line) != std::string::npos; });
+    return game.flown->waitFor(
+        [&](const json&) { return game.flown->log().find(line) != std::string::npos; });
   };
   std::ofstream(scene) << "{\"schema\": 1, \"seed\": 7, \"effects\": [\"terrain\", \"aircraft\"]}";
   EXPECT_TRUE(says("The scene stays as it was while a flight is recorded")) << game.flown->log();
@@ -153,7 +155,8 @@ TEST(Records, aReplayInTheWindowSaysWhereItDiffers) {
   SKIP_WITHOUT_DISPLAY();
   const TemporaryFolder folder;
   const std::string log = (folder.path() / "flight.log").string();
-  ASSERT_EQ(runSkydrop({"simulate", "--scene", "terrain", "--autopilot", "--seconds", "3", "--record", log}).exitCode,
+  ASSERT_EQ(runSkydrop({"simulate", "--scene", "terrain", "--autopilot", "--seconds", "3", "--record", log})
+                .exitCode,
             0);
   replaceIn(log, "[\"check\",120,", "[1]\n[\"check\",120,");
   FlownGame flown({"--replay", log});
@@ -163,12 +166,13 @@ TEST(Records, aReplayInTheWindowSaysWhereItDiffers) {
 }
 
 TEST(Records, simulateAndRenderRecordAndCompare) {
-  // A flight of the autopilot recorded by either replays in either; a log that was tampered with gives one line
-  // that names the first checkpoint that differs, the outputs, and exit code 1. A replay that is shorter than
-  // its log compares what it reached.
+  // A flight of the autopilot recorded by either replays in either; a log that was tampered with gives one
+  // line that names the first checkpoint that differs, the outputs, and exit code 1. A replay that is shorter
+  // than its log compares what it reached.
   const TemporaryFolder folder;
   const auto file = [&](const char* name) { return (folder.path() / name).string(); };
-  const std::vector<std::string> render = {"render", "--scene", "empty", "--size", "64x36", "--out", file("a.png")};
+  const std::vector<std::string> render = {"render", "--scene", "empty",      "--size",
+                                           "64x36",  "--out",   file("a.png")};
   const auto with = [](std::vector<std::string> words, const std::vector<std::string>& more) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
@@ -183,8 +187,8 @@ TEST(Records, simulateAndRenderRecordAndCompare) {
   EXPECT_EQ(again.exitCode, 0);
   EXPECT_EQ(again.out, flown.out);
   EXPECT_EQ(again.err, "");
-  const std::vector<std::string> redraw = {"render", "--replay", file("rendered.log"), "--size", "64x36",
-                                           "--out",  file("b.png"), "--time", "2.5"};
+  const std::vector<std::string> redraw = {
+      "render", "--replay", file("rendered.log"), "--size", "64x36", "--out", file("b.png"), "--time", "2.5"};
   EXPECT_EQ(runSkydrop(redraw).exitCode, 0);
 
   // A record is never replaced; recording a replay gives the same log again.
@@ -192,7 +196,8 @@ TEST(Records, simulateAndRenderRecordAndCompare) {
   EXPECT_EQ(twice.exitCode, 1);
   EXPECT_TRUE(twice.err.starts_with("skydrop: " + file("simulated.log") + ": cannot record: ")) << twice.err;
   EXPECT_EQ(lines(twice.err), 1);
-  ASSERT_EQ(runSkydrop({"simulate", "--replay", file("simulated.log"), "--record", file("copy.log")}).exitCode, 0);
+  ASSERT_EQ(
+      runSkydrop({"simulate", "--replay", file("simulated.log"), "--record", file("copy.log")}).exitCode, 0);
   EXPECT_EQ(core::readTextFile(file("copy.log")), core::readTextFile(file("simulated.log")));
 
   const auto tamper = [](const std::string& log, const std::string& check) {

@@ -255,8 +255,8 @@ TEST(Window, theDisplayShowsThePictureInTheWholeWindow) {
     EXPECT_TRUE(flown.waitForPicture([&](const core::Image& shown) {
       difference = shown.width == width && shown.height == height ? changed(drawn, shown, rest) : 1;
       return difference < 0.001;
-    })) << width << "x" << height << ": "
-        << 100 * difference << " % of the window shows something else";
+    })) << width
+        << "x" << height << ": " << 100 * difference << " % of the window shows something else";
   }
 }
 

@@ -1,5 +1,5 @@
-// Plays sounds through OpenAL. Without a sound device everything works and nothing is heard: status() says so.
-// Main thread.
+// Plays sounds through OpenAL. Without a sound device everything works and nothing is heard: status() says
+// so. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ using Voice = std::uint64_t;
 
 class AudioManager {
  public:
-  static constexpr int kMaxVoices = 24;  // the oldest sound that does not loop makes room
+  static constexpr int kMaxVoices = 24;        // the oldest sound that does not loop makes room
   static constexpr int kLoopbackRate = 44100;  // Hz
 
   // device: the default one, or silence. loopback: nothing is played, render() returns what would be heard,

@@ -1,5 +1,5 @@
-// What is heard of a flight: the engine with the throttle, the horn that announces a stall, and the game's events. Built only for scenes that
-// call for sound. Main thread.
+// What is heard of a flight: the engine with the throttle, the horn that announces a stall, and the game's
+// events. Built only for scenes that call for sound. Main thread.
 #pragma once
 
 #include <span>
@@ -22,8 +22,8 @@ class SoundScene {
   void update(const game::Snapshot& now, std::span<const game::GameEvent> events);
   void apply(const AudioSettings& settings) { settings_ = settings; }
 
-  // Pitch of the engine's loop at a throttle in [0, 1]: 0.7 idle .. 1.3 full, a little more in a dive. Speed in
-  // m/s.
+  // Pitch of the engine's loop at a throttle in [0, 1]: 0.7 idle .. 1.3 full, a little more in a dive. Speed
+  // in m/s.
   static double enginePitch(double throttle, double airspeed);
   static double engineGain(double throttle);
 

@@ -25,7 +25,7 @@ struct PackedCloudNoise {
 // rgba8 cubes and a square map, sides powers of two, as clouds::makeNoise() makes them; anything else (read
 // from a foreign file) throws core::RangeError.
 PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::TextureData& detail,
-                      const core::TextureData& weather);
+                                const core::TextureData& weather);
 
 class CloudField {
  public:

@@ -26,18 +26,19 @@ struct MarchSettings {
   double tolerance = 0.3;     // most by which rays around a pixel may differ, before it gets one of its own
   double stepM = 16;          // length of a step near the eye
   double stepGrowth = 0.004;  // a step is about this share of its distance, at least half of it
-  double emptyStepMultiplier = 6;       // at a time, through clear air
-  double maxSegmentOpticalDepth = 1;     // most optical depth that shares one evaluation of light
+  double emptyStepMultiplier = 6;     // at a time, through clear air
+  double maxSegmentOpticalDepth = 1;  // most optical depth that shares one evaluation of light
   double transmittanceCutoff = 0.01;
-  std::int64_t sunSamples = 24;  // of density on the way to the sun
-  double sunMarchDistanceM = 200;        // length of that way, with the light grid; without: all of it
-  bool lightGrid = false;        // the rest of the way is looked up
-  double lightCellM = 80;        // of the grid near the eye
-  bool detail = true;            // detail erodes the edges; off: its mean does
+  std::int64_t sunSamples = 24;    // of density on the way to the sun
+  double sunMarchDistanceM = 200;  // length of that way, with the light grid; without: all of it
+  bool lightGrid = false;          // the rest of the way is looked up
+  double lightCellM = 80;          // of the grid near the eye
+  bool detail = true;              // detail erodes the edges; off: its mean does
 };
 
-// Layers, each with a field of its own; all are made of the same noise. Raising it gives every layer settings,
-// a field and an occupancy; the march (render::CloudSystem, shaders/clouds) goes through layer 0 alone.
+// Layers, each with a field of its own; all are made of the same noise. Raising it gives every layer
+// settings, a field and an occupancy; the march (render::CloudSystem, shaders/clouds) goes through layer 0
+// alone.
 inline constexpr std::size_t kCloudLayers = 1;
 
 // One layer. Units and ranges are described with the rows (describe() of CloudSettings).
@@ -77,5 +78,10 @@ void describe(core::SettingsVisitor& visitor, CloudSettings& settings);
 double shapePeriod(const CloudLayerSettings& layer);
 double detailPeriod(const CloudLayerSettings& layer);
 double weatherPeriod(const CloudLayerSettings& layer, double fadeDistance);
+
+// Whether a layer has the same extinction everywhere with both settings, so that what was made from its field
+// (occupancy, sun optical depth) still holds. How light scatters does not change it; a setting that is added
+// to the layer counts as changing it until it is excluded here.
+bool isSameField(const CloudSettings& a, const CloudSettings& b, std::size_t layer);
 
 }  // namespace skydrop::clouds

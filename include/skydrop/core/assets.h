@@ -12,6 +12,6 @@ namespace skydrop::core {
 const std::filesystem::path& dataFolder();
 
 std::filesystem::path assetPath(std::string_view relative);   // "models/airplane.glb"
-std::filesystem::path shaderPath(std::string_view relative);  // "terrain/terrain.vert"
+std::filesystem::path shaderPath(std::string_view relative);  // "terrain/land.frag"
 
 }  // namespace skydrop::core

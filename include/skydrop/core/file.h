@@ -13,7 +13,8 @@ namespace skydrop::core {
 
 // Regular files only: a folder, pipe, socket or device is refused at once, and never waited for. Refuses what
 // is larger than `maxBytes` (256 MiB, text 64 MiB, unless told): nothing of ours is larger.
-std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t{256} << 20);
+std::vector<std::byte> readFile(const std::filesystem::path& path,
+                                std::size_t maxBytes = std::size_t{256} << 20);
 std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t{64} << 20);
 
 // For files that the command line names: "-" is standard input, read to its end, anything else as above.
@@ -24,8 +25,8 @@ std::string readTextInput(const std::filesystem::path& path, std::size_t maxByte
 // As messages name it: the path, or "standard input".
 std::string inputName(const std::filesystem::path& path);
 
-// Writes the whole content to what `path` names (output_file.h): after a failure the old file stands as it was
-// and no temporary is left.
+// Writes the whole content to what `path` names (output_file.h): after a failure the old file stands as it
+// was and no temporary is left.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 

@@ -49,8 +49,8 @@ struct WindowStatistics {
   std::string quality;
   std::string fault;  // the line that the menu shows of what is broken; empty: nothing is
   ShownCosts costs;
-  double firstPictureMs = 0, loadedMs = 0;         // after the program was started
-  std::int64_t programsLoaded = 0;  // shader programs when the flight began: later ones hold it up
+  double firstPictureMs = 0, loadedMs = 0;  // after the program was started
+  std::int64_t programsLoaded = 0;          // shader programs when the flight began: later ones hold it up
   double medianIntervalMs = 0, p99IntervalMs = 0;  // between frames, waiting included
 };
 

@@ -14,7 +14,9 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-constexpr std::uint64_t hashCombine(std::uint64_t seed, std::uint64_t value) { return mix64(seed ^ mix64(value)); }
+constexpr std::uint64_t hashCombine(std::uint64_t seed, std::uint64_t value) {
+  return mix64(seed ^ mix64(value));
+}
 
 // A stream of random bits from a seed and a counter: stateless but for the counter, so it can be part of a
 // hashed simulation state.

@@ -17,8 +17,8 @@ struct KnownName {
 
 // The names that are most like `wanted`, best first, at most `most`. Parts of a path count first: a part that
 // is there, then one that begins alike, then one that has the word in it, then one with few letters changed;
-// the last part of `wanted` counts double. Capitals do not count. Each is there once. Equal likeness keeps the
-// order of `known`.
+// the last part of `wanted` counts double. Capitals do not count. Each is there once. Equal likeness keeps
+// the order of `known`.
 std::vector<std::string> nearestNames(std::string_view wanted, std::span<const KnownName> known,
                                       std::size_t most = 3);
 

@@ -28,8 +28,8 @@ class ClosedPipe : public DataError {
   ClosedPipe();
 };
 
-// What a new content survives: the end of the program, or a loss of power as well (it is on the disk before it
-// takes the name; some milliseconds).
+// What a new content survives: the end of the program, or a loss of power as well (it is on the disk before
+// it takes the name; some milliseconds).
 enum class Survives { programEnd, powerLoss };
 
 class OutputFile {

@@ -21,7 +21,7 @@
 namespace skydrop::core {
 
 // How a change takes effect: at the next step or frame; or, when a slider is released, by compiling a shader
-// variant, by rebuilding a part, or by starting the flight again with land and sky loaded anew.
+// variant, by rebuilding a part, or by starting the flight again with land and sky reloaded.
 enum class TakesEffect { live, variant, rebuild, restart };
 
 struct Range {
@@ -72,9 +72,9 @@ class SettingsVisitor {
   virtual void enterGroup(std::string_view name, std::string_view help) = 0;
   virtual void leaveGroup() = 0;
 
-  // A field of this group, or below it ("layers.0.base"), that earlier versions called `formerly`: files, logs and
-  // --set that have the old name still mean it. Where a file has both, the new name counts. A field that moved to
-  // another group is renamed by the group that holds both ("clouds.windSpeed", "wind.speed").
+  // A field of this group, or below it ("layers.0.base"), that earlier versions called `formerly`: files,
+  // logs and --set that have the old name still mean it. Where a file has both, the new name counts. A field
+  // that moved to another group is renamed by the group that holds both ("clouds.windSpeed", "wind.speed").
   virtual void renamed(std::string_view formerly, std::string_view now) {
     static_cast<void>(formerly), static_cast<void>(now);
   }

@@ -28,8 +28,8 @@ nlohmann::json parseSettings(std::string_view text, std::string_view file,
                              std::initializer_list<std::string_view> members,
                              UnknownMembers unknown = UnknownMembers::refuse);
 
-// Writes `members` with the schema, so that not even a loss of power loses the file, and makes the folder. Throws
-// DataError.
+// Writes `members` with the schema, so that not even a loss of power loses the file, and makes the folder.
+// Throws DataError.
 void writeSettingsFile(const std::filesystem::path& file, const nlohmann::json& members);
 
 }  // namespace skydrop::core

@@ -28,7 +28,8 @@ using Uvec3 = glm::u32vec3;
 using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::max, glm::min, glm::mix,
     glm::pow, glm::sqrt;
 
-// clang-format off: the order is that of need
+// In the order of need.
+// clang-format off
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"
 #include "shared/depth.glsl"
@@ -61,7 +62,8 @@ using Uvec3 = glm::u32vec3;
 using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::max, glm::min, glm::mix,
     glm::pow, glm::sqrt;
 
-// clang-format off: the order is that of need
+// In the order of need.
+// clang-format off
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"
 #include "shared/depth.glsl"

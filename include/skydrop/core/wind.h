@@ -10,9 +10,9 @@
 namespace skydrop::core {
 
 struct WindSettings {
-  double speed = 8;             // m/s, [0, 60]
-  double direction = 250;       // degrees by compass where it comes from, as in a weather report, [0, 360]
-  bool movesAircraft = false;   // off: aircraft and packages move through still air
+  double speed = 8;            // m/s, [0, 60]
+  double direction = 250;      // degrees by compass where it comes from, as in a weather report, [0, 360]
+  bool movesAircraft = false;  // off: aircraft and packages move through still air
 };
 
 void describe(SettingsVisitor& visitor, WindSettings& settings);

@@ -1,9 +1,9 @@
 // A flight as a file: what the pilot did in every step, and what it takes to do it again. Seed, scene,
-// settings and controls decide every bit of the simulation, so a log replayed at any frame rate passes through
-// the same stateHash at every checkpoint.
+// settings and controls decide every bit of the simulation, so a log replayed at any frame rate passes
+// through the same stateHash at every checkpoint.
 //
-// Schema 2 is JSON Lines, so that a log can grow while flying and is valid wherever it was cut off: a last line
-// without its line feed is ignored. The first line is the header, each other line one record:
+// Schema 2 is JSON Lines, so that a log can grow while flying and is valid wherever it was cut off: a last
+// line without its line feed is ignored. The first line is the header, each other line one record:
 //
 //   {"schema":2,"kind":"skydrop input log","program":"skydrop 0.1.0","seed":1,
 //    "scene":{"source":"fair","digest":"0123456789abcdef","text":"{...}"},"settings":[["aircraft.mass","1"],...]}
@@ -14,8 +14,8 @@
 //   ["check",120,"0123456789abcdef"]      World::stateHash after so many steps from the start
 //   ["end",150,"0123456789abcdef"]        the last line of a recording that was ended and not cut off
 //
-// "schema" is the first member of the header. Schema 1 (one JSON object, the scene by name or file, one hash at
-// the end) is still read.
+// "schema" is the first member of the header. Schema 1 (one JSON object, the scene by name or file, one hash
+// at the end) is still read.
 #pragma once
 
 #include <cstdint>
@@ -43,9 +43,9 @@ struct InputLog {
   static constexpr std::uint64_t kMaxSteps = 120ull * 3600 * 24;  // a day
   static constexpr std::size_t kMaxSettings = 10000;              // at the start
   static constexpr std::size_t kMaxChanges = 1000000;
-  static constexpr std::size_t kMaxText = 4096;                        // bytes of a path, a value, a name
-  static constexpr std::size_t kMaxSceneText = std::size_t{1} << 20;   // bytes: what a scene file may hold
-  static constexpr std::size_t kMaxBytes = std::size_t{320} << 20;     // a day of rows of 30 bytes, and a bit
+  static constexpr std::size_t kMaxText = 4096;                       // bytes of a path, a value, a name
+  static constexpr std::size_t kMaxSceneText = std::size_t{1} << 20;  // bytes: what a scene file may hold
+  static constexpr std::size_t kMaxBytes = std::size_t{320} << 20;    // a day of rows of 30 bytes, and a bit
 
   // Steps are counted from 0, the start of the flight.
   struct Run {
@@ -96,8 +96,8 @@ struct InputLog {
   bool operator==(const InputLog&) const = default;
 };
 
-// The text of a log, piece by piece while it is flown. Knows no file. A change of a setting is written with the
-// next step: of several before one step only the last of each path counts.
+// The text of a log, piece by piece while it is flown. Knows no file. A change of a setting is written with
+// the next step: of several before one step only the last of each path counts.
 class InputLogWriter {
  public:
   // Takes program, scene, seed and settings from `start`.
@@ -122,9 +122,9 @@ class InputLogWriter {
   std::string text_;
   std::uint64_t steps_ = 0;
   std::size_t changeCount_ = 0;
-  InputLog::Run run_;                                // being counted
+  InputLog::Run run_;                                 // being counted
   std::optional<QuantisedControls> writtenControls_;  // of the last row
-  std::vector<SettingOverride> changes_;             // for the next step
+  std::vector<SettingOverride> changes_;              // for the next step
 };
 
 // The whole file as text, and back. decode throws core::DataError that names `file`, the place (the line, or
@@ -145,8 +145,8 @@ class InputReplay {
   explicit InputReplay(const InputLog& log) : log_(&log) {}
 
   bool finished() const { return run_ == log_->runs.size(); }
-  // The hash that the state should have now, where the log has a checkpoint after the steps handed out so far;
-  // each is handed out once.
+  // The hash that the state should have now, where the log has a checkpoint after the steps handed out so
+  // far; each is handed out once.
   std::optional<std::uint64_t> hashDue();
   // The settings to change before the next step; each is handed out once.
   std::vector<SettingOverride> changesDue();

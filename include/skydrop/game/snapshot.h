@@ -37,7 +37,7 @@ struct AircraftSnapshot {
   bool stallWarning = false;  // near the stall, or in it
   bool stalled = false;       // the flow has left the wing: less lift, and the nose drops
   double buffet = 0;          // shaking by torn flow: 0 none .. 1 in a full stall
-  bool crashed = false;  // lies where it struck, until the respawn
+  bool crashed = false;       // lies where it struck, until the respawn
   double secondsToRespawn = 0;
   std::uint32_t spawnCount = 0;  // changes when the aircraft is placed again: do not interpolate across it
 };

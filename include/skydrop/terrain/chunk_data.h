@@ -30,7 +30,7 @@ glm::dvec3 decodeNormal(std::uint16_t code);
 // from one chunk and is the same bits on both sides of a border. They reach kNormalReachM, or one sample
 // where samples are wider.
 inline constexpr double kNormalReachM = core::shared::f64::kNormalReachM;  // 24 m: of landCurvature (shaders)
-constexpr int normalReach(std::int32_t level) {  // samples
+constexpr int normalReach(std::int32_t level) {                            // samples
   int samples = 1;
   while (samples * cellMetres(level) < kNormalReachM) ++samples;
   return samples;

@@ -16,8 +16,8 @@
 
 namespace skydrop::terrain {
 
-inline constexpr int kChunkCells = core::shared::f64::kChunkCells;  // along a side: 240
-inline constexpr int kChunkSamples = kChunkCells + 1;               // along a side
+inline constexpr int kChunkCells = core::shared::f64::kChunkCells;     // along a side: 240
+inline constexpr int kChunkSamples = kChunkCells + 1;                  // along a side
 inline constexpr double kCellMetres = core::shared::f64::kCellMetres;  // sample distance at level 0: 4 m
 inline constexpr double kChunkMetres = kCellMetres * kChunkCells;
 // The coarsest level: 61 km, cells of 256 m, those of the finest gullies (land_gully.h).

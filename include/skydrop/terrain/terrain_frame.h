@@ -34,7 +34,7 @@ enum class PatchEdge { west, east, north, south };
 struct PatchDraw {
   std::int32_t level = 0;     // 0 .. kTopPatchLevel - 1
   std::int32_t x = 0, z = 0;  // north-west corner: metres from TerrainFrame::base, a multiple of the cell
-  ArrayLayer layer = 0;              // of the chunk that has the heights
+  ArrayLayer layer = 0;       // of the chunk that has the heights
   std::int32_t chunkLevel = 0;
   std::int32_t sampleX = 0, sampleZ = 0;  // of the corner in that chunk
   // By how many levels the neighbour behind each edge (PatchEdge) is coarser, 0 .. 4. The vertices on that

@@ -26,8 +26,8 @@ struct TerrainSettings {
   double valleyWavelength = 8192;  // m, 2048 .. 32768: spaces rivers and passes
   double valleyWidth = 0.16;       // share of their noise, .01 .. 1
 
-  double roughness = 1.0;         // factor, 0 .. 2, on erosion and on the small relief of mountains
-  double plainRoughness = 1.0;    // factor, 0 .. 2, on hills and the small relief of plains
+  double roughness = 1.0;        // factor, 0 .. 2, on erosion and on the small relief of mountains
+  double plainRoughness = 1.0;   // factor, 0 .. 2, on hills and the small relief of plains
   double finestWavelength = 16;  // m, 16 .. 512: the smallest octave; each one less costs time
 };
 

@@ -11,11 +11,12 @@
 namespace skydrop::terrain {
 
 struct TerrainStreamingSettings {
-  double viewDistanceM = 10000;  // m, 1e3 .. 1e5: full accuracy up to here, beyond it tolerances grow with its root
-  double farDistanceM = 60000;   // m, 5e3 .. 1e5: land ends here
-  double pixelError = 2;         // .1 .. 20: height error of the mesh on the picture (Lindstrom and others, 1996)
-  double cellPixels = 24;        // 1 .. 200: widest mesh cell, however smooth the land is
-  double texelPixels = 2;        // .5 .. 16: widest sample of height and normal
+  double viewDistanceM =
+      10000;  // m, 1e3 .. 1e5: full accuracy up to here, beyond it tolerances grow with its root
+  double farDistanceM = 60000;  // m, 5e3 .. 1e5: land ends here
+  double pixelError = 2;   // .1 .. 20: height error of the mesh on the picture (Lindstrom and others, 1996)
+  double cellPixels = 24;  // 1 .. 200: widest mesh cell, however smooth the land is
+  double texelPixels = 2;  // .5 .. 16: widest sample of height and normal
   double seaFloorDepthM = 40;    // m, 0 .. 2000: deeper floor is not drawn
   double cacheMiB = 128;         // 8 .. 4096: of the processor's chunks; what is in view is never evicted
   double gpuMiB = 64;            // 8 .. 128: of the texture arrays, allocated at once

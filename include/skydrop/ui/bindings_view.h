@@ -1,5 +1,5 @@
 // What the configuration menu shows of the controls: lists what each key, button and stick does and lets it
-// be changed. Plain data in, one wish out; the rules and the waiting for a key are the caller's
+// be changed. Plain data in, one request out; the rules and the waiting for a key are the caller's
 // (app/input/binding_editor.h). Between Interface::beginFrame and endFrame. Main thread.
 #pragma once
 

@@ -22,9 +22,9 @@ namespace skydrop::ui {
 // A collapsing section with the fields of one group of the table, its subgroups included but for those that
 // have a section of their own.
 struct MenuSection {
-  std::string group;  // path in the table: "aircraft"; names the section
-  std::string title;  // "Aircraft"
-  bool open = false;  // at first
+  std::string group;                         // path in the table: "aircraft"; names the section
+  std::string title;                         // "Aircraft"
+  bool open = false;                         // at first
   std::vector<std::string> moreGroups = {};  // shown below it
 };
 
@@ -61,7 +61,7 @@ struct MenuContent {
 struct PresetRequest {
   enum class Kind { save, load, remove };
   Kind kind = Kind::save;
-  std::string name;   // save: as typed, to be judged by the caller
+  std::string name;                      // save: as typed, to be judged by the caller
   std::vector<std::string> groups = {};  // save: what it holds, a section's groups; empty: every setting
 };
 

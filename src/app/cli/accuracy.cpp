@@ -13,8 +13,8 @@ namespace {
 std::vector<const Study*> chosenStudies(const std::vector<std::string>& names) {
   std::vector<const Study*> chosen;
   for (const std::string& name : names) {
-    const auto found =
-        std::find_if(studies().begin(), studies().end(), [&](const Study& study) { return study.name == name; });
+    const auto found = std::find_if(studies().begin(), studies().end(),
+                                    [&](const Study& study) { return study.name == name; });
     if (found == studies().end()) {
       std::string known;
       for (const Study& study : studies()) known += (known.empty() ? "" : ", ") + std::string(study.name);

@@ -19,16 +19,19 @@ namespace {
 
 using core::UsageError;
 
-constexpr double kMaxSeconds = 1e6;    // more is a slip of the hand
-constexpr double kFarthestM = 1e12;    // where doubles still resolve a tenth of a millimetre
-constexpr const char* kExitCodes = "Exit codes: 0 ok, 1 failed, 2 usage, 3 no OpenGL 4.5 or no display, "
-                                   "141 nobody reads standard output.";
+constexpr double kMaxSeconds = 1e6;  // more is a slip of the hand
+constexpr double kFarthestM = 1e12;  // where doubles still resolve a tenth of a millimetre
+constexpr const char* kExitCodes =
+    "Exit codes: 0 ok, 1 failed, 2 usage, 3 no OpenGL 4.5 or no display, "
+    "141 nobody reads standard output.";
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   for (const char c : text) {
-    if (c == separator) parts.emplace_back();
-    else parts.back() += c;
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
   }
   return parts;
 }
@@ -116,7 +119,8 @@ bool countsFrames(const std::string& pattern) {
   for (std::size_t i = pattern.find('%', nameAt(pattern)); i < pattern.size(); i = pattern.find('%', i + 2)) {
     const char what = i + 1 < pattern.size() ? pattern[i + 1] : 0;
     if (what != 'd' && what != '%') {
-      throw UsageError("--out: '" + pattern + "': in a name % is followed by d (the frame's number) or % (a percent sign)");
+      throw UsageError("--out: '" + pattern +
+                       "': in a name % is followed by d (the frame's number) or % (a percent sign)");
     }
     counts = counts || what == 'd';
   }
@@ -139,7 +143,8 @@ class Parser {
     CLI::App* accuracy = app_.add_subcommand("accuracy", "measure error against time, write the report");
     CLI::App* noise = app_.add_subcommand("noise", "make, check, export and read the noise of the clouds");
     CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
-    for (CLI::App* verb : {render, simulate, accuracy, noise, info}) verb->set_help_flag("--help", "print this help");
+    for (CLI::App* verb : {render, simulate, accuracy, noise, info})
+      verb->set_help_flag("--help", "print this help");
     for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, info}) verb->footer(kExitCodes);
     addCommon(*render);
     addRender(*render);
@@ -147,10 +152,12 @@ class Parser {
     addSimulate(*simulate);
     addNoise(*noise);
     for (CLI::App* verb : {render, simulate, accuracy, noise}) {
-      verb->add_flag("--progress", line_.progress, "tell how far it is, each second, where there is no terminal");
+      verb->add_flag("--progress", line_.progress,
+                     "tell how far it is, each second, where there is no terminal");
     }
     accuracy->add_option("STUDY", line_.studies, "studies to run; none named: all");
-    text(*accuracy, "--out", "FILE|-", "the report; - is standard output", [this](const std::string& t) { line_.out = t; });
+    text(*accuracy, "--out", "FILE|-", "the report; - is standard output",
+         [this](const std::string& t) { line_.out = t; });
     text(*accuracy, "--format", "markdown|json|csv", "of the report (markdown)",
          [this](const std::string& t) { line_.reportFormat = parseReportFormat(t); });
     accuracy->preparse_callback([this](std::size_t) { line_.out = "accuracy.md"; });
@@ -186,7 +193,9 @@ class Parser {
  private:
   static void text(CLI::App& verb, const std::string& flag, const std::string& form, const std::string& help,
                    std::function<void(const std::string&)> read) {
-    verb.add_option_function<std::string>(flag, std::move(read), help)->type_name(form)->allow_extra_args(false);
+    verb.add_option_function<std::string>(flag, std::move(read), help)
+        ->type_name(form)
+        ->allow_extra_args(false);
   }
 
   void path(CLI::App& verb, const std::string& flag, const std::string& form, const std::string& help,
@@ -210,7 +219,10 @@ class Parser {
            line_.preset = t;
          });
     verb.add_option_function<std::vector<std::string>>(
-            "--set", [this](const std::vector<std::string>& all) { line_.set.insert(line_.set.end(), all.begin(), all.end()); },
+            "--set",
+            [this](const std::vector<std::string>& all) {
+              line_.set.insert(line_.set.end(), all.begin(), all.end());
+            },
             "a setting for this run; may stand several times")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
@@ -221,7 +233,8 @@ class Parser {
     path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
     path(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
     path(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
-    path(verb, "--record", "FILE|-", "record the flight as an input log; FILE must be new or empty", line_.record);
+    path(verb, "--record", "FILE|-", "record the flight as an input log; FILE must be new or empty",
+         line_.record);
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
   }
 
@@ -237,7 +250,8 @@ class Parser {
 
   void addNoise(CLI::App& verb) {
     addSeed(verb, "the noise's seed (0); its lower 32 bits");
-    verb.add_flag("--check", line_.noise.check, "make all by processor and by shader, compare them, look for seams");
+    verb.add_flag("--check", line_.noise.check,
+                  "make all by processor and by shader, compare them, look for seams");
     verb.add_option_function<std::vector<std::string>>(
             "--noise",
             [this](const std::vector<std::string>& all) {
@@ -249,7 +263,8 @@ class Parser {
         ->allow_extra_args(false)
         ->expected(1, 1000);
     path(verb, "--out", "DIR", "export to this folder", line_.noise.folder);
-    text(verb, "--format", "dds|dx10|png", "of the export (dx10): DDS with legacy or DX10 header, slices as PNG",
+    text(verb, "--format", "dds|dx10|png",
+         "of the export (dx10): DDS with legacy or DX10 header, slices as PNG",
          [this](const std::string& t) { line_.noise.format = parseNoiseFormat(t); });
     text(verb, "--backend", "egl|osmesa|window", "what runs the shader of --check",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
@@ -263,7 +278,8 @@ class Parser {
     addSize(verb);
     text(verb, "--camera", "X,Y,Z", "a camera in the world: metres, +X east, Y up, -Z north",
          [this](const std::string& t) { camera_ = parseCamera(t); });
-    const auto angle = [&](const std::string& flag, std::optional<double>& target, double most, const std::string& help) {
+    const auto angle = [&](const std::string& flag, std::optional<double>& target, double most,
+                           const std::string& help) {
       text(verb, flag, "DEGREES", help,
            [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
     };
@@ -274,7 +290,8 @@ class Parser {
     text(verb, "--pose", "X,Y,Z,YAW,PITCH,ROLL",
          "the same in one word; YAW 0 looks east, 90 south: the compass heading less 90",
          [this](const std::string& t) { line_.pose = parsePose(t); });
-    verb.add_flag("--hud", hud_, "with the HUD, which a camera in the world leaves out of pictures (view.hud=true)");
+    verb.add_flag("--hud", hud_,
+                  "with the HUD, which a camera in the world leaves out of pictures (view.hud=true)");
     verb.add_flag("--no-hud", noHud_, "without the HUD (view.hud=false)");
   }
 
@@ -287,7 +304,8 @@ class Parser {
     text(verb, "--backend", "egl|osmesa|window", "what gives the OpenGL context",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
     addView(verb);
-    text(verb, "--out", "FILE.png|-", "the picture; in its name %d is the frame's number and %% a percent sign",
+    text(verb, "--out", "FILE.png|-",
+         "the picture; in its name %d is the frame's number and %% a percent sign",
          [this](const std::string& t) { line_.out = t; });
     text(verb, "--frames", "N", "how many (1)",
          [this](const std::string& t) { line_.frames = integer("--frames", t, 1, 1000000); });
@@ -335,8 +353,9 @@ class Parser {
     if (camera_ && line_.pose) throw UsageError("--camera and --pose exclude each other");
     if (hud_ && noHud_) throw UsageError("--hud and --no-hud exclude each other");
     if (camera_) return;
-    for (const auto& [given, flag] : {std::pair(heading_.has_value(), "--heading"), std::pair(pitch_.has_value(), "--pitch"),
-                                      std::pair(roll_.has_value(), "--roll"), std::pair(aboveGround_, "--above-ground")}) {
+    for (const auto& [given, flag] :
+         {std::pair(heading_.has_value(), "--heading"), std::pair(pitch_.has_value(), "--pitch"),
+          std::pair(roll_.has_value(), "--roll"), std::pair(aboveGround_, "--above-ground")}) {
       if (given) throw UsageError(std::string(flag) + " belongs to --camera, which is not given");
     }
   }
@@ -364,12 +383,14 @@ class Parser {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
     }
     checkOutputs();
-    if (line_.noise.check && !line_.noise.files.empty()) throw UsageError("--check and --noise exclude each other");
+    if (line_.noise.check && !line_.noise.files.empty())
+      throw UsageError("--check and --noise exclude each other");
     if (line_.verb != Verb::render) return;
     if (!countsFrames(line_.out) && line_.frames > 1) {
       throw UsageError("--out: '" + line_.out + "' needs %d for several frames");
     }
-    if (line_.out != "-" && !line_.out.ends_with(".png")) throw UsageError("--out: '" + line_.out + "' does not end in .png");
+    if (line_.out != "-" && !line_.out.ends_with(".png"))
+      throw UsageError("--out: '" + line_.out + "' does not end in .png");
   }
 
   // A scene that cannot be read is left out and complained of: the others are there all the same.

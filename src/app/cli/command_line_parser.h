@@ -1,5 +1,5 @@
-// From words to the command line as a value. Everything that can be judged from the words alone is judged here: an
-// unknown flag, a size that is none, a number out of range. Paths and values of --set are judged in
+// From words to the command line as a value. Everything that can be judged from the words alone is judged
+// here: an unknown flag, a size that is none, a number out of range. Paths and values of --set are judged in
 // settings/settings.h, which knows them; both throw core::UsageError (exit code 2).
 #pragma once
 
@@ -23,8 +23,8 @@ ParsedCommandLine parseCommandLine(int argc, const char* const* argv);
 // What the export of a DDS file is called, without its ending.
 std::string noiseExportName(const std::filesystem::path& file);
 
-// In the name of the pattern's file, not of its folders, "%d" becomes the frame's number and "%%" a percent sign;
-// any other use of % was refused by parseCommandLine().
+// In the name of the pattern's file, not of its folders, "%d" becomes the frame's number and "%%" a percent
+// sign; any other use of % was refused by parseCommandLine().
 std::string framePath(const std::string& pattern, int frame);
 
 }  // namespace skydrop::app

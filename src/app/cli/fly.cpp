@@ -3,8 +3,6 @@
 
 namespace skydrop::app {
 
-int fly(const CommandLine& line) {
-  return WindowGame(line).run();
-}
+int fly(const CommandLine& line) { return WindowGame(line).run(); }
 
 }  // namespace skydrop::app

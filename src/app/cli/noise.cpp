@@ -133,10 +133,9 @@ bool check(const CommandLine& line, std::uint32_t seed, Exports& exports) {
     const double seam = clouds::seamRoughness(cpu);
     const bool agrees = apart.largest <= 1 && seam <= kRoughest;
     progress.clear();
-    print(
-        "%-8s %-20s processor %6.2f s  shader %6.2f s  largest difference %d  mean %.5f  seam %.2f  %s\n",
-        nameOf(texture).c_str(), sizeOf(cpu).c_str(), cpuSeconds, gpuSeconds, apart.largest, apart.mean, seam,
-        agrees ? "ok" : "WRONG");
+    print("%-8s %-20s processor %6.2f s  shader %6.2f s  largest difference %d  mean %.5f  seam %.2f  %s\n",
+          nameOf(texture).c_str(), sizeOf(cpu).c_str(), cpuSeconds, gpuSeconds, apart.largest, apart.mean,
+          seam, agrees ? "ok" : "WRONG");
     good = good && agrees;
     exports.add(cpu, nameOf(texture));
   }

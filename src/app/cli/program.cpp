@@ -15,12 +15,18 @@ constexpr int kReaderGone = 141;  // as shells report a program that SIGPIPE end
 
 int runVerb(const CommandLine& line) {
   switch (line.verb) {
-    case Verb::fly: return fly(line);
-    case Verb::render: return render(line);
-    case Verb::simulate: return simulate(line);
-    case Verb::accuracy: return accuracy(line);
-    case Verb::noise: return noise(line);
-    case Verb::info: return info(line);
+    case Verb::fly:
+      return fly(line);
+    case Verb::render:
+      return render(line);
+    case Verb::simulate:
+      return simulate(line);
+    case Verb::accuracy:
+      return accuracy(line);
+    case Verb::noise:
+      return noise(line);
+    case Verb::info:
+      return info(line);
   }
   return kFailed;
 }

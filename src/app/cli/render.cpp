@@ -91,13 +91,13 @@ int render(const CommandLine& line) {
   preparations.waitUntilReady();
   const scene::EffectSet& effects = simulation.effects();
   SceneRenderer sceneRenderer(
-      *context,
-      {effects, simulation.ground(), workers, stats.has_value(), preparations.results(effects)},
+      *context, {effects, simulation.ground(), workers, stats.has_value(), preparations.results(effects)},
       run->settings);
   for (const std::string& message : preparations.takeMessages()) warn(message);
   if (line.pose) {
     placeCamera(sceneRenderer.camera(), *line.pose, *simulation.ground());
-    if (const auto warning = underSurface(sceneRenderer.camera(), *simulation.ground()); warning && sceneRenderer.land())
+    if (const auto warning = underSurface(sceneRenderer.camera(), *simulation.ground());
+        warning && sceneRenderer.land())
       warn(*warning);
   }
   std::unique_ptr<Overlay> overlay;
@@ -110,9 +110,9 @@ int render(const CommandLine& line) {
     sceneRenderer.addOverlay();
   }
 
-  MenuController desk(run->userFolder);
+  MenuController menuController(run->userFolder);
   if (overlay) {
-    if (const auto warning = desk.load(overlay->menu())) warn(*warning);
+    if (const auto warning = menuController.load(overlay->menu())) warn(*warning);
   }
 
   FrameTimes times;
@@ -131,7 +131,8 @@ int render(const CommandLine& line) {
       OverlayFrame content{now, size, 0, run->table};
       content.scale = {run->settings.view.interfaceScale};
       content.statistics = &shown;
-      content.tools = desk.tools(run->baseTable, sceneRenderer.view(now, size), times.newest(times.count()));
+      content.tools =
+          menuController.tools(run->baseTable, sceneRenderer.view(now, size), times.newest(times.count()));
       buildTwice(*overlay, content, sceneRenderer);
     }
     sceneRenderer.renderer().finish();

@@ -41,7 +41,8 @@ int simulate(const CommandLine& line) {
   Progress progress("simulate", line.progress);
   const std::uint64_t wanted = wantedSteps(line, run->setup);
   for (std::uint64_t done = 0; done < wanted && !simulation.finished();) {
-    for (int due = clock.advance(1 / line.fps); due > 0 && done < wanted && !simulation.finished(); --due, ++done) {
+    for (int due = clock.advance(1 / line.fps); due > 0 && done < wanted && !simulation.finished();
+         --due, ++done) {
       simulation.step({});
       simulation.world().takeEvents();
       if (trace) trace->append(simulation.world().now());
@@ -58,10 +59,10 @@ int simulate(const CommandLine& line) {
   const game::Snapshot& now = simulation.world().now();
   if (trace) trace->flush();
   if (stats) writeStatistics(*stats, statistics);
-  print("%.3f s, score %lld of %lld drops, %lld misses, at %.1f %.1f %.1f, state %016llx\n", now.simulatedSeconds,
-        static_cast<long long>(now.score), static_cast<long long>(now.drops), static_cast<long long>(now.misses),
-        now.aircraft.position.x, now.aircraft.position.y, now.aircraft.position.z,
-        static_cast<unsigned long long>(statistics.stateHash));
+  print("%.3f s, score %lld of %lld drops, %lld misses, at %.1f %.1f %.1f, state %016llx\n",
+        now.simulatedSeconds, static_cast<long long>(now.score), static_cast<long long>(now.drops),
+        static_cast<long long>(now.misses), now.aircraft.position.x, now.aircraft.position.y,
+        now.aircraft.position.z, static_cast<unsigned long long>(statistics.stateHash));
   return endFlight(simulation, run->recorder.get(), trace ? &*trace : nullptr);
 }
 

@@ -1,6 +1,6 @@
-// The program's results on standard output: whole lines, written as they come, also into a pipe or a file. Every
-// print() of the program is here, so that a full disk or a closed pipe is noticed at the line that it swallows.
-// Main thread.
+// The program's results on standard output: whole lines, written as they come, also into a pipe or a file.
+// Every print() of the program is here, so that a full disk or a closed pipe is noticed at the line that it
+// swallows. Main thread.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace skydrop::app {
 
-// At the start of the program: a standard stream that is closed must not become the first file that is opened,
-// and a closed pipe is an error to report, not a signal.
+// At the start of the program: a standard stream that is closed must not become the first file that is
+// opened, and a closed pipe is an error to report, not a signal.
 void prepareStandardStreams();
 
 // As printf. Throws core::ClosedPipe, or core::DataError where the line cannot be written.

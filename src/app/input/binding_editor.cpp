@@ -27,18 +27,18 @@ void BindingEditor::report(const Bindings::Change& change, const std::string& do
   note_ += ".";
 }
 
-void BindingEditor::apply(const ui::BindingRequest& wish) {
+void BindingEditor::apply(const ui::BindingRequest& request) {
   using Kind = ui::BindingRequest::Kind;
-  if (wish.kind == Kind::none) return;
+  if (request.kind == Kind::none) return;
   waiting_.reset();
-  const Action action = actionOfRow(wish.at.row);
-  switch (wish.kind) {
+  const Action action = actionOfRow(request.at.row);
+  switch (request.kind) {
     case Kind::capture:
-      waiting_ = wish.at;
+      waiting_ = request.at;
       break;
     case Kind::remove: {
-      const std::string label = inputLabel(bindings_.inputsOf(action).at(wish.at.slot));
-      report(bindings_.unbind(action, wish.at.slot), label + " no longer does " + quoted(action));
+      const std::string label = inputLabel(bindings_.inputsOf(action).at(request.at.slot));
+      report(bindings_.unbind(action, request.at.slot), label + " no longer does " + quoted(action));
       break;
     }
     case Kind::reset:

@@ -15,8 +15,8 @@ class BindingEditor {
  public:
   explicit BindingEditor(Bindings& bindings) : bindings_(bindings) {}
 
-  // What the menu wishes.
-  void apply(const ui::BindingRequest& wish);
+  // What the menu asks for.
+  void apply(const ui::BindingRequest& request);
   bool isWaiting() const { return waiting_.has_value(); }
   void cancel() { waiting_.reset(); }
 

@@ -55,8 +55,8 @@ std::vector<WindowEvent> PlayerControls::pollGamepad(bool menuTakesIt) {
   return keys;
 }
 
-void PlayerControls::apply(const ui::BindingRequest& wish) {
-  editor_.apply(wish);
+void PlayerControls::apply(const ui::BindingRequest& request) {
+  editor_.apply(request);
   if (editor_.takeChange()) bindingsWereReplaced();
 }
 

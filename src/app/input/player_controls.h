@@ -24,7 +24,7 @@ class PlayerControls {
   // keys that the gamepad presses in it are returned, each pressed and released.
   std::vector<render::gl::WindowEvent> pollGamepad(bool menuTakesIt);
 
-  void apply(const ui::BindingRequest& wish);
+  void apply(const ui::BindingRequest& request);
   // The bindings were changed from elsewhere (the player's file).
   void bindingsWereReplaced();
   // A menu that shows the editor was closed.

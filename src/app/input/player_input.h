@@ -18,7 +18,7 @@ namespace skydrop::app {
 
 // How keys move the controls. Pitch is the slowest: a full pull is 4 g, and it builds up over .8 s instead of
 // hitting. Shorter is twitchy, longer is felt as lag.
-inline constexpr KeyStickShape kPitchKeys{48, 24}, kRollKeys{30, 24}, kYawKeys{36, 24}, kThrottleKeys{18, 18};
+inline constexpr KeyRampTimes kPitchKeys{48, 24}, kRollKeys{30, 24}, kYawKeys{36, 24}, kThrottleKeys{18, 18};
 // No key takes more steps than this to full deflection.
 inline constexpr int kRampSteps = 48;
 

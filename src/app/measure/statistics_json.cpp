@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-
 namespace skydrop::app {
 namespace {
 

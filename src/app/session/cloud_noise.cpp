@@ -90,8 +90,8 @@ void CloudNoise::run(std::stop_token stop) {
       }
       textures[i] = std::move(found.texture);
     }
-    auto packed =
-        std::make_shared<const clouds::PackedCloudNoise>(clouds::packCloudNoise(textures[0], textures[1], textures[2]));
+    auto packed = std::make_shared<const clouds::PackedCloudNoise>(
+        clouds::packCloudNoise(textures[0], textures[1], textures[2]));
     const std::scoped_lock lock(mutex_);
     packed_ = std::move(packed);
   } catch (...) {

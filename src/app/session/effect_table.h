@@ -23,8 +23,8 @@ struct EffectDescriptor {
   void (*addPasses)(SceneRenderer& sceneRenderer) = nullptr;
   // Null: shared shaders need not know.
   void (*addFeatures)(render::FrameFeatures& features) = nullptr;
-  // While flying, before the next frame, whenever settings have changed: hands those that the change touches to
-  // the passes. Null: its passes take no settings but FrameContext::settings.
+  // While flying, before the next frame, whenever settings have changed: hands those that the change touches
+  // to the passes. Null: its passes take no settings but FrameContext::settings.
   void (*apply)(SceneRenderer& sceneRenderer, const SettingsChange& change) = nullptr;
   // Starts what must be ready before addPasses, beside everything else. Null: nothing.
   std::unique_ptr<Preparation> (*prepare)(Preparation::Maker maker) = nullptr;

@@ -1,6 +1,6 @@
 // A flight as a table, for plots and for whoever tunes it: one row a step, numbers with names and units in
-// the first line, separated by commas (CSV). It grows on the disk with each simulated second. Not for replays:
-// an input log is.
+// the first line, separated by commas (CSV). It grows on the disk with each simulated second. Not for
+// replays: an input log is.
 #pragma once
 
 #include <filesystem>

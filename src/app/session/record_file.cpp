@@ -12,7 +12,8 @@ RecordFile::RecordFile(const std::filesystem::path& file, Existing existing)
   std::error_code none;
   if (existing == Existing::refused && std::filesystem::is_regular_file(file, none) &&
       std::filesystem::file_size(file, none) > 0) {
-    throw core::DataError(file.string(), "cannot record", "the file exists and is not empty, and no record is replaced");
+    throw core::DataError(file.string(), "cannot record",
+                          "the file exists and is not empty, and no record is replaced");
   }
 }
 

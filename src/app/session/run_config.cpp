@@ -94,20 +94,20 @@ void keepFixed(const RunConfig& run, const core::SettingsTable& next) {
 void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, When when) {
   // Which files lie at the bottom is reported by the layers above them: first the quality, then, with its
   // preset among these layers, the tier of the clouds.
-  const auto wishOver = [&](const Layer& bottom) {
-    Settings wish;
-    const core::SettingsTable wishTable(wish);
-    bottom(wishTable);
-    applyScene(wishTable, scene);
-    player(wishTable);
-    applyOverrides(wishTable, run.overrides);
-    return wish;
+  const auto composeOver = [&](const Layer& bottom) {
+    Settings candidate;
+    const core::SettingsTable candidateTable(candidate);
+    bottom(candidateTable);
+    applyScene(candidateTable, scene);
+    player(candidateTable);
+    applyOverrides(candidateTable, run.overrides);
+    return candidate;
   };
   const Quality quality =
-      qualityFor(wishOver([](const core::SettingsTable&) {}).quality, run.softwareRenderer);
+      qualityFor(composeOver([](const core::SettingsTable&) {}).quality, run.softwareRenderer);
   const QualityPreset preset = readQualityPreset(quality);
   const Layer applyQuality = [&](const core::SettingsTable& table) { applyPreset(table, preset); };
-  const clouds::CloudTier tier = wishOver(applyQuality).clouds.tier;
+  const clouds::CloudTier tier = composeOver(applyQuality).clouds.tier;
 
   Settings base;
   const core::SettingsTable baseTable(base);
@@ -179,12 +179,12 @@ void noteOverrides(RunConfig& run) {
   }
 }
 
-// Why what the player wishes otherwise than before does not come about in this flight.
+// Why what the player now asks for does not take effect in this flight.
 void addRefusals(const RunConfig& run, const core::SettingsTable& before, std::vector<std::string>& reasons) {
   for (std::size_t i = 0; i < run.playerTable.fields().size(); ++i) {
-    const core::Field& wished = run.playerTable.fields()[i];
-    const std::string reason(whyFixed(run.setup, wished));
-    if (!reason.empty() && wished.get() != before.fields()[i].get() && !holds(reasons, reason))
+    const core::Field& asked = run.playerTable.fields()[i];
+    const std::string reason(whyFixed(run.setup, asked));
+    if (!reason.empty() && asked.get() != before.fields()[i].get() && !holds(reasons, reason))
       reasons.push_back(reason);
   }
 }
@@ -286,14 +286,14 @@ SettingsChange reloadScene(RunConfig& run, const CommandLine& line) {
 }
 
 SettingsChange reloadPlayer(RunConfig& run, std::vector<std::string>* refused) {
-  Settings before = run.settings, wishedBefore = run.player;
+  Settings before = run.settings, playerBefore = run.player;
   UserSettings edited = run.userSettings;
   std::optional<std::string> warning = edited.reload();
   compose(run, run.setup.scene, ownChoices(edited), When::flying);
   run.bindings = mergedBindings(edited.bindings(), run.userSettings.bindings(), run.bindings);
   run.userSettings = std::move(edited);
   run.warning = std::move(warning);
-  if (refused) addRefusals(run, core::SettingsTable(wishedBefore), *refused);
+  if (refused) addRefusals(run, core::SettingsTable(playerBefore), *refused);
   return changeSince(before, run);
 }
 

@@ -65,9 +65,9 @@ std::unique_ptr<RunConfig> prepareRun(const CommandLine& line);
 // on the machine. Throws core::DataError.
 void useSoftwareRenderer(RunConfig& run);
 
-// Takes over what the menu changed in `table`; it comes after --set. A quality or a tier of the clouds that was
-// picked takes the rows along that its files set, whatever the player had set them to, but for rows that were
-// changed together with it. Returns all that changed. Throws core::DataError.
+// Takes over what the menu changed in `table`; it comes after --set. A quality or a tier of the clouds that
+// was picked takes the rows along that its files set, whatever the player had set them to, but for rows that
+// were changed together with it. Returns all that changed. Throws core::DataError.
 //
 // In this and the two below, settings that are fixed for the flight (simulation.h) keep their values.
 SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked);

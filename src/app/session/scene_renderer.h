@@ -30,7 +30,7 @@ class SceneRenderer {
     scene::EffectSet effects;
     std::shared_ptr<const terrain::HeightSource> ground;
     std::optional<int> workers;
-    bool measuring = false;  // times are asked for: a software renderer may be slowed down for them
+    bool measuring = false;           // times are asked for: a software renderer may be slowed down for them
     PreparedResources prepared = {};  // what the effects prepared (Preparations::results)
   };
 

@@ -1,9 +1,9 @@
 #include "app/session/simulation.h"
 
-#include <glm/trigonometric.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "app/types/version.h"
@@ -17,14 +17,14 @@ namespace {
 
 using scene::Effect;
 
-std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& effects, const Settings& settings,
-                                                        std::uint64_t seed) {
+std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& effects,
+                                                        const Settings& settings, std::uint64_t seed) {
   if (!effects.contains(Effect::terrain)) return terrain::makeFlatSource(0);
   return terrain::makeNoiseHeightSource(settings.terrain, seed);
 }
 
-game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects, const Settings& settings,
-                            std::shared_ptr<const terrain::HeightSource> ground) {
+game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects,
+                            const Settings& settings, std::shared_ptr<const terrain::HeightSource> ground) {
   game::WorldSetup world;
   world.ground = std::move(ground);
   world.seed = setup.seed;
@@ -106,10 +106,11 @@ void Simulation::compareWithReplay() {
     hasDiverged_ = true;
     const std::uint64_t step = world_.stepCount();
     std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(),
-                  ": step %llu (%.3f s): the replay differs from the recorded flight: state %016llx, recorded %016llx",
-                  static_cast<unsigned long long>(step), core::FixedStep::secondsOf(step),
-                  static_cast<unsigned long long>(flown), static_cast<unsigned long long>(*recorded));
+    std::snprintf(
+        text.data(), text.size(),
+        ": step %llu (%.3f s): the replay differs from the recorded flight: state %016llx, recorded %016llx",
+        static_cast<unsigned long long>(step), core::FixedStep::secondsOf(step),
+        static_cast<unsigned long long>(flown), static_cast<unsigned long long>(*recorded));
     divergence_ = setup_.replayFile + text.data();
     if (!setup_.replayDoubt.empty()) *divergence_ += " (" + setup_.replayDoubt + ")";
   }
@@ -128,7 +129,8 @@ std::vector<std::string> Simulation::takeBackFixed(SettingsChange& change) {
       continue;
     }
     const double flown = flownValues_[static_cast<std::size_t>(&field - table_->fields().data())];
-    if (field.get() != flown && std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
+    if (field.get() != flown && std::ranges::find(reasons, reason) == reasons.end())
+      reasons.push_back(reason);
     field.set(flown);
   }
   change = allowed;

@@ -33,8 +33,8 @@ struct SimulationSetup {
   FlightRecorder* recorder = nullptr;  // outlives the simulation; begins with it
 };
 
-// Why the setting cannot change in this flight, empty if it can: what would load it again during a recording (a
-// log has no other land than that it began with), and in a replay all that decides the simulation.
+// Why the setting cannot change in this flight, empty if it can: what would load it again during a recording
+// (a log has no other land than that it began with), and in a replay all that decides the simulation.
 std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field);
 
 class Simulation {
@@ -44,7 +44,8 @@ class Simulation {
   Simulation(const SimulationSetup& setup, Settings& settings, const core::SettingsTable& table);
   ~Simulation();
 
-  // One step of 1/120 s, recorded and compared with the replay's checkpoints. The player's controls count only where the player flies.
+  // One step of 1/120 s, recorded and compared with the replay's checkpoints. The player's controls count
+  // only where the player flies.
   void step(const game::Controls& player);
 
   // Of a replay: whether the log has ended.
@@ -60,8 +61,8 @@ class Simulation {
   // that they are flown with. Returns the reasons, each once, and removes them from `change`.
   std::vector<std::string> takeBackFixed(SettingsChange& change);
 
-  // After the menu or a file changed settings: hands them to the world, and to the recorder those of the change
-  // that decide the simulation.
+  // After the menu or a file changed settings: hands them to the world, and to the recorder those of the
+  // change that decide the simulation.
   void apply(const SettingsChange& change);
 
   // Of a replay: what its log has changed since the last call, for whoever else depends on it.
@@ -90,7 +91,7 @@ class Simulation {
   game::World world_;
   std::optional<game::Autopilot> autopilot_;
   std::optional<game::InputReplay> replay_;
-  std::vector<double> flownValues_;  // of the table's fields
+  std::vector<double> flownValues_;                         // of the table's fields
   std::optional<game::InputLog::Checkpoint> beforeChange_;  // the state that the last change of settings met
   SettingsChange loggedChange_;
   bool hasDiverged_ = false;

@@ -68,7 +68,8 @@ std::optional<std::string> KeptFile::load() {
 }
 
 void KeptFile::reload() {
-  content_ = std::make_shared<const nlohmann::json>(core::readSettingsFile(file_, {}, core::UnknownMembers::keep));
+  content_ =
+      std::make_shared<const nlohmann::json>(core::readSettingsFile(file_, {}, core::UnknownMembers::keep));
 }
 
 std::optional<std::string> KeptFile::save(const Change& change) {
@@ -88,7 +89,9 @@ std::optional<std::string> KeptFile::save(const Change& change) {
     if (!line) content_ = std::make_shared<const nlohmann::json>(after);
     return line;
   }
-  if (line) *line += "; the file is kept as " + core::setAside(file_).string() + " and replaced by what was read last";
+  if (line)
+    *line +=
+        "; the file is kept as " + core::setAside(file_).string() + " and replaced by what was read last";
   nlohmann::json written = after;
   if (written["settings"].empty()) written.erase("settings");
   core::writeSettingsFile(file_, written);

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-
 #include "app/input/gamepad.h"
 #include "skydrop/audio/audio_settings.h"
 #include "skydrop/clouds/cloud_settings.h"

@@ -53,8 +53,8 @@ void SettingsDependencies::add(std::vector<std::string> paths, Apply apply) {
 
 void SettingsDependencies::apply(const SettingsChange& change) const {
   for (const Dependent& dependent : dependents_) {
-    const bool isTouched = std::ranges::any_of(dependent.paths,
-                                               [&](const std::string& path) { return change.touches(path); });
+    const bool isTouched =
+        std::ranges::any_of(dependent.paths, [&](const std::string& path) { return change.touches(path); });
     if (isTouched) dependent.apply(change);
   }
 }

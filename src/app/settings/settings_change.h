@@ -1,5 +1,5 @@
-// One change of settings as a value: from whoever made it (menu, key, file, log) it goes one way, to whoever depends
-// on what it touches. Main thread.
+// One change of settings as a value: from whoever made it (menu, key, file, log) it goes one way, to whoever
+// depends on what it touches. Main thread.
 #pragma once
 
 #include <functional>
@@ -37,7 +37,8 @@ class SettingsChange {
   std::vector<std::string> paths_;
 };
 
-// Who depends on which settings: registered once, and nothing else decides who hears of a change.
+// Who is told of a change, by groups of settings; registered once. What a dependent rebuilds is its own to
+// decide.
 class SettingsDependencies {
  public:
   using Apply = std::function<void(const SettingsChange&)>;

@@ -27,9 +27,10 @@ nlohmann::json bindingsOf(const nlohmann::json& content) {
   return content.value("bindings", nlohmann::json::object());
 }
 
-// The entries of a file's bindings, changed to what is wanted; those that are not understood stay, unless the menu
-// has set their action.
-nlohmann::json bindingsJson(const nlohmann::json& inFile, const Bindings::Read& read, const Bindings& wanted) {
+// The entries of a file's bindings, changed to what is wanted; those that are not understood stay, unless the
+// menu has set their action.
+nlohmann::json bindingsJson(const nlohmann::json& inFile, const Bindings::Read& read,
+                            const Bindings& wanted) {
   nlohmann::json merged = inFile.is_object() ? inFile : nlohmann::json::object();
   for (std::size_t i = 0; i < kActions; ++i) {
     const auto action = static_cast<Action>(i);

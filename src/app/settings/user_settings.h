@@ -1,5 +1,5 @@
-// The player's own settings: what was changed in the menu, kept between flights in settings.json of their folder,
-// and edited there by hand.
+// The player's own settings: what was changed in the menu, kept between flights in settings.json of their
+// folder, and edited there by hand.
 #pragma once
 
 #include <filesystem>
@@ -26,11 +26,12 @@ class UserSettings {
   UserSettings() = default;  // no folder: choices are held, nothing is read or written
   explicit UserSettings(const std::filesystem::path& folder) : file_(userSettingsFile(folder)) {}
 
-  // Reads the file at the start; what is wrong with it comes back as one line. Broken as a whole it is set aside
-  // (kept_file.h) and defaults are used; a value or key that does not fit is left out, and the rest applies.
+  // Reads the file at the start; what is wrong with it comes back as one line. Broken as a whole it is set
+  // aside (kept_file.h) and defaults are used; a value or key that does not fit is left out, and the rest
+  // applies.
   std::optional<std::string> load();
-  // The same after it was edited while flying, but what is broken as a whole is refused: throws core::DataError,
-  // and the last state stays. What the menu chose and was not saved yet stays too.
+  // The same after it was edited while flying, but what is broken as a whole is refused: throws
+  // core::DataError, and the last state stays. What the menu chose and was not saved yet stays too.
   std::optional<std::string> reload();
 
   // The player's layer of the settings.
@@ -40,9 +41,9 @@ class UserSettings {
   // What the menu chose: a value, or to follow the defaults again. It wins over the file when that is saved.
   void choose(const std::string& path, std::optional<double> value);
 
-  // Writes what was chosen and which bindings changed into the file, and nothing else: `table` has the values.
-  // Nothing is written where there is nothing new. The line to warn of comes back. Throws core::DataError, and the
-  // choices wait for the next time.
+  // Writes what was chosen and which bindings changed into the file, and nothing else: `table` has the
+  // values. Nothing is written where there is nothing new. The line to warn of comes back. Throws
+  // core::DataError, and the choices wait for the next time.
   std::optional<std::string> save(const core::SettingsTable& table, const Bindings& bindings);
 
  private:

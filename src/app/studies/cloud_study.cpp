@@ -28,10 +28,10 @@ StudyResult cloudStudy(const StudyProgress& progress) {
   const CloudTier shipped = run->settings.clouds.tier;
   const auto context = openContext(std::nullopt, kSize);
   Simulation simulation(run->setup, run->settings, run->table);
-  SceneRenderer sceneRenderer(*context,
-                              {simulation.effects(), simulation.ground(), std::nullopt, false,
-                               PreparedResources(noise.wait())},
-                              run->settings);
+  SceneRenderer sceneRenderer(
+      *context,
+      {simulation.effects(), simulation.ground(), std::nullopt, false, PreparedResources(noise.wait())},
+      run->settings);
   sceneRenderer.camera().setMode(render::CameraMode::free);
   sceneRenderer.camera().setPose({0, 600, 0}, glm::radians(40.0), glm::radians(12.0), 0);
   const game::Snapshot& snapshot = simulation.world().now();
@@ -59,7 +59,8 @@ StudyResult cloudStudy(const StudyProgress& progress) {
     progress(result.rows.size() + 1, std::size(kTiers) + 1);
     const TimedFrame frame = frameOf(tier, kTimedFrames);
     result.rows.push_back({std::string(clouds::kCloudTierNames[static_cast<std::size_t>(tier)]),
-                           {rootMeanSquare(frame.image, reference.image)}, frame.ms,
+                           {rootMeanSquare(frame.image, reference.image)},
+                           frame.ms,
                            tier == shipped ? "default" : ""});
   }
   result.rows.push_back({"reference", {0}, reference.ms, ""});

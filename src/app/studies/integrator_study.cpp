@@ -77,7 +77,8 @@ StudyResult integratorStudy(const StudyProgress& progress) {
           integrator == flight::AirplaneSettings{}.integrator && rate == core::FixedStep::kStepsPerSecond;
       result.rows.push_back({std::string(flight::kIntegratorNames[i]) + " at " + std::to_string(rate) + " Hz",
                              {angleBetween(attitudeAfter(integrator, rate), reference)},
-                             cost(integrator, rate), isDefault ? "default" : ""});
+                             cost(integrator, rate),
+                             isDefault ? "default" : ""});
     }
   }
   return result;

@@ -25,7 +25,8 @@ StudyResult landStudy(const StudyProgress& progress) {
   const double shipped = run->settings.streaming.pixelError;
   const auto context = openContext(std::nullopt, kSize);
   Simulation simulation(run->setup, run->settings, run->table);
-  SceneRenderer sceneRenderer(*context, {simulation.effects(), simulation.ground(), std::nullopt, false}, run->settings);
+  SceneRenderer sceneRenderer(*context, {simulation.effects(), simulation.ground(), std::nullopt, false},
+                              run->settings);
   const game::Snapshot& snapshot = simulation.world().now();
 
   const auto frameAt = [&](double pixelError) {
@@ -50,9 +51,11 @@ StudyResult landStudy(const StudyProgress& progress) {
   for (const double pixelError : errors) {
     progress(result.rows.size() + 1, errors.size() + 1);
     const TimedFrame frame = frameAt(pixelError);
-    char knob[32];
-    std::snprintf(knob, sizeof knob, "%g px", pixelError);
-    result.rows.push_back({knob, {rootMeanSquare(frame.image, reference.image)}, frame.ms,
+    char label[32];
+    std::snprintf(label, sizeof label, "%g px", pixelError);
+    result.rows.push_back({label,
+                           {rootMeanSquare(frame.image, reference.image)},
+                           frame.ms,
                            pixelError == shipped ? "default" : ""});
   }
   result.rows.push_back({"reference", {0}, reference.ms, ""});

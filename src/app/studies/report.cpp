@@ -39,8 +39,8 @@ void writeMarkdown(std::ostream& out, const StudyResult& result) {
   for (const StudyRow& row : result.rows) {
     out << "| " << row.label << " |";
     for (const double error : row.errors) out << " " << inText(error, kShownDigits) << " |";
-    out << " " << inText(row.cost, kShownDigits) << " | "
-        << (isParetoOptimal(row, result.rows) ? "yes" : "") << " | " << row.note << " |\n";
+    out << " " << inText(row.cost, kShownDigits) << " | " << (isParetoOptimal(row, result.rows) ? "yes" : "")
+        << " | " << row.note << " |\n";
   }
   out << "\n";
 }
@@ -48,7 +48,8 @@ void writeMarkdown(std::ostream& out, const StudyResult& result) {
 std::string markdown(const std::vector<StudyResult>& results) {
   std::ostringstream out;
   out << "# What accuracy costs\n\n"
-         "Each table turns one knob: its error against a converged reference, and its cost. A row is Pareto-optimal\n"
+         "Each table turns one parameter: its error against a converged reference, and its cost. A row is "
+         "Pareto-optimal\n"
          "when no other row is both cheaper and more accurate. Made by `skydrop accuracy`.\n\n";
   for (const StudyResult& result : results) writeMarkdown(out, result);
   return out.str();
@@ -111,9 +112,12 @@ bool isParetoOptimal(const StudyRow& row, const std::vector<StudyRow>& rows) {
 
 std::string studyReport(const std::vector<StudyResult>& results, ReportFormat format) {
   switch (format) {
-    case ReportFormat::json: return json(results);
-    case ReportFormat::csv: return csv(results);
-    case ReportFormat::markdown: break;
+    case ReportFormat::json:
+      return json(results);
+    case ReportFormat::csv:
+      return csv(results);
+    case ReportFormat::markdown:
+      break;
   }
   return markdown(results);
 }

@@ -1,4 +1,4 @@
-// An accuracy study: one approximation, its knob turned through its range, and for each place of the knob the
+// An accuracy study: one approximation, its parameter turned through its range, and for each value of it the
 // measured error against a converged reference and the measured cost. `skydrop accuracy` runs them.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace skydrop::app {
 
-// What is measured at each place of the knob: an error against the reference, less is better.
+// What is measured at each value of the parameter: an error against the reference, less is better.
 struct StudyMetric {
   std::string name;  // "attitude error after 10 s"
   std::string unit;  // "degrees"
@@ -23,7 +23,7 @@ struct StudyCost {
   std::string clock;  // what timed it: "wall clock, the fastest of 20 runs"
 };
 
-// One place of the knob.
+// One value of the parameter.
 struct StudyRow {
   std::string label;           // "rk4 at 120 Hz"
   std::vector<double> errors;  // one a metric of the study, in its unit and order
@@ -35,7 +35,7 @@ struct StudyResult {
   std::string title, method;         // what is measured, against which reference
   std::vector<StudyMetric> metrics;  // at least one
   StudyCost cost;
-  std::string machine;               // on what it was timed
+  std::string machine;  // on what it was timed
   std::vector<StudyRow> rows;
 };
 

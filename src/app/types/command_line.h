@@ -1,4 +1,5 @@
-// The command line as a value: what the program was asked to do. cli/command_line_parser.h makes it from words.
+// The command line as a value: what the program was asked to do. cli/command_line_parser.h makes it from
+// words.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 namespace skydrop::app {
 
 // Long enough to reach for the mouse and click.
-inline constexpr double kPointerRestSeconds = 2;
+inline constexpr double kCursorIdleSeconds = 2;
 
 class CursorAutoHide {
  public:
@@ -12,7 +12,7 @@ class CursorAutoHide {
   // (menu) is open. True: it is shown.
   bool isShown(double seconds, bool moved, bool needed) {
     rested_ = moved || needed ? 0 : rested_ + seconds;
-    return rested_ < kPointerRestSeconds;
+    return rested_ < kCursorIdleSeconds;
   }
 
  private:

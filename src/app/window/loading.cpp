@@ -20,9 +20,9 @@ bool Loading::prepare(Preparations& preparations) {
   while (const Preparation* pending = preparations.pending()) {
     if (!goesOn_()) return false;
     preparations.makeParts(window_.context());
-    screen_.show({std::string(pending->title()) + ": " +
-                      std::to_string(std::lround(100 * pending->progress())) + " %",
-                  kShareOfPreparations * preparations.progress()});
+    screen_.show(
+        {std::string(pending->title()) + ": " + std::to_string(std::lround(100 * pending->progress())) + " %",
+         kShareOfPreparations * preparations.progress()});
   }
   return true;
 }

@@ -51,37 +51,38 @@ bool isSamePlace(const std::optional<ui::ScreenRect>& a, const std::optional<ui:
 MenuController::MenuController(std::optional<std::filesystem::path> userFolder) {
   if (!userFolder) return;
   file_ = KeptFile(*userFolder / "menu.json");
-  shelf_.emplace(presetFolder(*userFolder));
+  presetStore_.emplace(presetFolder(*userFolder));
 }
 
 ui::MenuTools MenuController::tools(const core::SettingsTable& base, const render::View& view,
-                              std::span<const double> frameMs) {
+                                    std::span<const double> frameMs) {
   // From the scene, and from the program's defaults: whatever stands between them on another machine.
   bases_[0] = &base;
   bases_[1] = &defaultTable_;
   pose_ = poseText(poseOf(view));
   ui::MenuTools tools{frameMs, bases_, pose_, std::nullopt};
-  if (shelf_) {
-    if (!presets_) presets_ = shelf_->list();
+  if (presetStore_) {
+    if (!presets_) presets_ = presetStore_->list();
     tools.presets = *presets_;
   }
   return tools;
 }
 
-MenuController::Served MenuController::serve(const ui::PresetRequest& request, const core::SettingsTable& table,
-                                 ui::ConfigurationMenu& menu) {
-  if (!shelf_) return {};
+MenuController::Served MenuController::serve(const ui::PresetRequest& request,
+                                             const core::SettingsTable& table, ui::ConfigurationMenu& menu) {
+  if (!presetStore_) return {};
   presets_.reset();
   switch (request.kind) {
     case ui::PresetRequest::Kind::save: {
-      const auto aside = shelf_->save(request.name, table, request.groups);
-      const std::string replaced = aside ? "; the old one, which is broken, is kept as " + aside->string() : "";
+      const auto aside = presetStore_->save(request.name, table, request.groups);
+      const std::string replaced =
+          aside ? "; the old one, which is broken, is kept as " + aside->string() : "";
       return {{}, "Saved preset " + request.name + replaced};
     }
     case ui::PresetRequest::Kind::load:
-      return {menu.change(table, shelf_->load(request.name)), "Loaded preset " + request.name};
+      return {menu.change(table, presetStore_->load(request.name)), "Loaded preset " + request.name};
     case ui::PresetRequest::Kind::remove:
-      shelf_->remove(request.name);
+      presetStore_->remove(request.name);
       return {{}, "Deleted preset " + request.name};
   }
   return {};

@@ -35,8 +35,9 @@ class MenuController {
   Served serve(const ui::PresetRequest& request, const core::SettingsTable& table,
                ui::ConfigurationMenu& menu);
 
-  // What the menu remembers, "menu.json" in the player's folder (kept_file.h). What is wrong with the file comes
-  // back as a line; the menu is there as at first. Saving writes what changed and throws core::DataError.
+  // What the menu remembers, "menu.json" in the player's folder (kept_file.h). What is wrong with the file
+  // comes back as a line; the menu is there as at first. Saving writes what changed and throws
+  // core::DataError.
   std::optional<std::string> load(ui::ConfigurationMenu& menu);
   std::optional<std::string> save(const ui::ConfigurationMenu& menu);
 
@@ -45,7 +46,7 @@ class MenuController {
   ui::MenuState saved_;  // as the file was read or written last
   Settings defaults_;
   core::SettingsTable defaultTable_{defaults_};
-  std::optional<PresetStore> shelf_;
+  std::optional<PresetStore> presetStore_;
   std::optional<std::vector<ui::PresetEntry>> presets_;  // as last read; nullopt: to be read
   const core::SettingsTable* bases_[2] = {};
   std::string pose_;

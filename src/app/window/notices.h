@@ -11,8 +11,8 @@ namespace skydrop::app {
 
 class Notices {
  public:
-  static constexpr double kSeconds = 3;      // to read a few words
-  static constexpr double kNewsSeconds = 8;  // to read what nobody asked for
+  static constexpr double kSeconds = 3;             // to read a few words
+  static constexpr double kUnrequestedSeconds = 8;  // to read what nobody asked for
 
   void add(std::string text, double seconds = kSeconds) { lines_.push_back({std::move(text), seconds}); }
   // Seconds on the wall clock: a pause does not keep them.

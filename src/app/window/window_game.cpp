@@ -14,6 +14,7 @@
 #include "app/session/start_camera.h"
 #include "app/settings/quality_preset.h"
 #include "app/settings/user_settings.h"
+#include "app/window/fault_parts.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::app {
@@ -22,7 +23,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using scene::Effect;
 
-constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 constexpr auto kStatisticsPeriod = std::chrono::milliseconds(500);  // of the table in the menu and of --stats
 constexpr auto kFlushPeriod = std::chrono::milliseconds(500);       // of the recording
 constexpr std::size_t kShownFrames = 240;                           // in the graph of the menu
@@ -45,14 +45,6 @@ std::string reasonOf(const std::exception_ptr& failure) {
     return "unknown error";
   }
 }
-
-// Parts of the program whose faults stand until they are repaired.
-namespace part {
-constexpr std::string_view kStart = "start", kShaders = "shaders", kScene = "scene",
-                           kPlayersFile = "player's file", kPlayersValues = "player's values",
-                           kChange = "change", kPreset = "preset", kFrame = "frame",
-                           kStatistics = "statistics", kScreenshot = "screenshot", kChoices = "choices";
-}  // namespace part
 
 std::filesystem::path screenshotFolder(const RunConfig& run) {
   return run.userFolder ? *run.userFolder / "screenshots" : "screenshots";
@@ -93,7 +85,7 @@ WindowGame::WindowGame(const CommandLine& line)
       clipboard_(std::make_unique<WindowClipboard>(window_.context())),
       joysticks_(gamepadMappings(*run_)),
       controls_(run_->bindings, run_->settings.input.gamepad, joysticks_),
-      desk_(run_->userFolder),
+      menuController_(run_->userFolder),
       screenshots_(screenshotFolder(*run_)) {
   if (window_.context().isSoftware()) useSoftwareRenderer(*run_);
   if (line_.pose) run_->settings.view.camera = render::CameraMode::free;
@@ -113,7 +105,7 @@ WindowGame::WindowGame(const CommandLine& line)
   imguiInput_.emplace(clipboard_.get());
   feed_.emplace(*imguiInput_);
   controls_.setKeyLabels(keyboardLabels());
-  if (auto warning = desk_.load(overlay_->menu())) warnings.push_back(std::move(*warning));
+  if (auto warning = menuController_.load(overlay_->menu())) warnings.push_back(std::move(*warning));
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, requestEnd);
 #ifdef SIGHUP
   endOn(SIGHUP);  // the terminal was closed
@@ -135,7 +127,8 @@ void WindowGame::tellOfSoftware() {
        std::string(kQualityNames[static_cast<std::size_t>(run_->quality)]) +
        "; --set quality=high, or the menu (F1)");
   if (window_.takeSoftwareNews()) {
-    notices_.add("No graphics card: low quality, a small window. F1 changes that.", Notices::kNewsSeconds);
+    notices_.add("No graphics card: low quality, a small window. F1 changes that.",
+                 Notices::kUnrequestedSeconds);
   }
 }
 
@@ -146,7 +139,8 @@ void WindowGame::beginPreparations() {
                       window_.context().isSoftware() ? Maker::processor : Maker::graphics);
 }
 
-// Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player quit.
+// Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player
+// quit.
 WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
   beginPreparations();
   Flight next;
@@ -165,7 +159,8 @@ WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
     next.sceneRenderer->camera() = sceneRenderer_->camera();
   } else if (line_.pose) {
     placeCamera(next.sceneRenderer->camera(), *line_.pose, *next.simulation->ground());
-    if (const auto warning = underSurface(next.sceneRenderer->camera(), *next.simulation->ground())) warn(*warning);
+    if (const auto warning = underSurface(next.sceneRenderer->camera(), *next.simulation->ground()))
+      warn(*warning);
   }
   next.sceneRenderer->addOverlay();
   if (effects.contains(Effect::sound)) {
@@ -192,8 +187,8 @@ void WindowGame::buildScene() {
       sound_ = std::move(next.sound);
       sceneRenderer_ = std::move(next.sceneRenderer);
       simulation_ = std::move(next.simulation);
-      good_ = choicesOf(*run_);
-      unproven_ = menuChangedIt_ = false;
+      lastGood_ = choicesOf(*run_);
+      changeNotDrawn_ = menuChangedIt_ = false;
       clock_ = {};
       events_.clear();
     }
@@ -239,8 +234,8 @@ void WindowGame::fly() {
     const double seconds = std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count();
     handleEvents();
     watchFiles();
-    if (choicesWait_ && !unproven_) {
-      choicesWait_ = false;
+    if (saveChoicesPending_ && !changeNotDrawn_) {
+      saveChoicesPending_ = false;
       keepChoices();
     }
     if (window_.isHidden()) paused_ = true;
@@ -362,8 +357,8 @@ void WindowGame::advance(double seconds) {
     events_.insert(events_.end(), events.begin(), events.end());
   }
   // A replay changes settings as its log says; the world has them already.
-  showing_.apply(simulation_->takeLoggedChange());
-  if (simulation_->pilot() == Pilot::replay && !unproven_) good_ = choicesOf(*run_);
+  presentationDependencies_.apply(simulation_->takeLoggedChange());
+  if (simulation_->pilot() == Pilot::replay && !changeNotDrawn_) lastGood_ = choicesOf(*run_);
   if (simulation_->finished() && !replayEnded_) {
     replayEnded_ = true;
     paused_ = true;
@@ -404,11 +399,12 @@ void WindowGame::drawFrame(double seconds) {
 // A frame that cannot be drawn with what was chosen last is drawn with what was chosen before. What is broken
 // else is left out of it, for as long as it is.
 void WindowGame::drawScene(const game::Snapshot& snapshot, Size size) {
-  if (unproven_) {
-    const bool drawn = attempt(part::kChange, [&] { sceneRenderer_->draw(snapshot, size, Streaming::asItComes); });
+  if (changeNotDrawn_) {
+    const bool drawn =
+        attempt(part::kChange, [&] { sceneRenderer_->draw(snapshot, size, Streaming::asItComes); });
     if (drawn) {
-      good_ = choicesOf(*run_);
-      unproven_ = menuChangedIt_ = false;
+      lastGood_ = choicesOf(*run_);
+      changeNotDrawn_ = menuChangedIt_ = false;
       return;
     }
   }
@@ -449,7 +445,7 @@ void WindowGame::serve(const OverlayResult& result) {
   if (result.menu.preset) servePreset(*result.menu.preset);
   if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
     nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it
-    choicesWait_ = true;
+    saveChoicesPending_ = true;
   }
   switch (result.escape) {
     case ui::EscapeAction::none:
@@ -466,36 +462,6 @@ void WindowGame::serve(const OverlayResult& result) {
   }
 }
 
-bool WindowGame::attempt(std::string_view part, const std::function<void()>& change) {
-  // What the player binds is in force at once, and so is the camera.
-  good_.bindings = run_->bindings;
-  good_.settings.view.camera = run_->settings.view.camera;
-  try {
-    change();
-    faults_.clear(part);
-    faults_.clear(part::kStart);  // has been read by now
-    return true;
-  } catch (const std::exception& refusal) {
-    tell(part, refusal.what());
-    goBack();
-    return false;
-  }
-}
-
-// Settings, bindings, scene and the menu's steps as they were in the last frame that could be drawn.
-void WindowGame::goBack() {
-  const SettingsChange change = goBackTo(good_, *run_);
-  if (std::exchange(menuChangedIt_, false)) overlay_->menu().takeBack();
-  unproven_ = false;
-  if (!(controls_.input().bindings() == run_->bindings)) controls_.bindingsWereReplaced();
-  apply(change);
-}
-
-// On stderr once, and in the menu until it is repaired.
-void WindowGame::tell(std::string_view part, const std::string& line) {
-  if (faults_.set(part, line)) warn(line);
-}
-
 // The table is renewed by a clock of its own, at once when it is opened.
 void WindowGame::renewCosts() {
   if (!overlay_->showsCosts()) {
@@ -510,22 +476,8 @@ void WindowGame::renewCosts() {
 
 ui::MenuTools WindowGame::menuTools(const game::Snapshot& snapshot, Size size) {
   if (!overlay_->menuOpen) return {};
-  return desk_.tools(run_->baseTable, sceneRenderer_->view(snapshot, size), times_.newest(kShownFrames));
-}
-
-void WindowGame::servePreset(const ui::PresetRequest& request) {
-  MenuController::Served served;
-  try {
-    served = desk_.serve(request, run_->table, overlay_->menu());
-  } catch (const std::exception& refusal) {
-    return tell(part::kPreset, refusal.what());
-  }
-  faults_.clear(part::kPreset);
-  if (!served.changedPaths.empty()) {
-    menuChangedIt_ = true;
-    if (!attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(served.changedPaths)); })) return;
-  }
-  notices_.add(served.notice);
+  return menuController_.tools(run_->baseTable, sceneRenderer_->view(snapshot, size),
+                               times_.newest(kShownFrames));
 }
 
 void WindowGame::report() {
@@ -542,94 +494,13 @@ void WindowGame::report() {
   }
 }
 
-void WindowGame::applyMenuChanges(SettingsChange picked) {
-  tellOfRefusals(simulation_->takeBackFixed(picked));
-  if (!picked.empty()) carryOut(takeMenuChanges(*run_, picked));
-}
-
-// Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
-void WindowGame::registerDependents() {
-  dependencies_.add({"aircraft", "package", "game", "autopilot", "wind"},
-                    [this](const SettingsChange& change) { simulation_->apply(change); });
-  // Of every change, because the rows of the effect table say which settings they take.
-  showing_.add({""}, [this](const SettingsChange& change) { sceneRenderer_->apply(change); });
-  showing_.add({"view"}, [this](const SettingsChange&) {
-    window_.apply(run_->settings.view);
-    camera_.follow(*sceneRenderer_, isFrozen());
-  });
-  showing_.add({"audio"}, [this](const SettingsChange&) {
-    if (audio_) audio_->apply(run_->settings.audio);
-    if (sound_) sound_->apply(run_->settings.audio);
-  });
-}
-
-void WindowGame::carryOut(const SettingsChange& change) {
-  if (change.needs(core::TakesEffect::restart, run_->table)) {
-    buildScene();
-  } else {
-    unproven_ = true;
-  }
-  apply(change);
-}
-
-void WindowGame::apply(const SettingsChange& change) {
-  dependencies_.apply(change);
-  showing_.apply(change);
-}
-
-// Shaders, the scene and the player's settings take effect when they are written; what is broken is shown and
-// changes nothing.
-void WindowGame::watchFiles() {
-  if (Clock::now() < nextWatch_) return;
-  nextWatch_ = Clock::now() + kWatchPeriod;
-  for (const std::string& message : sceneRenderer_->takeMessages()) tell(part::kShaders, message);
-  if (const std::string_view standing = sceneRenderer_->standingError(); standing.empty()) {
-    faults_.clear(part::kShaders);
-  } else {
-    faults_.set(part::kShaders, std::string(standing));  // another one may have been repaired
-  }
-  if (sceneFile_.wasWritten()) attempt(part::kScene, [this] { reloadSceneFile(); });
-  if (playerFile_.wasWritten()) attempt(part::kPlayersFile, [this] { reloadPlayerFile(); });
-}
-
-void WindowGame::reloadSceneFile() {
-  if (run_->recorder) return tellOfRefusals({"The scene stays as it was while a flight is recorded"});
-  const SettingsChange change = reloadScene(*run_, line_);
-  buildScene();
-  apply(change);
-  notices_.add("The scene was reloaded");
-}
-
-void WindowGame::reloadPlayerFile() {
-  std::vector<std::string> refused;
-  const SettingsChange change = reloadPlayer(*run_, &refused);
-  tellOfRefusals(refused);
-  controls_.bindingsWereReplaced();
-  carryOut(change);
-  if (run_->warning) {
-    tell(part::kPlayersValues, *run_->warning);
-  } else {
-    faults_.clear(part::kPlayersValues);
-  }
-  notices_.add("The settings were reloaded");
-}
-
-// What the player should know now, and find again in the terminal.
-void WindowGame::announce(const std::string& line, const std::string& notice) {
-  warn(line);
-  notices_.add(notice, Notices::kNewsSeconds);
-}
-
-void WindowGame::tellOfRefusals(const std::vector<std::string>& reasons) {
-  for (const std::string& reason : reasons) announce(reason, reason);
-}
-
 // By the clock on the wall: where frames are slow, simulated seconds are long.
 void WindowGame::keepRecording() {
   if (!run_->recorder || Clock::now() < nextFlush_) return;
   nextFlush_ = Clock::now() + kFlushPeriod;
   run_->recorder->flush();
-  if (const auto reason = run_->recorder->takeReason()) announce(*reason, "The recording has ended, the flight goes on");
+  if (const auto reason = run_->recorder->takeReason())
+    announce(*reason, "The recording has ended, the flight goes on");
 }
 
 void WindowGame::saveScreenshot() {
@@ -710,10 +581,10 @@ void WindowGame::keepChoices() {
   };
   keep([this] { return run_->userSettings.save(run_->playerTable, run_->bindings); });
   playerFile_.forget();
-  keep([this] { return desk_.save(overlay_->menu()); });
+  keep([this] { return menuController_.save(overlay_->menu()); });
   keep([this] { return window_.remember(); });
   if (kept) faults_.clear(part::kChoices);
-  good_.userSettings = run_->userSettings;
+  lastGood_.userSettings = run_->userSettings;
 }
 
 }  // namespace skydrop::app

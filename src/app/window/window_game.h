@@ -104,9 +104,9 @@ class WindowGame {
 
   CommandLine line_;
   std::unique_ptr<RunConfig> run_;
-  SettingsDependencies dependencies_;      // of the simulation
-  SettingsDependencies showing_;           // of what is seen and heard
-  std::optional<core::OutputFile> stats_;  // --stats; opened before the window
+  SettingsDependencies simulationDependencies_;    // of the simulation
+  SettingsDependencies presentationDependencies_;  // of what is seen and heard
+  std::optional<core::OutputFile> stats_;          // --stats; opened before the window
   GameWindow window_;
   Preparations preparations_;  // of what the scene calls for; kept while scenes go on to call for it
   std::unique_ptr<Simulation> simulation_;
@@ -120,7 +120,7 @@ class WindowGame {
   GlfwJoysticks joysticks_;
   PlayerControls controls_;
   PlayerCamera camera_;
-  MenuController desk_;
+  MenuController menuController_;
   CursorAutoHide pointer_;
   bool pointerMoved_ = false;
   core::FixedStep clock_;
@@ -129,12 +129,12 @@ class WindowGame {
   bool screenshotWanted_ = false;
   bool replayEnded_ = false;
   bool menuWasOpen_ = false;
-  bool choicesWait_ = false;  // to be kept, once the files were looked at
+  bool saveChoicesPending_ = false;  // to be kept, once the files were looked at
   Screenshots screenshots_;
-  Faults faults_;               // the latest is shown in the menu
-  Choices good_;                // that a frame was drawn with
-  bool unproven_ = false;       // what is in force since no frame has been drawn with yet
-  bool menuChangedIt_ = false;  // and the menu remembers a step of it
+  Faults faults_;                // the latest is shown in the menu
+  Choices lastGood_;             // that a frame was drawn with
+  bool changeNotDrawn_ = false;  // what is in force since no frame has been drawn with yet
+  bool menuChangedIt_ = false;   // and the menu remembers a step of it
   Notices notices_;
   std::vector<game::GameEvent> events_;  // of the steps since the last frame
   FrameTimes times_;

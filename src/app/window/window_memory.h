@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-
 #include "app/settings/kept_file.h"
 #include "skydrop/core/settings.h"
 
@@ -28,8 +27,8 @@ std::filesystem::path windowMemoryFile(const std::filesystem::path& folder);
 // Applies the file to `memory` where it fits; what is wrong with it comes back as one line (kept_file.h).
 std::optional<std::string> loadWindowMemory(WindowMemory& memory, KeptFile& file);
 
-// Writes what differs from `before`, the state when the file was read or written last; what is `usual` is taken
-// out of the file. The line to warn of comes back. Throws core::DataError.
+// Writes what differs from `before`, the state when the file was read or written last; what is `usual` is
+// taken out of the file. The line to warn of comes back. Throws core::DataError.
 std::optional<std::string> saveWindowMemory(WindowMemory memory, WindowMemory before, WindowMemory usual,
                                             KeptFile& file);
 

@@ -7,7 +7,7 @@ void CloudShadowMap::bind(gl::Shader& shader) const {
   coarse_.depths->bind(kCoarseUnit);
   shader.setVec4s("inFineShadowMap", fine_.rows);
   shader.setVec2("shadowMapLayer", layer_);
-  shader.setVec2("shadeRadii", glm::vec2(fine_.radiusM, coarse_.radiusM));
+  shader.setVec2("shadowRadii", glm::vec2(fine_.radiusM, coarse_.radiusM));
   shader.setVec4s("inCoarseShadowMap", coarse_.rows);
 }
 

@@ -24,14 +24,15 @@ constexpr double kFarCells = 5;          // a cell of the coarse grid in cells o
 // Of rays that are not marched: no light, and a surface like no other,
 // because what hides the clouds there may not hide them beside it.
 constexpr std::array<float, 4> kNotMarched = {core::shared::f32::kFarDistance, 0, 0, 0};
-constexpr double kFineShadowMapM = 60, kFineShadeRadiusM = 6000, kCoarseShadowMapM = 240;  // cells of shadows
+constexpr double kFineShadowMapM = 60, kFineShadowRadiusM = 6000,
+                 kCoarseShadowMapM = 240;  // cells of shadows
 
 struct ListHeader {
   std::array<GLuint, 3> groups{0, 0, 1};
   GLuint count = 0;
 };
 
-// The most times that all loops of a ray can run together. A stretch with its light is at least so deep, or
+// The most times that all loops of a ray can run together. A segment with its light is at least so deep, or
 // kMaxStepsPerSegment steps long.
 double mostIterations(const clouds::CloudSettings& s) {
   const double growthBegins = s.march.stepM / s.march.stepGrowth;
@@ -43,25 +44,17 @@ double mostIterations(const clouds::CloudSettings& s) {
 }
 
 // Whether one dispatch may not reach the end of a ray.
-bool isCarried(const clouds::CloudSettings& settings) {
+bool isMultiDispatch(const clouds::CloudSettings& settings) {
   return mostIterations(settings) > core::shared::f64::kMostIterations;
 }
 
 // Pixels a side for each ray. Single rays are not carried on, so there are none then.
 int divisorOf(const clouds::CloudSettings& settings) {
-  return isCarried(settings) ? 1 : 1 << static_cast<int>(settings.march.resolution);
+  return isMultiDispatch(settings) ? 1 : 1 << static_cast<int>(settings.march.resolution);
 }
 
 int rays(int pixels, int divisor) { return (pixels + divisor - 1) / divisor; }
 int tilesOf(int raysAcross) { return (raysAcross + kTileSide - 1) / kTileSide; }
-
-// Whether a layer is the same field with both, its light included.
-bool isSameField(const clouds::CloudSettings& a, const clouds::CloudSettings& b, std::size_t layer) {
-  const auto periodOf = [&](const clouds::CloudSettings& settings) {
-    return clouds::weatherPeriod(settings.layers[layer], settings.fadeDistance);
-  };
-  return a.layers[layer] == b.layers[layer] && periodOf(a) == periodOf(b);
-}
 
 // Whether no ray of the picture meets the layer before clouds have faded.
 bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, double fadeDistance) {
@@ -90,7 +83,7 @@ std::vector<std::string> definesOf(const FrameContext& context, const clouds::Cl
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   if (settings.march.detail) defines.emplace_back("DETAIL");
   if (settings.march.lightGrid) defines.emplace_back("LIGHT_GRID");
-  if (isCarried(settings)) defines.emplace_back("CARRIED");
+  if (isMultiDispatch(settings)) defines.emplace_back("MULTI_DISPATCH");
   defines.push_back("DIVISOR " + std::to_string(divisorOf(settings)));
   return defines;
 }
@@ -103,10 +96,12 @@ CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::Pac
       settings_(settings),
       wind_(wind),
       textures_(std::make_unique<CloudTextures>(context, std::move(noise), settings)),
-      near_(std::make_unique<SunOpticalDepthGrid>("near light grid", SunOpticalDepthGridKeeps::all)),
-      far_(std::make_unique<SunOpticalDepthGrid>("far light grid", SunOpticalDepthGridKeeps::all)),
-      fineShadowMap_(std::make_unique<SunOpticalDepthGrid>("fine cloud shade", SunOpticalDepthGridKeeps::base)),
-      coarseShadowMap_(std::make_unique<SunOpticalDepthGrid>("coarse cloud shade", SunOpticalDepthGridKeeps::base)),
+      near_(std::make_unique<SunOpticalDepthGrid>("near sun optical depth", SunOpticalDepthGridKeeps::all)),
+      far_(std::make_unique<SunOpticalDepthGrid>("far sun optical depth", SunOpticalDepthGridKeeps::all)),
+      fineShadowMap_(
+          std::make_unique<SunOpticalDepthGrid>("fine cloud shadow map", SunOpticalDepthGridKeeps::base)),
+      coarseShadowMap_(
+          std::make_unique<SunOpticalDepthGrid>("coarse cloud shadow map", SunOpticalDepthGridKeeps::base)),
       uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {}
 
 CloudSystem::~CloudSystem() = default;
@@ -114,7 +109,7 @@ CloudSystem::~CloudSystem() = default;
 void CloudSystem::apply(const clouds::CloudSettings& settings, const core::WindSettings& wind) {
   bool forgetsLight = settings.march.detail != settings_.march.detail;
   for (std::size_t i = 0; i < settings.layers.size(); ++i) {
-    if (isSameField(settings, settings_, i)) continue;
+    if (clouds::isSameField(settings, settings_, i)) continue;
     textures_->rebuild(settings, i);
     forgetsLight = true;
   }
@@ -155,16 +150,15 @@ void CloudSystem::update(FrameContext& context, SunOpticalDepthGrid& grid, doubl
                          const glm::dvec3& middle) {
   grid.update(context_, context.shaders,
               sunOpticalDepthGridLayout(layer(), clouds::raisedSun(context.light.toSun), cellM,
-                              std::min(radiusM, settings_.fadeDistance), middle, grid.keeps()),
+                                        std::min(radiusM, settings_.fadeDistance), middle, grid.keeps()),
               layer(), settings_, textures_->meanDetail());
 }
 
-std::optional<std::string> CloudSystem::noShadowBecause(const FrameInput& frame) const {
+std::optional<std::string> CloudSystem::shadowSkipReason(const FrameInput& frame) const {
   if (settings_.tier == clouds::CloudTier::off) return "switched off";
   if (textures_->isEmpty(kMarchedLayer)) return "no cloud anywhere";
   if (frame.toSun.y <= 0) return "the sun is below the horizon";
-  if (frame.view.position.y > layer().cloudHeight + settings_.fadeDistance)
-    return "the eye is too far above";
+  if (frame.view.position.y > layer().cloudHeight + settings_.fadeDistance) return "the eye is too far above";
   return std::nullopt;
 }
 
@@ -180,7 +174,7 @@ CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
     const std::array<glm::vec4, 3> rows = toSunOpticalDepthGrid(grid.layout(), eye);
     return CloudShadowMap::Map{&grid.depths(), {rows[0], rows[1]}, reach};
   };
-  const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadeRadiusM);
+  const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadowRadiusM);
   const CloudShadowMap::Map coarse = map(*coarseShadowMap_, kCoarseShadowMapM, settings_.fadeDistance);
   return {fine, coarse, layer().cloudHeight - context.frame.view.position.y, layer().thickness};
 }
@@ -188,15 +182,15 @@ CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
 void CloudSystem::marchMultiDispatch() {
   const gl::Functions& api = context_.api();
   const int width = light_.width(), height = light_.height();
-  if (!carriedLight_ || carriedLight_.width() != width || carriedLight_.height() != height) {
-    carriedLight_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "carried light");
-    carriedWay_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "carried way");
+  if (!rayLight_ || rayLight_.width() != width || rayLight_.height() != height) {
+    rayLight_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "carried light");
+    rayState_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "carried way");
   }
   const std::array<float, 4> untouched = {0, 0, 0, 1};
-  api.ClearTexImage(carriedLight_.id(), 0, GL_RGBA, GL_FLOAT, untouched.data());
-  api.ClearTexImage(carriedWay_.id(), 0, GL_RGBA, GL_FLOAT, untouched.data());
-  carriedLight_.bindImage(2, GL_READ_WRITE);
-  carriedWay_.bindImage(3, GL_READ_WRITE);
+  api.ClearTexImage(rayLight_.id(), 0, GL_RGBA, GL_FLOAT, untouched.data());
+  api.ClearTexImage(rayState_.id(), 0, GL_RGBA, GL_FLOAT, untouched.data());
+  rayLight_.bindImage(2, GL_READ_WRITE);
+  rayState_.bindImage(3, GL_READ_WRITE);
   GLuint underWay = 0;
   gl::Buffer counter(context_, sizeof underWay, gl::Buffer::Use::write, "rays under way");
   counter.bindBase(GL_SHADER_STORAGE_BUFFER, kUnderWayBinding);
@@ -264,7 +258,7 @@ void CloudSystem::march(FrameContext& context, Defines defines) {
   light_.bindImage(0, GL_WRITE_ONLY);
   distances_.bindImage(1, GL_WRITE_ONLY);
   tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
-  if (isCarried(settings_))
+  if (isMultiDispatch(settings_))
     marchMultiDispatch();
   else
     context_.dispatchIndirect(0);

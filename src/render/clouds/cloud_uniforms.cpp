@@ -45,7 +45,8 @@ void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const c
 }
 
 void addMarch(CloudUniforms& u, const clouds::MarchSettings& march, const View& view, int tilePixels) {
-  u.march = glm::vec4(march.stepM, march.emptyStepMultiplier, march.maxSegmentOpticalDepth, march.transmittanceCutoff);
+  u.march = glm::vec4(march.stepM, march.emptyStepMultiplier, march.maxSegmentOpticalDepth,
+                      march.transmittanceCutoff);
   // Where steps begin to grow: an even number of them, so that longer steps begin at multiples of themselves.
   const double growthBegins = march.stepM * 2 * std::round(0.5 / march.stepGrowth);
   // Of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.

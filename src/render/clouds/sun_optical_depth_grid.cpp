@@ -22,8 +22,10 @@ double roundedSine(double sine) { return std::exp2(std::round(std::log2(sine)));
 
 }  // namespace
 
-SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSettings& s, const glm::dvec3& toSun, double cellM,
-                                double radiusM, const glm::dvec3& middle, SunOpticalDepthGridKeeps keeps) {
+SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSettings& s,
+                                                    const glm::dvec3& toSun, double cellM, double radiusM,
+                                                    const glm::dvec3& middle,
+                                                    SunOpticalDepthGridKeeps keeps) {
   const double level = std::hypot(toSun.x, toSun.z);
   const glm::dvec3 azimuth = level > 1e-9 ? glm::dvec3(toSun.x, 0, toSun.z) / level : glm::dvec3(1, 0, 0);
   const double slant = level / toSun.y;  // metres along the azimuth per metre up
@@ -53,7 +55,8 @@ SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSett
   return grid;
 }
 
-std::array<glm::vec4, 3> toSunOpticalDepthGrid(const SunOpticalDepthGridLayout& layout, const glm::dvec3& eye) {
+std::array<glm::vec4, 3> toSunOpticalDepthGrid(const SunOpticalDepthGridLayout& layout,
+                                               const glm::dvec3& eye) {
   const glm::dmat3 toNodes = glm::inverse(glm::dmat3(layout.along, layout.across, layout.sunward));
   const glm::dvec3 ofEye = toNodes * (eye - layout.foot);
   std::array<glm::vec4, 3> rows;
@@ -65,9 +68,10 @@ std::array<glm::vec4, 3> toSunOpticalDepthGrid(const SunOpticalDepthGridLayout& 
   return rows;
 }
 
-void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders, const SunOpticalDepthGridLayout& layout,
-                       const clouds::CloudLayerSettings& layer, const clouds::CloudSettings& settings,
-                       double meanDetail) {
+void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders,
+                                 const SunOpticalDepthGridLayout& layout,
+                                 const clouds::CloudLayerSettings& layer,
+                                 const clouds::CloudSettings& settings, double meanDetail) {
   if (layout == layout_) return;
   if (!depths_ || layout.nodes != layout_.nodes) {
     const int layers = keeps_ == SunOpticalDepthGridKeeps::all ? layout.nodes.z : 1;

@@ -30,24 +30,28 @@ struct SunOpticalDepthGridLayout {
 
 // Nodes `cellM` apart across the light, for all places of the layer (or of its base alone) within `radiusM`
 // of a middle (in the field). toSun: unit, at least kLeastSunSine high.
-SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSettings& layer, const glm::dvec3& toSun, double cellM,
-                                double radiusM, const glm::dvec3& middle, SunOpticalDepthGridKeeps keeps);
+SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSettings& layer,
+                                                    const glm::dvec3& toSun, double cellM, double radiusM,
+                                                    const glm::dvec3& middle, SunOpticalDepthGridKeeps keeps);
 
 // Rows that carry a place relative to the eye (and 1) to the texture's coordinates.
-std::array<glm::vec4, 3> toSunOpticalDepthGrid(const SunOpticalDepthGridLayout& layout, const glm::dvec3& eyeInField);
+std::array<glm::vec4, 3> toSunOpticalDepthGrid(const SunOpticalDepthGridLayout& layout,
+                                               const glm::dvec3& eyeInField);
 
 class SunOpticalDepthGrid {
  public:
-  SunOpticalDepthGrid(std::string label, SunOpticalDepthGridKeeps keeps) : label_(std::move(label)), keeps_(keeps) {}
+  SunOpticalDepthGrid(std::string label, SunOpticalDepthGridKeeps keeps)
+      : label_(std::move(label)), keeps_(keeps) {}
 
   SunOpticalDepthGridKeeps keeps() const { return keeps_; }
   const SunOpticalDepthGridLayout& layout() const { return layout_; }
   const gl::Texture& depths() const { return depths_; }
 
-  // Fills it again where layout or medium differ from what it holds. The layer is one of the settings', and its
-  // field's textures have to be bound.
+  // Fills it again where layout or medium differ from what it holds. The layer is one of the settings', and
+  // its field's textures have to be bound.
   void update(gl::Context& context, gl::ShaderCache& shaders, const SunOpticalDepthGridLayout& layout,
-              const clouds::CloudLayerSettings& layer, const clouds::CloudSettings& settings, double meanDetail);
+              const clouds::CloudLayerSettings& layer, const clouds::CloudSettings& settings,
+              double meanDetail);
   void forget() { layout_ = {}; }  // the medium changed
 
  private:

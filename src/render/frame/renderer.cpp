@@ -29,8 +29,9 @@ Renderer::Renderer(gl::Context& context, const RenderSettings& settings, bool me
 Renderer::~Renderer() = default;
 
 void Renderer::add(std::unique_ptr<Pass> pass) {
-  const auto after = std::upper_bound(passes_.begin(), passes_.end(), pass->stage(),
-                                      [](RenderStage stage, const auto& other) { return stage < other->stage(); });
+  const auto after =
+      std::upper_bound(passes_.begin(), passes_.end(), pass->stage(),
+                       [](RenderStage stage, const auto& other) { return stage < other->stage(); });
   passes_.insert(after, std::move(pass));
 }
 

@@ -70,7 +70,8 @@ bool isPotentiallyVisible(const View& view, const Box& box) {
 
 // applyAerialPerspective of shaders/sky/atmosphere.glsl: once for a whole part, because haze hardly changes
 // over 600 m.
-glm::dvec3 applyAerialPerspective(const FrameContext& context, const glm::dvec3& radiance, const glm::dvec3& relative) {
+glm::dvec3 applyAerialPerspective(const FrameContext& context, const glm::dvec3& radiance,
+                                  const glm::dvec3& relative) {
   if (!context.frame.features.haze) return radiance;
   const SkyLight& light = context.light;
   const double eyeHeight = context.frame.view.position.y, distance = glm::length(relative);
@@ -93,7 +94,8 @@ std::optional<std::string> MarkerPass::skipReason(const FrameInput& frame) const
   if (!frame.game || !frame.game->target.present) return "no target";
   const Mark mark = markOf(frame.view, frame.game->target);
   if (mark.tooFar) return "target too far away";
-  if (!isPotentiallyVisible(frame.view, mark.ring) && !isPotentiallyVisible(frame.view, mark.beam)) return "target out of view";
+  if (!isPotentiallyVisible(frame.view, mark.ring) && !isPotentiallyVisible(frame.view, mark.beam))
+    return "target out of view";
   return std::nullopt;
 }
 

@@ -50,7 +50,7 @@ CastShadow castShadow(const View& view, const glm::dvec3& middle, double radiusM
   return shadow;
 }
 
-bool maySeeVolume(const View& view, const CastShadow& shadow) {
+bool isVolumePotentiallyVisible(const View& view, const CastShadow& shadow) {
   std::array<glm::dvec3, 8> corners;
   for (unsigned i = 0; i < corners.size(); ++i) {
     const double behind = i & 1 ? shadow.lengthM : -shadow.radiusM;

@@ -23,7 +23,7 @@ std::optional<std::string> ShadowPass::skipReason(const FrameInput& frame) const
   if (casters.empty()) return "nothing that casts a shadow";
   if (frame.toSun.y <= 0) return "the sun is below the horizon";
   const auto falls = [&](const ShadowCaster& c) {
-    return maySeeVolume(frame.view, shadowOf(c, frame.view, frame.toSun));
+    return isVolumePotentiallyVisible(frame.view, shadowOf(c, frame.view, frame.toSun));
   };
   if (std::none_of(casters.begin(), casters.end(), falls)) return "no shadow falls into view";
   return std::nullopt;
@@ -33,7 +33,7 @@ void ShadowPass::draw(FrameContext& context) {
   const View& view = context.frame.view;
   std::vector<ShadowCaster> casters = castersIn(context.frame);
   std::erase_if(casters, [&](const ShadowCaster& c) {
-    return !maySeeVolume(view, shadowOf(c, view, context.frame.toSun));
+    return !isVolumePotentiallyVisible(view, shadowOf(c, view, context.frame.toSun));
   });
   const auto distance = [&](const ShadowCaster& c) { return glm::length(c.middle - view.position); };
   std::stable_sort(casters.begin(), casters.end(),

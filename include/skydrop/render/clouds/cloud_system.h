@@ -26,7 +26,8 @@ class CloudSystem final : public Pass {
               const clouds::CloudSettings& settings, const core::WindSettings& wind);
   ~CloudSystem() override;
 
-  // Takes the settings over for the next frame; about 20 ms where a layer changed, else nothing.
+  // Takes the settings over for the next frame; where the field of a layer
+  // changed (clouds::isSameField) its occupancy is made again, about 20 ms; else it costs nothing.
   void apply(const clouds::CloudSettings& settings, const core::WindSettings& wind);
 
   std::string_view name() const override { return "clouds"; }
@@ -35,9 +36,9 @@ class CloudSystem final : public Pass {
   void draw(FrameContext& context) override;
 
   // What the clouds leave of the sun in this frame; its textures are kept until the next. Only where
-  // noShadowBecause() gives no reason why there are no shadows.
+  // shadowSkipReason() gives no reason why there are no shadows.
   CloudShadowMap shadowMap(FrameContext& context);
-  std::optional<std::string> noShadowBecause(const FrameInput& frame) const;
+  std::optional<std::string> shadowSkipReason(const FrameInput& frame) const;
 
   // What the last frame marched: 0 where it was idle. Waits for the GPU.
   struct Work {
@@ -50,7 +51,8 @@ class CloudSystem final : public Pass {
   const gl::Texture& light() const { return light_; }
 
  private:
-  void update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM, const glm::dvec3& middle);
+  void update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
+              const glm::dvec3& middle);
   void setUniforms(FrameContext& context);
   // The eye in the field: what the wind has carried it by is taken off.
   glm::dvec3 eyeInField(const FrameInput& frame) const;
@@ -71,8 +73,8 @@ class CloudSystem final : public Pass {
   std::unique_ptr<SunOpticalDepthGrid> near_, far_, fineShadowMap_, coarseShadowMap_;
   gl::Buffer uniforms_, tiles_, edges_;
   gl::Texture light_, distances_;
-  CloudTransmittance transmittance_;       // published by draw()
-  gl::Texture carriedLight_, carriedWay_;  // of marches in parts
+  CloudTransmittance transmittance_;  // published by draw()
+  gl::Texture rayLight_, rayState_;   // of marches in parts
 };
 
 // Publishes the CloudShadowMap, for surfaces that are lit after it. The system must outlive it.
@@ -83,7 +85,7 @@ class CloudShadowPass final : public Pass {
   std::string_view name() const override { return "cloudShadows"; }
   RenderStage stage() const override { return RenderStage::shadows; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override {
-    return system_.noShadowBecause(frame);
+    return system_.shadowSkipReason(frame);
   }
   void draw(FrameContext& context) override {
     map_ = system_.shadowMap(context);

@@ -30,7 +30,7 @@ struct FrameUniforms {
   glm::vec4 columnHere;     // rgb: scattering of air at the eye (1/m); w: extinction of haze there (1/m)
   glm::vec4 airLight;       // rgb: illuminance on the air above the eye
   glm::vec4 hazeLight;      // rgb: on the haze, times its albedo
-  glm::vec4 overhead;        // rgb: radiance of the sky overhead, scattered once
+  glm::vec4 overhead;       // rgb: radiance of the sky overhead, scattered once
   glm::vec4 depthToSea;  // rgb: optical depth straight down to the sea; w: angle across a middle pixel (rad)
   glm::vec4 horizonRayleigh;  // rgb: the sky's sources at the horizon
   glm::vec4 horizonHaze;

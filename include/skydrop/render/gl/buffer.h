@@ -43,7 +43,7 @@ class Buffer : public Object {
   // frame.
   void read(std::size_t offset, std::span<std::byte> content) const;
 
-  void bind(GLenum target) const;                    // GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER ...
+  void bind(GLenum target) const;  // GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER ...
   void bindBase(GLenum target, GLuint index) const;  // GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER
 };
 

@@ -1,5 +1,6 @@
-// An OpenGL 4.5 core context and everything that belongs to it: function table, resource tracker, collected debug
-// messages. Three back-ends behind one class: EGL without a surface, OSMesa (loaded at run time), a window.
+// An OpenGL 4.5 core context and everything that belongs to it: function table, resource tracker, collected
+// debug messages. Three back-ends behind one class: EGL without a surface, OSMesa (loaded at run time), a
+// window.
 //
 // Thread: a context is used on the thread that made it current. Several contexts may live in one process,
 // also of different back-ends, but only one is current on a thread. Errors: what keeps a 4.5 core context
@@ -51,7 +52,8 @@ class Context {
   // no blending, no culling, no scissor, filled polygons, clip space 0..1 with the origin at the lower left.
   void setDefaultState();
 
-  // Draws and dispatches, counted in the resource tracker. Arguments as in OpenGL; indices are counted in elements.
+  // Draws and dispatches, counted in the resource tracker. Arguments as in OpenGL; indices are counted in
+  // elements.
   void drawArrays(GLenum mode, GLint first, GLsizei count);
   void drawElements(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex = 0,
                     GLint baseVertex = 0);

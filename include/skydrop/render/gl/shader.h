@@ -3,9 +3,9 @@
 //
 // Errors: a file that cannot be read, or does not compile or link, throws core::DataError that names file,
 // line and the compiler's reason. Uniforms: a name that the compiler optimised away, or that this variant
-// leaves out, is legal and ignored; a name that occurs nowhere in the source is counted by the resource tracker as
-// unknown. Values are lost when reload() succeeds: passes set them each frame, and texture units are fixed by
-// layout(binding).
+// leaves out, is legal and ignored; a name that occurs nowhere in the source is counted by the resource
+// tracker as unknown. Values are lost when reload() succeeds: passes set them each frame, and texture units
+// are fixed by layout(binding).
 #pragma once
 
 #include <cstdint>
@@ -78,7 +78,7 @@ class ShaderProgram {
 
   std::vector<File> files_;
   std::vector<std::string> defines_;
-  std::string name_;  // "sky/sky.vert + sky/sky.frag"
+  std::string name_;  // "fullscreen.vert + sky/sky.frag"
   Program program_;
   std::string text_;  // of all stages: which names exist
   std::map<std::string, GLint, std::less<>> locations_;

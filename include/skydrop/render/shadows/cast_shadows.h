@@ -39,7 +39,7 @@ CastShadow castShadow(const View& view, const glm::dvec3& middle, double radiusM
                       const glm::dvec3& toSun);
 
 // False where the whole volume lies beyond one side of the picture. One beyond a corner may pass.
-bool maySeeVolume(const View& view, const CastShadow& shadow);
+bool isVolumePotentiallyVisible(const View& view, const CastShadow& shadow);
 
 // Eye-relative positions to the clip space of the shadow's map.
 glm::mat4 toShadowMap(const CastShadow& shadow);

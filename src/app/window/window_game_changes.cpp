@@ -1,0 +1,149 @@
+// Changes while flying: from menu, presets and files to those that depend on them, and back to the last good
+// state where one fails.
+#include <chrono>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "app/console/message.h"
+#include "app/window/fault_parts.h"
+#include "app/window/window_game.h"
+
+namespace skydrop::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
+
+}  // namespace
+
+// Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
+void WindowGame::registerDependents() {
+  simulationDependencies_.add({"aircraft", "package", "game", "autopilot", "wind"},
+                              [this](const SettingsChange& change) { simulation_->apply(change); });
+  // Of every change, because the rows of the effect table say which settings they take.
+  presentationDependencies_.add({""},
+                                [this](const SettingsChange& change) { sceneRenderer_->apply(change); });
+  presentationDependencies_.add({"view"}, [this](const SettingsChange&) {
+    window_.apply(run_->settings.view);
+    camera_.follow(*sceneRenderer_, isFrozen());
+  });
+  presentationDependencies_.add({"audio"}, [this](const SettingsChange&) {
+    if (audio_) audio_->apply(run_->settings.audio);
+    if (sound_) sound_->apply(run_->settings.audio);
+  });
+}
+
+void WindowGame::carryOut(const SettingsChange& change) {
+  if (change.needs(core::TakesEffect::restart, run_->table)) {
+    buildScene();
+  } else {
+    changeNotDrawn_ = true;
+  }
+  apply(change);
+}
+
+void WindowGame::apply(const SettingsChange& change) {
+  simulationDependencies_.apply(change);
+  presentationDependencies_.apply(change);
+}
+
+void WindowGame::applyMenuChanges(SettingsChange picked) {
+  tellOfRefusals(simulation_->takeBackFixed(picked));
+  if (!picked.empty()) carryOut(takeMenuChanges(*run_, picked));
+}
+
+void WindowGame::servePreset(const ui::PresetRequest& request) {
+  MenuController::Served served;
+  try {
+    served = menuController_.serve(request, run_->table, overlay_->menu());
+  } catch (const std::exception& refusal) {
+    return tell(part::kPreset, refusal.what());
+  }
+  faults_.clear(part::kPreset);
+  if (!served.changedPaths.empty()) {
+    menuChangedIt_ = true;
+    if (!attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(served.changedPaths)); })) return;
+  }
+  notices_.add(served.notice);
+}
+
+bool WindowGame::attempt(std::string_view part, const std::function<void()>& change) {
+  // What the player binds is in force at once, and so is the camera.
+  lastGood_.bindings = run_->bindings;
+  lastGood_.settings.view.camera = run_->settings.view.camera;
+  try {
+    change();
+    faults_.clear(part);
+    faults_.clear(part::kStart);  // has been read by now
+    return true;
+  } catch (const std::exception& refusal) {
+    tell(part, refusal.what());
+    goBack();
+    return false;
+  }
+}
+
+// Settings, bindings, scene and the menu's steps as they were in the last frame that could be drawn.
+void WindowGame::goBack() {
+  const SettingsChange change = goBackTo(lastGood_, *run_);
+  if (std::exchange(menuChangedIt_, false)) overlay_->menu().takeBack();
+  changeNotDrawn_ = false;
+  if (!(controls_.input().bindings() == run_->bindings)) controls_.bindingsWereReplaced();
+  apply(change);
+}
+
+// Shaders, the scene and the player's settings take effect when they are written; what is broken is shown and
+// changes nothing.
+void WindowGame::watchFiles() {
+  if (Clock::now() < nextWatch_) return;
+  nextWatch_ = Clock::now() + kWatchPeriod;
+  for (const std::string& message : sceneRenderer_->takeMessages()) tell(part::kShaders, message);
+  if (const std::string_view standing = sceneRenderer_->standingError(); standing.empty()) {
+    faults_.clear(part::kShaders);
+  } else {
+    faults_.set(part::kShaders, std::string(standing));  // another one may have been repaired
+  }
+  if (sceneFile_.wasWritten()) attempt(part::kScene, [this] { reloadSceneFile(); });
+  if (playerFile_.wasWritten()) attempt(part::kPlayersFile, [this] { reloadPlayerFile(); });
+}
+
+void WindowGame::reloadSceneFile() {
+  if (run_->recorder) return tellOfRefusals({"The scene stays as it was while a flight is recorded"});
+  const SettingsChange change = reloadScene(*run_, line_);
+  buildScene();
+  apply(change);
+  notices_.add("The scene was reloaded");
+}
+
+void WindowGame::reloadPlayerFile() {
+  std::vector<std::string> refused;
+  const SettingsChange change = reloadPlayer(*run_, &refused);
+  tellOfRefusals(refused);
+  controls_.bindingsWereReplaced();
+  carryOut(change);
+  if (run_->warning) {
+    tell(part::kPlayersValues, *run_->warning);
+  } else {
+    faults_.clear(part::kPlayersValues);
+  }
+  notices_.add("The settings were reloaded");
+}
+
+void WindowGame::tellOfRefusals(const std::vector<std::string>& reasons) {
+  for (const std::string& reason : reasons) announce(reason, reason);
+}
+
+// On stderr once, and in the menu until it is repaired.
+void WindowGame::tell(std::string_view part, const std::string& line) {
+  if (faults_.set(part, line)) warn(line);
+}
+
+// What the player should know now, and find again in the terminal.
+void WindowGame::announce(const std::string& line, const std::string& notice) {
+  warn(line);
+  notices_.add(notice, Notices::kUnrequestedSeconds);
+}
+
+}  // namespace skydrop::app
