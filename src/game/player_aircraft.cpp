@@ -85,6 +85,17 @@ void PlayerAircraft::respawn(std::uint64_t step) {
   eventLog_->report(GameEventKind::respawned, place.position);
 }
 
+void PlayerAircraft::clearGround(std::uint64_t step) {
+  glm::dvec3 position = body().position;
+  clearance_ = clearanceAt(*setup_->ground, position);
+  const double heading = flight::attitudeOf(body().orientation).headingRad;
+  safePlaces_.startFrom({step, position, heading});
+  if (clearance_ >= setup_->game.safeHeight && !crashed_) return;
+  position.y += std::max(0.0, setup_->game.safeHeight - clearance_);
+  put(position, heading, 0, 0, setup_->airplane.cruiseSpeed, step);
+  core::countGuard(core::Guard::respawnRaised);
+}
+
 void PlayerAircraft::advance(const Controls& controls, std::uint64_t step) {
   lastControls_ = std::exchange(controls_, controls);
   if (controls_.reset && !lastControls_.reset) {

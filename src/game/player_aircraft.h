@@ -27,6 +27,9 @@ class PlayerAircraft {
   // changes nothing, unless finite.
   void place(const StartPose& pose, std::uint64_t step);
   void apply(const flight::AirplaneSettings& settings) { airplane_.apply(settings); }
+  // After the ground became another: where it is nearer than the safe height, or above, the aircraft is
+  // lifted and flies on level.
+  void clearGround(std::uint64_t step);
 
   const flight::BodyState& body() const { return airplane_.body().state(); }
   bool crashed() const { return crashed_; }

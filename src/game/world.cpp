@@ -63,6 +63,7 @@ struct World::State {
   std::optional<glm::dvec3> aircraftPosition() const;
   void advance(const Controls& wanted);
   void predict();
+  void setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets);
   void fill(Snapshot& out) const;
   std::uint64_t hash() const;
 };
@@ -88,7 +89,8 @@ void World::State::advance(const Controls& wanted) {
   if (aircraft) {
     const std::uint32_t spawned = aircraft->spawnCount();
     aircraft->advance(quantised(wanted), steps);
-    if (aircraft->dropPressed() && !aircraft->crashed()) deliveries.drop(aircraft->body());
+    if (setup.hasTargets && aircraft->dropPressed() && !aircraft->crashed())
+      deliveries.drop(aircraft->body());
     moved = spawned != aircraft->spawnCount() || aircraft->crashed();
   }
   deliveries.step(aircraftPosition());
@@ -97,7 +99,30 @@ void World::State::advance(const Controls& wanted) {
 
 void World::State::predict() {
   predictedLanding.reset();
-  if (aircraft && !aircraft->crashed()) predictedLanding = deliveries.predictLanding(aircraft->body());
+  if (setup.hasTargets && aircraft && !aircraft->crashed())
+    predictedLanding = deliveries.predictLanding(aircraft->body());
+}
+
+void World::State::setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft,
+                            bool hasTargets) {
+  const bool newGround = ground != setup.ground;
+  const bool newTargets = hasTargets && (!setup.hasTargets || newGround);
+  setup.ground = std::move(ground);
+  setup.hasAircraft = hasAircraft;
+  if (!hasAircraft) {
+    aircraft.reset();
+  } else if (!aircraft) {
+    aircraft.emplace(setup, eventLog);
+  } else if (newGround) {
+    aircraft->clearGround(steps);
+  }
+  if (newTargets || (setup.hasTargets && !hasTargets)) deliveries = Deliveries(setup, random, eventLog);
+  setup.hasTargets = hasTargets;
+  if (newTargets) deliveries.drawNextTarget(aircraftPosition().value_or(glm::dvec3(0)));
+  predict();
+  now = before = {};
+  fill(now);
+  before = now;
 }
 
 void World::State::fill(Snapshot& out) const {
@@ -159,6 +184,11 @@ void World::apply(const GameSettings& settings) {
 void World::setWind(const glm::dvec3& velocity) {
   requireUsable(velocity);
   state_->setup.wind = velocity;
+}
+
+void World::setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets) {
+  if (!ground) throw core::RangeError("world: there is no ground");
+  state_->setParts(std::move(ground), hasAircraft, hasTargets);
 }
 
 void World::placeAircraft(const StartPose& pose) {

@@ -155,16 +155,6 @@ std::vector<std::string> listScenes() {
   return names;
 }
 
-EffectSet requiredEffects(const Scene& scene) {
-  EffectSet effects = scene.effects;
-  if (effects.contains(Effect::targets)) {
-    effects.insert(Effect::aircraft);
-    effects.insert(Effect::terrain);
-  }
-  const bool seesSomething = effects.contains(Effect::terrain) || effects.contains(Effect::clouds) ||
-                             effects.contains(Effect::aircraft);
-  if (!seesSomething) effects.erase(Effect::haze);
-  return effects;
-}
+EffectSet requiredEffects(const Scene& scene) { return effective(withNeeds(scene.effects)); }
 
 }  // namespace skydrop::scene

@@ -12,7 +12,23 @@ struct PassStatistics {
   double ms = 0;                // median over the measured frames
   std::int64_t draws = 0;       // in the last frame
   std::int64_t dispatches = 0;  // in the last frame
-  std::string skipped;          // why it did no work in the last frame; empty: it worked
+  std::string group = {};       // whom the pass belongs to; empty: to every scene
+  std::string skipped = {};     // why it did no work in the last frame; empty: it worked
+};
+
+// What one effect of the program holds and takes. An effect that is off holds and takes nothing.
+struct EffectStatistics {
+  std::string name;
+  bool on = false;
+  // Why it does nothing in this frame, or what it waits for; empty: it works, or is off.
+  std::string idle = {};
+  double ms = 0;            // of its passes in the last frame: the sum of their medians
+  double simulationMs = 0;  // CPU time of its part of a second of simulation, in ms
+  std::int64_t draws = 0, dispatches = 0;
+  std::int64_t objects = 0, gpuBytes = 0;  // GL
+  std::int64_t cpuBytes = 0;               // of what it keeps in memory beside that; where it is counted
+  std::int64_t threads = 0;
+  double startMs = 0;  // to make it, without what is prepared beside and compiled later
 };
 
 struct GlStatistics {
@@ -68,7 +84,8 @@ struct FrameStatistics {
   GameStatistics game;
   WindowStatistics window;
   std::int64_t threads = 0;
-  std::vector<std::string> effects;
+  std::vector<std::string> effects;            // that are on
+  std::vector<EffectStatistics> bill;          // of every effect of the program
   std::map<std::string, std::int64_t> guards;  // numerical guards that fired (guards.h)
   std::uint64_t stateHash = 0;
   std::uint64_t steps = 0;

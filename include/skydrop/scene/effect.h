@@ -5,6 +5,7 @@
 #include <array>
 #include <bitset>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace skydrop::scene {
@@ -35,5 +36,28 @@ class EffectSet {
  private:
   std::bitset<kEffectNames.size()> bits_;
 };
+
+// The effects that one rests on: the table of all such needs.
+struct EffectNeed {
+  Effect effect;
+  Effect needs;
+};
+inline constexpr std::array kEffectNeeds = {
+    EffectNeed{Effect::targets, Effect::aircraft},  // that drops the packages
+    EffectNeed{Effect::targets, Effect::terrain},   // that they land on
+};
+
+inline constexpr std::string_view nameOf(Effect effect) {
+  return kEffectNames[static_cast<std::size_t>(effect)];
+}
+
+// These effects and all that they rest on.
+EffectSet withNeeds(EffectSet effects);
+
+// What is missing, in words: "targets needs aircraft, which is off"; empty where nothing is.
+std::string unmetNeed(const EffectSet& effects);
+
+// Those that there is anything to do for: haze needs something that it could veil.
+EffectSet effective(EffectSet effects);
 
 }  // namespace skydrop::scene

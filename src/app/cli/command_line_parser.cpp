@@ -11,6 +11,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/message.h"
+#include "skydrop/core/nearest_names.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/scene/scene.h"
 
@@ -227,6 +228,9 @@ class Parser {
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
         ->expected(1, 1000);
+    addEffect(verb, "--effect", true,
+              "switch an effect on that the scene does not call for (effects.NAME=true)");
+    addEffect(verb, "--no-effect", false, "switch an effect off (effects.NAME=false)");
     addSeed(verb, "the world's seed instead of the scene's");
     text(verb, "--workers", "N", "threads that make terrain (cores - 1)",
          [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
@@ -236,6 +240,24 @@ class Parser {
     path(verb, "--record", "FILE|-", "record the flight as an input log; FILE must be new or empty",
          line_.record);
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
+  }
+
+  // The flags are the shorter words for --set, and count in the order in which all of them stand.
+  void addEffect(CLI::App& verb, const std::string& flag, bool on, const std::string& help) {
+    verb.add_option_function<std::vector<std::string>>(
+            flag,
+            [this, flag, on](const std::vector<std::string>& all) {
+              for (const std::string& name : all) {
+                if (std::ranges::find(scene::kEffectNames, name) == scene::kEffectNames.end())
+                  throw UsageError(flag + ": unknown effect '" + name + "'" +
+                                   core::nearestText(name, scene::kEffectNames));
+                line_.set.push_back("effects." + name + "=" + (on ? "true" : "false"));
+              }
+            },
+            help + "; may stand several times")
+        ->type_name("NAME")
+        ->allow_extra_args(false)
+        ->expected(1, 1000);
   }
 
   void addSeed(CLI::App& verb, const std::string& help) {

@@ -8,12 +8,14 @@ namespace skydrop::app {
 
 void addClouds(SceneRenderer& sceneRenderer) {
   render::Renderer& renderer = sceneRenderer.renderer();
-  auto pass = std::make_unique<render::CloudSystem>(
-      renderer.context(), sceneRenderer.setup().prepared.find<clouds::PackedCloudNoise>(),
-      sceneRenderer.settings().clouds, sceneRenderer.settings().wind);
-  if (sceneRenderer.setup().effects.contains(scene::Effect::terrain))
-    renderer.add(std::make_unique<render::CloudShadowPass>(*pass));
-  renderer.add(std::move(pass));
+  renderer.add(std::make_unique<render::CloudSystem>(
+      renderer.context(), sceneRenderer.prepared().find<clouds::PackedCloudNoise>(),
+      sceneRenderer.settings().clouds, sceneRenderer.settings().wind));
+}
+
+void addCloudShadows(SceneRenderer& sceneRenderer) {
+  render::Renderer& renderer = sceneRenderer.renderer();
+  renderer.add(std::make_unique<render::CloudShadowPass>(*renderer.find<render::CloudSystem>()));
 }
 
 void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change) {

@@ -12,6 +12,8 @@ class SettingsChange;
 
 // Throws core::DataError (shader). The noise (clouds::PackedCloudNoise) must be among the prepared resources.
 void addClouds(SceneRenderer& sceneRenderer);
+// Their shadows on the land; after addClouds().
+void addCloudShadows(SceneRenderer& sceneRenderer);
 void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change);
 // The noise: from the player's cache, or made and put there.
 std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker);

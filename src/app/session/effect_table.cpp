@@ -6,21 +6,12 @@
 #include "skydrop/render/models/aircraft_pass.h"
 #include "skydrop/render/models/marker_pass.h"
 #include "skydrop/render/models/package_pass.h"
-#include "skydrop/render/shadows/shadow_pass.h"
 #include "skydrop/render/sky/sky_pass.h"
 
 namespace skydrop::app {
 namespace {
 
 using scene::Effect;
-
-// Something whose shadow falls on land; without land nothing is done.
-void castShadow(SceneRenderer& sceneRenderer, render::ShadowSource source) {
-  if (!sceneRenderer.setup().effects.contains(Effect::terrain)) return;
-  render::Renderer& renderer = sceneRenderer.renderer();
-  if (!renderer.find<render::ShadowPass>()) renderer.add(std::make_unique<render::ShadowPass>());
-  renderer.find<render::ShadowPass>()->add(std::move(source));
-}
 
 void addSky(SceneRenderer& sceneRenderer) {
   sceneRenderer.renderer().add(std::make_unique<render::SkyPass>(sceneRenderer.renderer().context()));
@@ -32,15 +23,23 @@ void addAircraft(SceneRenderer& sceneRenderer) {
       renderer.context(), render::importModel(core::assetPath("models/airplane.glb")), "airplane");
   renderer.add(std::make_unique<render::AircraftPass>(model));
   renderer.add(std::make_unique<render::PropellerPass>(model));
-  castShadow(sceneRenderer, render::aircraftShadow(model));
+}
+
+void castAircraftShadow(SceneRenderer& sceneRenderer) {
+  const auto* pass = sceneRenderer.renderer().find<render::AircraftPass>();
+  sceneRenderer.castShadow(render::aircraftShadow(pass->model()));
 }
 
 void addTargets(SceneRenderer& sceneRenderer) {
   render::Renderer& renderer = sceneRenderer.renderer();
   const auto models = std::make_shared<const render::PackageModels>(renderer.context());
   renderer.add(std::make_unique<render::PackagePass>(models));
-  castShadow(sceneRenderer, render::packageShadows(models));
   renderer.add(std::make_unique<render::MarkerPass>(renderer.context()));
+}
+
+void castPackageShadows(SceneRenderer& sceneRenderer) {
+  const auto* pass = sceneRenderer.renderer().find<render::PackagePass>();
+  sceneRenderer.castShadow(render::packageShadows(pass->models()));
 }
 
 void addLand(SceneRenderer& sceneRenderer) {
@@ -49,6 +48,8 @@ void addLand(SceneRenderer& sceneRenderer) {
   sceneRenderer.stream(std::make_unique<LandStreaming>(sceneRenderer.renderer(), setup.ground, workers,
                                                        sceneRenderer.settings().streaming));
 }
+
+void removeLand(SceneRenderer& sceneRenderer) { sceneRenderer.stream(nullptr); }
 
 void applyLand(SceneRenderer& sceneRenderer, const SettingsChange& change) {
   if (change.touches("streaming")) sceneRenderer.streaming()->apply(sceneRenderer.settings().streaming);
@@ -62,17 +63,21 @@ const std::vector<EffectDescriptor>& effectTable() {
   static const std::vector<EffectDescriptor> all = {
       {.effect = Effect::aircraft,
        .addPasses = addAircraft,
+       .joints = {{Effect::terrain, castAircraftShadow}},
        .menuSections = {{"aircraft", "Aircraft", true}, {"autopilot", "Autopilot"}}},
       {.effect = Effect::targets,
        .addPasses = addTargets,
+       .joints = {{Effect::terrain, castPackageShadows}},
        .menuSections = {{"game", "Game"}, {"package", "Package"}}},
       {.effect = Effect::clouds,
        .addPasses = addClouds,
+       .joints = {{Effect::terrain, addCloudShadows}},
        .apply = applyClouds,
        .prepare = prepareClouds,
        .menuSections = {{"clouds", "Weather", false, {"wind"}}, {"clouds.march", "Cloud quality"}}},
       {.effect = Effect::terrain,
        .addPasses = addLand,
+       .remove = removeLand,
        .apply = applyLand,
        .menuSections = {{"render.land", "Views of the land"},
                         {"streaming", "Terrain LOD"},
@@ -99,9 +104,10 @@ std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects) {
   return sections;
 }
 
-render::FrameFeatures frameFeatures(const scene::EffectSet& effects) {
+render::FrameFeatures frameFeatures(const scene::EffectSet& effects,
+                                    const std::vector<EffectDescriptor>& table) {
   render::FrameFeatures features;
-  for (const EffectDescriptor& row : effectTable()) {
+  for (const EffectDescriptor& row : table) {
     if (row.addFeatures && effects.contains(row.effect)) row.addFeatures(features);
   }
   return features;

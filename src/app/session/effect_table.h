@@ -18,9 +18,18 @@ class SettingsChange;
 
 struct EffectDescriptor {
   scene::Effect effect;
-  // Once, when a scene with the effect is built. Null: draws nothing of its own. May throw core::DataError
-  // (shader, model).
+  // When the effect comes, at the start or while flying. Null: draws nothing of its own. May throw
+  // core::DataError (shader, model). What is added to the renderer goes with the effect.
   void (*addPasses)(SceneRenderer& sceneRenderer) = nullptr;
+  // Passes that are there only while another effect is too, such as shadows on land; added after those of
+  // both.
+  struct Joint {
+    scene::Effect with;
+    void (*addPasses)(SceneRenderer& sceneRenderer);
+  };
+  std::vector<Joint> joints = {};
+  // When the effect goes, before its passes do: gives up what else addPasses made. Null: nothing.
+  void (*remove)(SceneRenderer& sceneRenderer) = nullptr;
   // Null: shared shaders need not know.
   void (*addFeatures)(render::FrameFeatures& features) = nullptr;
   // While flying, before the next frame, whenever settings have changed: hands those that the change touches
@@ -38,6 +47,7 @@ const std::vector<EffectDescriptor>& effectTable();
 // has.
 std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects);
 
-render::FrameFeatures frameFeatures(const scene::EffectSet& effects);
+render::FrameFeatures frameFeatures(const scene::EffectSet& effects,
+                                    const std::vector<EffectDescriptor>& table = effectTable());
 
 }  // namespace skydrop::app

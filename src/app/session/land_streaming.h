@@ -22,6 +22,7 @@ class LandStreaming {
 
   const terrain::EndlessTerrain& terrain() const { return terrain_; }
   const terrain::HeightSource& ground() const { return *ground_; }
+  int workerCount() const { return workerCount_; }
 
   void apply(const terrain::TerrainStreamingSettings& settings) { terrain_.apply(settings); }
 

@@ -123,6 +123,8 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
     applyLogged(allTable, run.setup.replay->settings, run.setup.replayFile);
   }
   applyOverrides(allTable, run.overrides);
+  if (const std::string missing = scene::unmetNeed(all.effects.set()); !missing.empty())
+    throw core::UsageError("effects: " + missing);
   if (when == When::flying) keepFixed(run, allTable);
 
   run.quality = quality;
@@ -256,6 +258,7 @@ void useSoftwareRenderer(RunConfig& run) {
 }
 
 SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked) {
+  requireUsable(run.settings.effects);
   for (const std::string& path : picked.paths()) {
     run.playerTable.at(path).set(run.table.at(path).get());
     choose(run, path);

@@ -39,6 +39,11 @@ struct RunConfig {
   std::optional<std::string> warning;               // what is wrong with it, to be said once
 };
 
+// The effects that are on and have something to do.
+inline scene::EffectSet effectsOf(const RunConfig& run) {
+  return scene::effective(run.settings.effects.set());
+}
+
 // What a run goes by, as values: kept while they are known to work, to go back to when a change does not.
 struct Choices {
   Settings settings, base, player;
@@ -67,7 +72,8 @@ void useSoftwareRenderer(RunConfig& run);
 
 // Takes over what the menu changed in `table`; it comes after --set. A quality or a tier of the clouds that
 // was picked takes the rows along that its files set, whatever the player had set them to, but for rows that
-// were changed together with it. Returns all that changed. Throws core::DataError.
+// were changed together with it. Returns all that changed. Throws core::DataError; core::RangeError where an
+// effect is on that rests on one that is off.
 //
 // In this and the two below, settings that are fixed for the flight (simulation.h) keep their values.
 SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked);

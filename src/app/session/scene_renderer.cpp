@@ -1,25 +1,167 @@
 #include "app/session/scene_renderer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <glm/gtc/constants.hpp>
+#include <utility>
 
-#include "app/session/effect_table.h"
+#include "app/measure/stopwatch.h"
 #include "skydrop/render/frame/tone_map_pass.h"
 #include "skydrop/render/models/model_layer.h"
+#include "skydrop/render/shadows/shadow_pass.h"
 
 namespace skydrop::app {
+namespace {
+
+constexpr std::string_view kShadowGroup = "shadows";
+// Of frames that nobody sees. Programs do not depend on a size, and the passes cost little at this one.
+constexpr Size kUnseenSize{64, 36};
+// What they may take of one frame, beside the program that is compiled last.
+constexpr double kWarmUpBudgetMs = 4;
+
+}  // namespace
+
+std::string SceneRenderer::Part::name() const {
+  std::string name(scene::nameOf(row->effect));
+  if (joint) name += '+' + std::string(scene::nameOf(joint->with));
+  return name;
+}
 
 SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings)
     : setup_(setup), settings_(&settings), renderer_(context, settings.render, setup.measuring) {
   camera_.setMode(settings.view.camera);
   renderer_.setLayer(std::make_unique<render::ModelLayer>());
-  for (const EffectDescriptor& row : effectTable()) {
-    if (row.addPasses && setup_.effects.contains(row.effect)) row.addPasses(*this);
-  }
+  for (const Part& part : partsOf(setup_.effects)) addPart(part);
   renderer_.add(std::make_unique<render::ToneMapPass>(context));
 }
 
 SceneRenderer::~SceneRenderer() = default;
+
+// Effects first: what an effect has together with another needs both.
+std::vector<SceneRenderer::Part> SceneRenderer::partsOf(const scene::EffectSet& effects) const {
+  std::vector<Part> parts;
+  for (const EffectDescriptor& row : *setup_.table) {
+    if (row.addPasses && effects.contains(row.effect)) parts.push_back({&row});
+  }
+  for (const EffectDescriptor& row : *setup_.table) {
+    if (!effects.contains(row.effect)) continue;
+    for (const EffectDescriptor::Joint& joint : row.joints) {
+      if (effects.contains(joint.with)) parts.push_back({&row, &joint});
+    }
+  }
+  return parts;
+}
+
+void SceneRenderer::addPart(const Part& part) {
+  const Stopwatch watch;
+  const std::string name = part.name();
+  render::gl::GpuResourceTracker& resources = renderer_.context().resources();
+  const auto end = [&] {
+    renderer_.setGroup({});
+    resources.setOwner("");
+  };
+  renderer_.setGroup({name, static_cast<int>(part.row - setup_.table->data())});
+  resources.setOwner(name);
+  parts_.push_back(part);  // what a failure has added goes with it
+  try {
+    (part.joint ? part.joint->addPasses : part.row->addPasses)(*this);
+  } catch (...) {
+    end();
+    removePart(part);
+    throw;
+  }
+  end();
+  startMs_[name] = watch.ms();
+}
+
+void SceneRenderer::removePart(const Part& part) {
+  const std::string name = part.name();
+  if (!part.joint && part.row->remove) part.row->remove(*this);
+  if (auto* shadows = renderer_.find<render::ShadowPass>()) {
+    shadows->remove(name);
+    if (!shadows->hasSources()) renderer_.removeGroup(kShadowGroup);
+  }
+  renderer_.removeGroup(name);
+  startMs_.erase(name);
+  std::erase(parts_, part);
+}
+
+void SceneRenderer::castShadow(render::ShadowSource source) {
+  const render::Renderer::Group owner = renderer_.group();
+  if (!renderer_.find<render::ShadowPass>()) {
+    renderer_.setGroup({std::string(kShadowGroup), 0});
+    renderer_.add(std::make_unique<render::ShadowPass>());
+    renderer_.setGroup(owner);
+  }
+  renderer_.find<render::ShadowPass>()->add(owner.name, std::move(source));
+  parts_.back().castsShadow = true;
+}
+
+render::FrameFeatures SceneRenderer::features() const {
+  if (switch_ && !switch_->isReady) return switch_->drawnFeatures;
+  return frameFeatures(setup_.effects, *setup_.table);
+}
+
+void SceneRenderer::beginSwitch(const scene::EffectSet& effects,
+                                std::shared_ptr<const terrain::HeightSource> ground) {
+  const render::FrameFeatures drawn = features();
+  const scene::EffectSet before = std::exchange(setup_.effects, effects);
+  setup_.ground = std::move(ground);
+  const std::vector<Part> wanted = partsOf(effects);
+  const std::vector<Part> present = parts_;
+  for (auto part = present.rbegin(); part != present.rend(); ++part) {  // first what needs another
+    if (std::ranges::find(wanted, *part) == wanted.end()) removePart(*part);
+  }
+  if (parts_ != present) renderer_.setLayer(std::make_unique<render::ModelLayer>());
+  if (before == effects && !switch_) return;
+  renderer_.endWarmUp();
+  switch_ = Switch{.drawnFeatures = drawn};
+}
+
+void SceneRenderer::continueSwitch(const PreparedResources& prepared, const game::Snapshot& snapshot) {
+  if (!switch_) return;
+  setup_.prepared = prepared;
+  for (const Part& part : partsOf(setup_.effects)) {
+    if (std::ranges::find(parts_, part) != parts_.end()) continue;
+    renderer_.holdAdded();
+    return addPart(part);
+  }
+  if (!warmUpInPart(snapshot)) return;
+  if (!switch_->isReady) {
+    if (land_ && !land_->terrain().isSettled()) return;
+    renderer_.releaseHeld();
+    renderer_.shaders().beginUse();
+    switch_->isReady = true;
+    switch_->frame = 0;
+    return;
+  }
+  renderer_.shaders().deleteUnused();
+  renderer_.endWarmUp();
+  setup_.prepared = {};
+  switch_.reset();
+}
+
+// A part of the frames to warm up with; true when all have been drawn.
+bool SceneRenderer::warmUpInPart(const game::Snapshot& snapshot) {
+  const std::vector<WarmUpFrame> frames = warmUpFrames(snapshot, kUnseenSize);
+  if (switch_->frame >= frames.size()) return true;
+  const WarmUpFrame& next = frames[switch_->frame];
+  render::RenderSettings settings = settings_->render;
+  settings.smoothModels = settings.smoothModels && next.smoothModels;
+  renderer_.apply(settings);
+  bool complete = false;
+  try {
+    complete = renderer_.warmUp(
+        render::gameFrame(next.snapshot, next.view, frameFeatures(setup_.effects, *setup_.table)),
+        kWarmUpBudgetMs);
+  } catch (...) {
+    renderer_.apply(settings_->render);
+    throw;
+  }
+  renderer_.apply(settings_->render);
+  if (complete) ++switch_->frame;
+  return switch_->frame >= frames.size();
+}
 
 void SceneRenderer::apply(const SettingsChange& change) {
   if (change.touches("view.camera") && camera_.mode() != settings_->view.camera) {
@@ -27,8 +169,8 @@ void SceneRenderer::apply(const SettingsChange& change) {
     if (camera_.mode() == render::CameraMode::free) freeCamera();
   }
   if (change.touches("render")) renderer_.apply(settings_->render);
-  for (const EffectDescriptor& row : effectTable()) {
-    if (row.apply && setup_.effects.contains(row.effect)) row.apply(*this, change);
+  for (const Part& part : std::vector(parts_)) {
+    if (!part.joint && part.row->apply) part.row->apply(*this, change);
   }
 }
 
@@ -63,36 +205,46 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
       land_->update(view);
     }
   }
-  renderer_.draw(render::gameFrame(snapshot, view, frameFeatures(setup_.effects)));
+  renderer_.draw(render::gameFrame(snapshot, view, features()));
 }
 
-void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
+// Frames with an aircraft, a package and a target in them: ahead; straight down, where clouds above are out
+// of view and what they would veil is drawn by other programs; and from the cockpit, which fills more of the
+// picture than the layer of the models takes.
+std::vector<SceneRenderer::WarmUpFrame> SceneRenderer::warmUpFrames(const game::Snapshot& snapshot,
+                                                                    Size size) const {
   const glm::dvec3 eye = snapshot.aircraft.position + glm::dvec3(0, 20, 0);
   render::Camera camera;
   camera.setMode(render::CameraMode::free);
   camera.setPose(eye, 0, 0, 0);  // along +x
   game::Snapshot everything = snapshot;
+  everything.aircraft.present = true;
   everything.aircraft.position = eye + glm::dvec3(15, -2, 0);
   game::PackageSnapshot package;
   package.position = eye + glm::dvec3(30, -2, 5);
   package.parachuteOpen = 1;
   everything.packages = {package};
   everything.target = {.present = true, .position = eye + glm::dvec3(300, -60, 0), .radius = 50};
-  const auto drawFrom = [&] {
-    const render::View view = camera.view(everything, settings_->render.camera, size.width, size.height);
-    if (land_) land_->update(view);
-    renderer_.draw(render::gameFrame(everything, view, frameFeatures(setup_.effects)));
+  const auto view = [&] {
+    return camera.view(everything, settings_->render.camera, size.width, size.height);
   };
-  drawFrom();
-  // Straight down: clouds above are out of view, and what they would veil is drawn by other programs.
+  std::vector<WarmUpFrame> frames;
+  frames.push_back({everything, view()});
   camera.setPose(eye, 0, -glm::half_pi<double>(), 0);
   everything.target.position = eye - glm::dvec3(0, 100, 0);
   everything.packages[0].position = eye - glm::dvec3(0, 30, 5);
   everything.aircraft.position = eye - glm::dvec3(0, 15, 0);
-  drawFrom();
-  // From the cockpit, which fills more of the frame than the layer of the models takes.
+  frames.push_back({everything, view()});
   camera.setMode(render::CameraMode::cockpit);
-  drawFrom();
+  frames.push_back({everything, view(), false});
+  return frames;
+}
+
+void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
+  for (const WarmUpFrame& frame : warmUpFrames(snapshot, size)) {
+    if (land_) land_->update(frame.view);
+    renderer_.draw(render::gameFrame(frame.snapshot, frame.view, features()));
+  }
   renderer_.clearTimes();
 }
 
@@ -117,6 +269,60 @@ void SceneRenderer::writeTo(core::FrameStatistics& statistics, std::size_t frame
   renderer_.fillStatistics(statistics, frames);
   statistics.threads = 1;
   if (land_) land_->writeTo(statistics);
+  statistics.bill.clear();
+  for (const EffectDescriptor& row : *setup_.table) statistics.bill.push_back(billOf(row, statistics));
+}
+
+core::EffectStatistics SceneRenderer::billOf(const EffectDescriptor& row,
+                                             const core::FrameStatistics& frame) const {
+  core::EffectStatistics bill;
+  bill.name = scene::nameOf(row.effect);
+  bill.on = setup_.effects.contains(row.effect);
+  if (!bill.on) return bill;
+  // Its own passes, and those that it has together with another effect; the map of the models' shadows is
+  // shared by all that cast one, and counts for the first of them.
+  const auto isOwn = [&](const std::string& part) {
+    if (part == kShadowGroup) return &row == firstCaster();
+    return part == bill.name || part.starts_with(bill.name + '+');
+  };
+  bool works = false, hasPasses = false;
+  for (const auto& [name, pass] : frame.passes) {
+    if (!isOwn(pass.group)) continue;
+    hasPasses = true;
+    if (!pass.skipped.empty()) {
+      if (bill.idle.empty()) bill.idle = pass.skipped;
+      continue;
+    }
+    works = true;
+    bill.ms += pass.ms;
+    bill.draws += pass.draws;
+    bill.dispatches += pass.dispatches;
+  }
+  if (works || !hasPasses) bill.idle.clear();
+  if (switch_ && !switch_->isReady && row.addPasses && !hasPasses) bill.idle = "is being made";
+  const render::gl::GpuResourceTracker& resources = renderer_.context().resources();
+  for (const Part& part : parts_) {
+    if (part.row != &row) continue;
+    const render::gl::OwnedResources held = resources.ownedBy(part.name());
+    bill.objects += held.objects;
+    bill.gpuBytes += static_cast<std::int64_t>(held.bytes);
+    if (const auto ms = startMs_.find(part.name()); ms != startMs_.end()) bill.startMs += ms->second;
+  }
+  if (&row == firstCaster()) {
+    const render::gl::OwnedResources held = resources.ownedBy(kShadowGroup);
+    bill.objects += held.objects;
+    bill.gpuBytes += static_cast<std::int64_t>(held.bytes);
+  }
+  if (row.effect == scene::Effect::terrain && land_) {
+    bill.cpuBytes = frame.terrain.bytes;
+    bill.threads = land_->workerCount();
+  }
+  return bill;
+}
+
+const EffectDescriptor* SceneRenderer::firstCaster() const {
+  const auto found = std::ranges::find_if(parts_, [](const Part& part) { return part.castsShadow; });
+  return found == parts_.end() ? nullptr : found->row;
 }
 
 }  // namespace skydrop::app

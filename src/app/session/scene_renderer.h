@@ -1,11 +1,15 @@
 // The graphics of a scene: renderer, the passes that its effects call for, camera, streaming of the land.
-// Main thread, on the context's thread. Draws snapshots; knows nothing of time.
+// Effects come and go while flying. Main thread, on the context's thread. Draws snapshots; knows nothing of
+// time.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/session/effect_table.h"
 #include "app/session/land_streaming.h"
 #include "app/session/prepared_resources.h"
 #include "app/settings/settings.h"
@@ -16,6 +20,7 @@
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/renderer.h"
+#include "skydrop/render/models/shadow_source.h"
 #include "skydrop/render/overlay/imgui_pass.h"
 #include "skydrop/scene/effect.h"
 
@@ -32,6 +37,7 @@ class SceneRenderer {
     std::optional<int> workers;
     bool measuring = false;           // times are asked for: a software renderer may be slowed down for them
     PreparedResources prepared = {};  // what the effects prepared (Preparations::results)
+    const std::vector<EffectDescriptor>* table = &effectTable();  // what effects are made of; outlives it
   };
 
   // Adds the passes of the effects (effect_table.h). Context and settings must outlive it. Throws
@@ -48,10 +54,26 @@ class SceneRenderer {
 
   // For the functions of the effect table.
   const Setup& setup() const { return setup_; }
+  const PreparedResources& prepared() const { return setup_.prepared; }
   const Settings& settings() const { return *settings_; }
+  // Of the effect that adds its passes: something whose shadow falls on land.
+  void castShadow(render::ShadowSource source);
   // Makes this the land that frames wait for and cameras keep above.
   void stream(std::unique_ptr<LandStreaming> land) { land_ = std::move(land); }
   LandStreaming* streaming() { return land_.get(); }  // null before stream()
+
+  // The effects that are there, or on the way.
+  const scene::EffectSet& effects() const { return setup_.effects; }
+  // From now on other effects. What goes has given up everything when this returns. What comes is made, and
+  // compiled in frames that nobody sees, by calls of continueSwitch(); it is drawn when all of it is ready.
+  // `ground`: of the land from now on.
+  void beginSwitch(const scene::EffectSet& effects, std::shared_ptr<const terrain::HeightSource> ground);
+  bool isSwitching() const { return switch_.has_value(); }
+  // Once a frame before draw(), from when all is prepared that the effects need until isSwitching() is false:
+  // makes one effect, or compiles what the next frames draw, and takes about as long as one program does
+  // (docs/effects.md has figures). Throws core::DataError (shader, model): then beginSwitch() to what was
+  // there before is the way back.
+  void continueSwitch(const PreparedResources& prepared, const game::Snapshot& snapshot);
 
   // After the settings changed: takes over for the next frame what of them is drawn.
   void apply(const SettingsChange& change);
@@ -91,17 +113,49 @@ class SceneRenderer {
   // A line about a shader whose file does not compile as it is now; empty: there is none.
   std::string_view standingError() { return renderer_.shaders().standingError(); }
 
-  // The passes' times are medians over the newest `frames`.
+  // The passes' times are medians over the newest `frames`. The bill has a row for each effect of the table:
+  // what it draws and holds of the GPU; other parts of the program add theirs.
   void writeTo(core::FrameStatistics& statistics, std::size_t frames = render::Renderer::kKeptTimes);
 
  private:
+  // An effect's own passes, or those that it has together with another one.
+  struct Part {
+    const EffectDescriptor* row;
+    const EffectDescriptor::Joint* joint = nullptr;
+    bool castsShadow = false;
+    std::string name() const;
+    bool operator==(const Part& other) const { return row == other.row && joint == other.joint; }
+  };
+  struct WarmUpFrame {
+    game::Snapshot snapshot;
+    render::View view;
+    bool smoothModels = true;
+  };
+  struct Switch {
+    render::FrameFeatures drawnFeatures;  // until all is ready
+    std::size_t frame = 0;                // of the frames to warm up with
+    bool isReady = false;                 // what came is drawn; what is not used any more is looked for
+  };
+
+  std::vector<Part> partsOf(const scene::EffectSet& effects) const;
+  void addPart(const Part& part);
+  void removePart(const Part& part);
+  std::vector<WarmUpFrame> warmUpFrames(const game::Snapshot& snapshot, Size size) const;
+  bool warmUpInPart(const game::Snapshot& snapshot);
+  render::FrameFeatures features() const;
+  const EffectDescriptor* firstCaster() const;  // who pays for the map of shadows; null: nobody casts one
+  core::EffectStatistics billOf(const EffectDescriptor& row, const core::FrameStatistics& frame) const;
+
   Setup setup_;
   const Settings* settings_;
   render::Renderer renderer_;
   render::Camera camera_;
   std::optional<render::View> lastView_;
-  std::unique_ptr<LandStreaming> land_;   // with terrain only
-  render::ImGuiPass* overlay_ = nullptr;  // the renderer's
+  std::vector<Part> parts_;  // that are there, in the order of adding
+  std::optional<Switch> switch_;
+  std::map<std::string, double> startMs_;  // what each effect took to be made, on this thread
+  std::unique_ptr<LandStreaming> land_;    // with terrain only
+  render::ImGuiPass* overlay_ = nullptr;   // the renderer's
   double settleMs_ = 0;
 };
 

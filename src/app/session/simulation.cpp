@@ -48,6 +48,8 @@ std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field
     return "A replay flies with the recorded settings";
   if (setup.recorder && field.takesEffect == core::TakesEffect::restart)
     return "The land keeps its shape while a flight is recorded";
+  if (setup.recorder && switchesSimulation(field.path))
+    return "Aircraft, targets and terrain stay as they are while a flight is recorded";
   return {};
 }
 
@@ -55,7 +57,7 @@ Simulation::Simulation(const SimulationSetup& setup, Settings& settings, const c
     : setup_(setup),
       settings_(&settings),
       table_(&table),
-      effects_(scene::requiredEffects(setup.scene)),
+      effects_(scene::effective(settings.effects.set())),
       ground_(makeGround(effects_, settings, setup.seed)),
       world_(worldSetup(setup, effects_, settings, ground_)) {
   if (setup_.pilot == Pilot::autopilot) autopilot_.emplace(ground_, settings.autopilot);
@@ -84,6 +86,7 @@ void Simulation::step(const game::Controls& player) {
     if (!changes.empty()) {
       applyLogged(*table_, changes, setup_.replayFile);
       applyToWorld();
+      applyEffects();
       for (const game::SettingOverride& change : changes) {
         loggedChange_.add(table_->at(change.path).path);
         if (setup_.recorder) setup_.recorder->change(change);
@@ -138,9 +141,11 @@ std::vector<std::string> Simulation::takeBackFixed(SettingsChange& change) {
 }
 
 void Simulation::apply(const SettingsChange& change) {
+  requireUsable(settings_->effects);
   if (setup_.recorder && (!beforeChange_ || beforeChange_->step != world_.stepCount()))
     beforeChange_ = {world_.stepCount(), world_.stateHash()};
   applyToWorld();
+  if (change.touches("effects")) applyEffects();
   if (!setup_.recorder) return;
   for (const std::string& path : change.paths()) {
     if (decidesSimulation(path)) setup_.recorder->change({path, core::fieldText(table_->at(path))});
@@ -154,6 +159,15 @@ void Simulation::applyToWorld() {
   world_.setWind(core::flownWind(settings_->wind));
   if (autopilot_) autopilot_->apply(settings_->autopilot);
   keepFlownValues();
+}
+
+void Simulation::applyEffects() {
+  const scene::EffectSet before = std::exchange(effects_, scene::effective(settings_->effects.set()));
+  const auto changes = [&](Effect effect) { return before.contains(effect) != effects_.contains(effect); };
+  if (changes(Effect::terrain)) ground_ = makeGround(effects_, *settings_, setup_.seed);
+  if (changes(Effect::terrain) || changes(Effect::aircraft) || changes(Effect::targets))
+    world_.setParts(ground_, effects_.contains(Effect::aircraft), effects_.contains(Effect::targets));
+  if (changes(Effect::terrain) && autopilot_) autopilot_.emplace(ground_, settings_->autopilot);
 }
 
 void Simulation::keepFlownValues() {

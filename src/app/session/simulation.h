@@ -54,6 +54,7 @@ class Simulation {
   const game::World& world() const { return world_; }
   game::World& world() { return world_; }
   const std::shared_ptr<const terrain::HeightSource>& ground() const { return ground_; }
+  // Those that are on and have something to do (scene::effective).
   const scene::EffectSet& effects() const { return effects_; }
   Pilot pilot() const { return setup_.pilot; }
 
@@ -62,7 +63,8 @@ class Simulation {
   std::vector<std::string> takeBackFixed(SettingsChange& change);
 
   // After the menu or a file changed settings: hands them to the world, and to the recorder those of the
-  // change that decide the simulation.
+  // change that decide the simulation. Throws core::RangeError, and changes nothing, where an effect is on
+  // that rests on one that is off.
   void apply(const SettingsChange& change);
 
   // Of a replay: what its log has changed since the last call, for whoever else depends on it.
@@ -79,6 +81,7 @@ class Simulation {
 
  private:
   void applyToWorld();
+  void applyEffects();
   void keepFlownValues();
   void beginRecording();
   void compareWithReplay();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 64;
 constexpr std::string_view kEnding = ".json";
-constexpr std::string_view kPlayersOwn[] = {"audio", "view"};
+constexpr std::string_view kPlayersOwn[] = {"audio", "effects", "view"};
 
 bool isWithin(std::string_view path, std::string_view group) {
   return path.starts_with(group) && (path.size() == group.size() || path[group.size()] == '.');

@@ -32,9 +32,9 @@ class PresetStore {
   std::vector<ui::PresetEntry> list() const;
 
   // `groups`: of the table ("aircraft", "render.sun"); empty: every group but those that belong to the player
-  // and not to the game (what is heard, how it is looked at). Replaces a preset of the same name; one that
-  // cannot be read is kept aside, and its new name comes back. Throws core::RangeError (name, group) and
-  // core::DataError (file).
+  // and not to the game (what is heard, how it is looked at), and the scene's effects. Replaces a preset of
+  // the same name; one that cannot be read is kept aside, and its new name comes back. Throws
+  // core::RangeError (name, group) and core::DataError (file).
   std::optional<std::filesystem::path> save(const std::string& name, const core::SettingsTable& table,
                                             const std::vector<std::string>& groups) const;
 

@@ -12,6 +12,10 @@ namespace {
 constexpr std::array<std::string_view, 5> kSimulationGroups = {"aircraft.", "package.", "game.", "terrain.",
                                                                "wind."};
 
+// Effects that are more than pictures and sounds.
+constexpr std::array<std::string_view, 3> kSimulatedEffects = {"effects.aircraft", "effects.targets",
+                                                               "effects.terrain"};
+
 constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "free"};
 
 }  // namespace
@@ -46,6 +50,7 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
 }
 
 void describe(core::SettingsVisitor& visitor, Settings& settings) {
+  visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");
   visitor.group("aircraft", settings.aircraft, "How the aircraft answers the controls.");
   visitor.group("package", settings.package, "The package and its parachute.");
   visitor.group("game", settings.game, "Targets, drops and score.");
@@ -70,6 +75,11 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
 
 void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {
   const std::string file = scene.file.string();
+  const scene::EffectSet effects = scene::requiredEffects(scene);
+  for (std::size_t i = 0; i < scene::kEffectNames.size(); ++i) {
+    table.at("effects." + std::string(scene::kEffectNames[i]))
+        .set(effects.contains(static_cast<scene::Effect>(i)) ? 1 : 0);
+  }
   core::applyJson(table, core::parseJson(scene.settingsJson, file), file);
 }
 
@@ -83,10 +93,15 @@ void applyOverrides(const core::SettingsTable& table, const std::vector<std::str
   }
 }
 
-bool isKept(std::string_view path) { return path != "view.freezeTime"; }
+bool isKept(std::string_view path) { return path != "view.freezeTime" && !path.starts_with("effects."); }
+
+bool switchesSimulation(std::string_view path) {
+  return std::ranges::find(kSimulatedEffects, path) != kSimulatedEffects.end();
+}
 
 bool decidesSimulation(std::string_view path) {
-  return std::any_of(kSimulationGroups.begin(), kSimulationGroups.end(),
+  return switchesSimulation(path) ||
+         std::any_of(kSimulationGroups.begin(), kSimulationGroups.end(),
                      [&](std::string_view group) { return path.starts_with(group); });
 }
 
@@ -110,6 +125,11 @@ void applyLogged(const core::SettingsTable& table, const std::vector<game::Setti
       throw core::DataError(file, "settings", error.what());
     }
   }
+  EffectSwitches switches;
+  for (std::size_t i = 0; i < switches.on.size(); ++i)
+    switches.on[i] = table.at("effects." + std::string(scene::kEffectNames[i])).get() != 0;
+  if (const std::string missing = scene::unmetNeed(switches.set()); !missing.empty())
+    throw core::DataError(file, "settings", "effects: " + missing);
 }
 
 }  // namespace skydrop::app

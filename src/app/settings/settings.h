@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/input/gamepad.h"
+#include "app/settings/effect_switches.h"
 #include "skydrop/audio/audio_settings.h"
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/core/settings.h"
@@ -44,6 +45,7 @@ inline constexpr std::array<std::string_view, 5> kQualityNames = {"automatic", "
                                                                   "ultra"};
 
 struct Settings {
+  EffectSwitches effects;
   flight::AirplaneSettings aircraft;
   flight::PackageSettings package;
   game::GameSettings game;
@@ -62,7 +64,7 @@ struct Settings {
 void describe(core::SettingsVisitor& visitor, ViewSettings& settings);
 void describe(core::SettingsVisitor& visitor, Settings& settings);
 
-// Applies the scene's overrides. Throws core::DataError.
+// Applies the scene's effects and its overrides. Throws core::DataError.
 void applyScene(const core::SettingsTable& table, const scene::Scene& scene);
 
 // Applies --set in order. Throws core::UsageError.
@@ -76,6 +78,9 @@ void applyLogged(const core::SettingsTable& table, const std::vector<game::Setti
 
 // Whether the player's file keeps the field at this path.
 bool isKept(std::string_view path);
+
+// Whether the field at this path switches an effect that the simulation is made of.
+bool switchesSimulation(std::string_view path);
 
 // Whether a change of the field at this path changes the simulation.
 bool decidesSimulation(std::string_view path);

@@ -100,8 +100,8 @@ WindowGame::WindowGame(const CommandLine& line)
   for (std::string& warning : window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
     warnings.push_back(std::move(warning));
   }
-  overlay_ = std::make_unique<Overlay>(scene::requiredEffects(run_->setup.scene), window_.size(),
-                                       controls_.help(), window_.interfaceScale());
+  overlay_ =
+      std::make_unique<Overlay>(effectsOf(*run_), window_.size(), controls_.help(), window_.interfaceScale());
   imguiInput_.emplace(clipboard_.get());
   feed_.emplace(*imguiInput_);
   controls_.setKeyLabels(keyboardLabels());
@@ -135,8 +135,7 @@ void WindowGame::tellOfSoftware() {
 // Beside everything else.
 void WindowGame::beginPreparations() {
   using Maker = Preparation::Maker;
-  preparations_.begin(scene::requiredEffects(run_->setup.scene),
-                      window_.context().isSoftware() ? Maker::processor : Maker::graphics);
+  preparations_.begin(effectsOf(*run_), window_.context().isSoftware() ? Maker::processor : Maker::graphics);
 }
 
 // Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player
@@ -164,10 +163,7 @@ WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
   }
   next.sceneRenderer->addOverlay();
   if (effects.contains(Effect::sound)) {
-    if (!audio_) {
-      audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
-      if (audio_->isSilent()) warn(audio_->status());
-    }
+    openSound();
     next.sound = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
   }
   loading.makeLand(*next.sceneRenderer, next.simulation->world().now());
@@ -185,6 +181,7 @@ void WindowGame::buildScene() {
     if (Flight next = loadFlight(lostFocus); next.sceneRenderer) {
       overlay_->showEffects(next.simulation->effects());
       sound_ = std::move(next.sound);
+      if (!sound_) audio_.reset();
       sceneRenderer_ = std::move(next.sceneRenderer);
       simulation_ = std::move(next.simulation);
       lastGood_ = choicesOf(*run_);
@@ -240,6 +237,7 @@ void WindowGame::fly() {
     }
     if (window_.isHidden()) paused_ = true;
     advance(seconds);
+    continueSwitch();
     if (!window_.isHidden()) {
       drawFrame(seconds);
       window_.swap();
@@ -403,6 +401,7 @@ void WindowGame::drawScene(const game::Snapshot& snapshot, Size size) {
     const bool drawn =
         attempt(part::kChange, [&] { sceneRenderer_->draw(snapshot, size, Streaming::asItComes); });
     if (drawn) {
+      if (sceneRenderer_->isSwitching()) return;  // an effect that comes is not drawn yet
       lastGood_ = choicesOf(*run_);
       changeNotDrawn_ = menuChangedIt_ = false;
       return;

@@ -80,6 +80,10 @@ class WindowGame {
   void registerDependents();
   // A change that was taken over into the run: loads the flight again where the description asks for that.
   void carryOut(const SettingsChange& change);
+  // Effects come and go: at once in the simulation and in what is heard, in steps in what is drawn.
+  void switchEffects();
+  void continueSwitch();
+  void openSound();
   void apply(const SettingsChange& change);  // to all dependents
   void watchFiles();
   void reloadSceneFile();

@@ -20,8 +20,9 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that 
 
 // Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
 void WindowGame::registerDependents() {
-  simulationDependencies_.add({"aircraft", "package", "game", "autopilot", "wind"},
+  simulationDependencies_.add({"effects", "aircraft", "package", "game", "autopilot", "wind"},
                               [this](const SettingsChange& change) { simulation_->apply(change); });
+  presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { switchEffects(); });
   // Of every change, because the rows of the effect table say which settings they take.
   presentationDependencies_.add({""},
                                 [this](const SettingsChange& change) { sceneRenderer_->apply(change); });
@@ -32,6 +33,41 @@ void WindowGame::registerDependents() {
   presentationDependencies_.add({"audio"}, [this](const SettingsChange&) {
     if (audio_) audio_->apply(run_->settings.audio);
     if (sound_) sound_->apply(run_->settings.audio);
+  });
+}
+
+void WindowGame::openSound() {
+  if (audio_) return;
+  audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
+  if (audio_->isSilent()) warn(audio_->status());
+}
+
+void WindowGame::switchEffects() {
+  const scene::EffectSet& effects = simulation_->effects();
+  const bool hadAircraft = sceneRenderer_->effects().contains(scene::Effect::aircraft);
+  const bool hasAircraft = effects.contains(scene::Effect::aircraft);
+  beginPreparations();
+  sceneRenderer_->beginSwitch(effects, simulation_->ground());
+  preparations_.keepOnly(effects);
+  overlay_->showEffects(effects);
+  if (effects.contains(scene::Effect::sound)) {
+    openSound();
+    if (!sound_) sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
+  } else {
+    sound_.reset();
+    audio_.reset();
+  }
+  if (hadAircraft == hasAircraft) return;
+  run_->settings.view.camera = hasAircraft ? render::CameraMode::chase : render::CameraMode::free;
+  sceneRenderer_->apply({"view.camera"});
+}
+
+void WindowGame::continueSwitch() {
+  if (!sceneRenderer_->isSwitching()) return;
+  attempt(part::kChange, [this] {
+    if (preparations_.pending()) return preparations_.makeParts(window_.context());
+    for (const std::string& message : preparations_.takeMessages()) warn(message);
+    sceneRenderer_->continueSwitch(preparations_.results(sceneRenderer_->effects()), snapshotToDraw());
   });
 }
 

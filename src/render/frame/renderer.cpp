@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
+#include <utility>
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/quantile.h"
@@ -29,10 +31,21 @@ Renderer::Renderer(gl::Context& context, const RenderSettings& settings, bool me
 Renderer::~Renderer() = default;
 
 void Renderer::add(std::unique_ptr<Pass> pass) {
-  const auto after =
-      std::upper_bound(passes_.begin(), passes_.end(), pass->stage(),
-                       [](RenderStage stage, const auto& other) { return stage < other->stage(); });
-  passes_.insert(after, std::move(pass));
+  const auto comesBefore = [&](const Entry& other) {
+    return std::pair(other.pass->stage(), other.group.order) <= std::pair(pass->stage(), group_.order);
+  };
+  const auto after = std::ranges::find_if_not(passes_, comesBefore);
+  passes_.insert(after, Entry{std::move(pass), group_, holds_});
+}
+
+void Renderer::releaseHeld() {
+  holds_ = false;
+  for (Entry& entry : passes_) entry.held = false;
+}
+
+void Renderer::removeGroup(std::string_view name) {
+  if (std::erase_if(passes_, [&](const Entry& entry) { return entry.group.name == name; }) > 0)
+    screen_.sceneColorOnly = {};
 }
 
 void Renderer::setLayer(std::unique_ptr<StageLayer> layer) {
@@ -41,31 +54,35 @@ void Renderer::setLayer(std::unique_ptr<StageLayer> layer) {
 }
 
 void Renderer::resize(int width, int height) {
-  if (scene_ && scene_.width() == width && scene_.height() == height) return;
-  if (!scene_) {
-    scene_ = gl::FrameBuffer(context_, width, height, kSceneFormat, "scene");
-    output_ = gl::FrameBuffer(context_, width, height, kOutputFormat, "output");
-    output_.setClearColor(0, 0, 0, 1);
+  Targets& t = *targets_;
+  if (t.scene && t.scene.width() == width && t.scene.height() == height) return;
+  if (!t.scene) {
+    t.scene = gl::FrameBuffer(context_, width, height, kSceneFormat, "scene");
+    t.output = gl::FrameBuffer(context_, width, height, kOutputFormat, "output");
+    t.output.setClearColor(0, 0, 0, 1);
   } else {
-    scene_.resize(width, height);
-    output_.resize(width, height);
+    t.scene.resize(width, height);
+    t.output.resize(width, height);
   }
-  sceneColorOnly_ = {};  // made where a pass needs it
+  t.sceneColorOnly = {};  // made where a pass needs it
 }
 
 void Renderer::bindTarget(RenderStage stage) {
+  Targets& t = *targets_;
   const bool readsDepth = stage >= RenderStage::clouds && stage <= RenderStage::weatherEffects;
-  if (readsDepth && !sceneColorOnly_) {
-    sceneColorOnly_ = gl::FrameBuffer(context_, &scene_.colorTexture(), nullptr, "scene colour");
+  if (readsDepth && !t.sceneColorOnly) {
+    t.sceneColorOnly = gl::FrameBuffer(context_, &t.scene.colorTexture(), nullptr, "scene colour");
   }
-  gl::FrameBuffer& target = readsDepth ? sceneColorOnly_ : stage <= RenderStage::models ? scene_ : output_;
+  gl::FrameBuffer& target = readsDepth ? t.sceneColorOnly : stage <= RenderStage::models ? t.scene : t.output;
   target.bind(gl::FrameBuffer::Clear::no);
 }
 
-bool Renderer::beginLayer(const FrameInput& input) {
+bool Renderer::beginLayer(const FrameInput& input, Which which) {
   PixelBox all;
-  for (const std::unique_ptr<Pass>& pass : passes_) {
-    if (pass->stage() == layer_->stage() && !pass->skipReason(input)) all = unite(all, pass->extent(input));
+  for (const Entry& entry : passes_) {
+    if (entry.held && which == Which::drawn) continue;
+    const Pass& pass = *entry.pass;
+    if (pass.stage() == layer_->stage() && !pass.skipReason(input)) all = unite(all, pass.extent(input));
   }
   if (const std::optional<std::string> reason = layer_->skipReason(settings_, all)) {
     skipped_.insert_or_assign(std::string(layer_->name()), *reason);
@@ -79,10 +96,38 @@ void Renderer::composeLayer(std::exception_ptr& failure) {
   skipped_.erase(std::string(layer_->name()));
   bindTarget(layer_->stage());
   context_.setDefaultState();
-  tried(layer_->name(), failure, [&] { layer_->compose(context_, shaders_); });
+  tried(layer_->name(), {}, failure, [&] { layer_->compose(context_, shaders_); });
 }
 
-void Renderer::draw(const FrameInput& asked) {
+void Renderer::draw(const FrameInput& asked) { drawPasses(asked, Which::drawn, std::nullopt); }
+
+bool Renderer::warmUp(const FrameInput& asked, double budgetMs) {
+  targets_ = &unseen_;
+  timer_.setPaused(true);
+  auto skippedInDraw = std::exchange(skipped_, {});
+  const auto restore = [&] {
+    targets_ = &screen_;
+    timer_.setPaused(false);
+    skipped_ = std::move(skippedInDraw);
+  };
+  try {
+    const bool complete = drawPasses(asked, Which::all, budgetMs);
+    restore();
+    return complete;
+  } catch (...) {
+    restore();
+    throw;
+  }
+}
+
+bool Renderer::drawPasses(const FrameInput& asked, Which which, std::optional<double> budgetMs) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto isUsedUp = [&] {
+    if (!budgetMs) return false;
+    context_.api().Finish();  // a software renderer compiles when it draws
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() >
+           *budgetMs;
+  };
   requireValid(asked.view);
   context_.makeCurrent();
   resize(asked.view.width, asked.view.height);
@@ -98,8 +143,8 @@ void Renderer::draw(const FrameInput& asked) {
   noteTimes();
   uniforms_.writeValue(0, uniforms);
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kFrameUniformsBinding);
-  scene_.clear();
-  output_.clear();
+  targets_->scene.clear();
+  targets_->output.clear();
   FrameResources made;
   FrameContext frame{context_,
                      shaders_,
@@ -109,51 +154,65 @@ void Renderer::draw(const FrameInput& asked) {
                      settings_,
                      defines,
                      made,
-                     scene_.colorTexture(),
-                     scene_.depthTexture()};
+                     targets_->scene.colorTexture(),
+                     targets_->scene.depthTexture()};
   skipped_.clear();
   if (layer_) skipped_.emplace(layer_->name(), layer_->skipReason(settings_, {}).value_or(""));
   bool layered = false;  // the layer is the target
+  bool complete = true;
   std::exception_ptr failure;
-  for (const std::unique_ptr<Pass>& pass : passes_) {
-    if (const std::optional<std::string> reason = pass->skipReason(input)) {
-      skipped_.emplace(pass->name(), *reason);
+  for (const Entry& entry : passes_) {
+    if (entry.held && which == Which::drawn) continue;
+    Pass& pass = *entry.pass;
+    if (const std::optional<std::string> reason = pass.skipReason(input)) {
+      skipped_.emplace(pass.name(), *reason);
       continue;
     }
-    if (layered && pass->stage() > layer_->stage()) {
+    if (layered && pass.stage() > layer_->stage()) {
       composeLayer(failure);
       layered = false;
     }
-    if (!layered && layer_ && pass->stage() == layer_->stage()) layered = beginLayer(input);
-    if (!layered) bindTarget(pass->stage());
+    if (!layered && layer_ && pass.stage() == layer_->stage()) layered = beginLayer(input, which);
+    if (!layered) bindTarget(pass.stage());
     context_.setDefaultState();
-    tried(pass->name(), failure, [&] { pass->draw(frame); });
+    tried(pass.name(), entry.group, failure, [&] { pass.draw(frame); });
+    if (&entry != &passes_.back() && isUsedUp()) {
+      complete = false;
+      break;
+    }
   }
   if (layered) composeLayer(failure);
   if (failure) std::rethrow_exception(failure);
+  return complete;
 }
 
-void Renderer::tried(std::string_view name, std::exception_ptr& failure, const std::function<void()>& draw) {
+void Renderer::tried(std::string_view name, const Group& group, std::exception_ptr& failure,
+                     const std::function<void()>& draw) {
   try {
-    measured(name, draw);
+    measured(name, group, draw);
   } catch (const core::DataError& error) {
     skipped_.insert_or_assign(std::string(name), error.what());
     if (!failure) failure = std::current_exception();
   }
 }
 
-void Renderer::measured(std::string_view name, const std::function<void()>& draw) {
-  context_.resources().beginPass(name);
+void Renderer::measured(std::string_view name, const Group& group, const std::function<void()>& draw) {
+  gl::GpuResourceTracker& resources = context_.resources();
+  const auto end = [&] {
+    resources.setOwner("");
+    timer_.end();
+    resources.endPass();
+  };
+  resources.beginPass(name);
   timer_.begin(name);
+  resources.setOwner(group.name);
   try {
     draw();
   } catch (...) {
-    timer_.end();
-    context_.resources().endPass();
+    end();
     throw;
   }
-  timer_.end();
-  context_.resources().endPass();
+  end();
 }
 
 void Renderer::noteTimes() {
@@ -165,10 +224,11 @@ void Renderer::noteTimes() {
 }
 
 core::Image Renderer::readBack() {
-  if (!output_) return core::Image(1, 1);
-  core::Image image(output_.width(), output_.height());
+  const gl::FrameBuffer& output = screen_.output;
+  if (!output) return core::Image(1, 1);
+  core::Image image(output.width(), output.height());
   std::vector<std::uint8_t> bottomUp(image.rgba.size());
-  output_.colorTexture().read(GL_RGBA, GL_UNSIGNED_BYTE, std::as_writable_bytes(std::span(bottomUp)));
+  output.colorTexture().read(GL_RGBA, GL_UNSIGNED_BYTE, std::as_writable_bytes(std::span(bottomUp)));
   const std::size_t row = static_cast<std::size_t>(image.width) * 4;
   for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
     const auto from = bottomUp.begin() +
@@ -181,7 +241,7 @@ core::Image Renderer::readBack() {
 }
 
 void Renderer::present(int width, int height) {
-  if (output_) output_.drawToScreen(width, height);
+  if (screen_.output) screen_.output.drawToScreen(width, height);
 }
 
 void Renderer::finish() {
@@ -200,8 +260,9 @@ void Renderer::fillStatistics(core::FrameStatistics& statistics, std::size_t fra
   statistics.clock = timer_.clockName();
   statistics.renderer = context_.renderer();
   statistics.passes.clear();
-  const auto addRow = [&](const std::string& name) {
+  const auto addRow = [&](const std::string& name, const std::string& group) {
     core::PassStatistics row;
+    row.group = group;
     if (const auto times = times_.find(name); times != times_.end()) row.ms = median(times->second, frames);
     if (const auto counts = resources.passes().find(name); counts != resources.passes().end()) {
       row.draws = static_cast<std::int64_t>(counts->second.draws);
@@ -211,11 +272,12 @@ void Renderer::fillStatistics(core::FrameStatistics& statistics, std::size_t fra
     statistics.passes.emplace_back(name, row);
   };
   bool hasLayered = false;
-  for (const std::unique_ptr<Pass>& pass : passes_) {
-    addRow(std::string(pass->name()));
-    hasLayered = hasLayered || (layer_ && pass->stage() == layer_->stage());
+  for (const Entry& entry : passes_) {
+    if (entry.held) continue;
+    addRow(std::string(entry.pass->name()), entry.group.name);
+    hasLayered = hasLayered || (layer_ && entry.pass->stage() == layer_->stage());
   }
-  if (hasLayered) addRow(std::string(layer_->name()));
+  if (hasLayered) addRow(std::string(layer_->name()), "");
   statistics.gl.textures = resources.live(gl::ObjectKind::texture);
   statistics.gl.buffers = resources.live(gl::ObjectKind::buffer);
   statistics.gl.programs = resources.live(gl::ObjectKind::program);

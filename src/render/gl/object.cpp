@@ -9,12 +9,12 @@ namespace skydrop::render::gl {
 
 Object::Object(Context& context, ObjectKind kind, GLuint id) : context_(&context), id_(id), kind_(kind) {
   assert(context.isCurrent());
-  context.resources().created(kind);
+  owner_ = context.resources().created(kind);
 }
 
 void Object::setBytes(std::uint64_t bytes) {
   bytes_ = bytes;
-  context_->resources().allocated(bytes);
+  context_->resources().allocated(bytes, owner_);
 }
 
 void Object::setLabel(std::string_view label) {
@@ -49,6 +49,7 @@ void Object::swap(Object& other) noexcept {
   std::swap(context_, other.context_);
   std::swap(id_, other.id_);
   std::swap(kind_, other.kind_);
+  std::swap(owner_, other.owner_);
   std::swap(bytes_, other.bytes_);
 }
 
@@ -79,7 +80,7 @@ void Object::destroy() noexcept {
       gl.DeleteQueries(1, &id_);
       break;
   }
-  context_->resources().deleted(kind_, bytes_);
+  context_->resources().deleted(kind_, bytes_, owner_);
 }
 
 }  // namespace skydrop::render::gl

@@ -45,6 +45,7 @@ void PassTimer::beginFrame() {
 }
 
 void PassTimer::begin(std::string_view pass) {
+  if (paused_) return;
   pass_ = pass;
   if (clock_ == PassClock::wallClock) {
     context_->api().Finish();
@@ -63,6 +64,7 @@ void PassTimer::begin(std::string_view pass) {
 }
 
 void PassTimer::end() {
+  if (paused_) return;
   if (clock_ == PassClock::wallClock) {
     context_->api().Finish();
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start_;

@@ -12,19 +12,20 @@ std::string keyOf(std::initializer_list<std::string_view> files, std::span<const
   return key;
 }
 
-// The program in the slot, made there by `make` the first time.
-template <class Slot, class Make>
-auto& madeOnce(Slot& slot, const std::string& key, std::map<std::string, core::DataError>& failed,
-               Make make) {
-  if (slot) return *slot;
+// The program of the entry, made there by `make` the first time.
+template <class Entry, class Make>
+auto& madeOnce(Entry& entry, std::uint64_t use, const std::string& key,
+               std::map<std::string, core::DataError>& failed, Make make) {
+  entry.lastUse = use;
+  if (entry.program) return *entry.program;
   if (const auto known = failed.find(key); known != failed.end()) throw known->second;
   try {
-    slot = make();
+    entry.program = make();
   } catch (const core::DataError& error) {
     failed.insert_or_assign(key, error);
     throw;
   }
-  return *slot;
+  return *entry.program;
 }
 
 }  // namespace
@@ -32,13 +33,13 @@ auto& madeOnce(Slot& slot, const std::string& key, std::map<std::string, core::D
 Shader& ShaderCache::shader(const std::string& vertex, const std::string& fragment,
                             std::span<const std::string> defines, const std::string& geometry) {
   const std::string key = keyOf({vertex, fragment, geometry}, defines);
-  return madeOnce(shaders_[key], key, failed_,
+  return madeOnce(shaders_[key], use_, key, failed_,
                   [&] { return std::make_unique<Shader>(*context_, vertex, fragment, geometry, defines); });
 }
 
 ComputeShader& ShaderCache::computeShader(const std::string& file, std::span<const std::string> defines) {
   const std::string key = keyOf({file}, defines);
-  return madeOnce(computeShaders_[key], key, failed_,
+  return madeOnce(computeShaders_[key], use_, key, failed_,
                   [&] { return std::make_unique<ComputeShader>(*context_, file, defines); });
 }
 
@@ -57,13 +58,25 @@ void ShaderCache::reloadIfChanged(const std::string& key, ShaderProgram& program
 ShaderCache::Reloaded ShaderCache::reloadChanged() {
   Reloaded result;
   failed_.clear();
-  for (auto& [key, shader] : shaders_) {
-    if (shader) reloadIfChanged(key, *shader, result);
+  for (auto& [key, entry] : shaders_) {
+    if (entry.program) reloadIfChanged(key, *entry.program, result);
   }
-  for (auto& [key, shader] : computeShaders_) {
-    if (shader) reloadIfChanged(key, *shader, result);
+  for (auto& [key, entry] : computeShaders_) {
+    if (entry.program) reloadIfChanged(key, *entry.program, result);
   }
   return result;
+}
+
+void ShaderCache::deleteUnused() {
+  const auto eraseFrom = [this](auto& entries) {
+    std::erase_if(entries, [this](const auto& entry) {
+      if (entry.second.lastUse == use_) return false;
+      stale_.erase(entry.first);
+      return true;
+    });
+  };
+  eraseFrom(shaders_);
+  eraseFrom(computeShaders_);
 }
 
 }  // namespace skydrop::render::gl

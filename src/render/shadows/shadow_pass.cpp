@@ -14,8 +14,12 @@ CastShadow shadowOf(const ShadowCaster& caster, const View& view, const glm::dve
 
 std::vector<ShadowCaster> ShadowPass::castersIn(const FrameInput& frame) const {
   std::vector<ShadowCaster> casters;
-  for (const ShadowSource& source : sources_) source(frame, casters);
+  for (const OwnedSource& owned : sources_) owned.source(frame, casters);
   return casters;
+}
+
+void ShadowPass::remove(std::string_view owner) {
+  std::erase_if(sources_, [&](const OwnedSource& owned) { return owned.owner == owner; });
 }
 
 std::optional<std::string> ShadowPass::skipReason(const FrameInput& frame) const {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,16 +27,32 @@ class Renderer {
   Renderer(gl::Context& context, const RenderSettings& settings, bool measuring);
   ~Renderer();
 
-  gl::Context& context() { return context_; }
+  gl::Context& context() const { return context_; }
   gl::ShaderCache& shaders() { return shaders_; }
 
-  // Passes run by stage, and in the order of adding within one.
+  // Whom passes belong to. Within a stage those of a lower order come first.
+  struct Group {
+    std::string name;
+    int order = 0;
+  };
+  // Passes that are added from now on belong to this group, and what they make pays for it in the resource
+  // tracker. At first it is one without a name.
+  void setGroup(Group group) { group_ = std::move(group); }
+  const Group& group() const { return group_; }
+  // Passes that are added from now on wait: draw() leaves them out until releaseHeld(), and only warmUp()
+  // draws them.
+  void holdAdded() { holds_ = true; }
+  void releaseHeld();
+  // Deletes the passes of the groups with this name, and what of the targets may have been made for them.
+  void removeGroup(std::string_view name);
+
+  // Passes run by stage, within one by the order of their groups, and then in the order of adding.
   void add(std::unique_ptr<Pass> pass);
   // The first pass of this class in the order of the frame; null without one. The renderer owns it.
   template <class T>
   T* find() const {
-    for (const std::unique_ptr<Pass>& pass : passes_) {
-      if (T* found = dynamic_cast<T*>(pass.get())) return found;
+    for (const Entry& entry : passes_) {
+      if (T* found = dynamic_cast<T*>(entry.pass.get())) return found;
     }
     return nullptr;
   }
@@ -51,8 +68,16 @@ class Renderer {
   // thrown when the rest of the frame has been drawn without that pass, which the statistics give as skipped.
   void draw(const FrameInput& input);
 
+  // Draws a frame of the view's size that nobody sees, those passes included that are held, so that no later
+  // frame has to wait for what they compile: pass by pass from the first, until `budgetMs` are used up after
+  // any of them. True when all were drawn; until then it is to be called again. Keep the view small: targets
+  // of its size are kept until endWarmUp(). To be called before the draw() of a frame, whose times and counts
+  // it leaves alone. Throws what draw() throws.
+  bool warmUp(const FrameInput& input, double budgetMs);
+  void endWarmUp() { unseen_ = {}; }
+
   // Linear light of the last frame.
-  const gl::Texture& sceneColor() const { return scene_.colorTexture(); }
+  const gl::Texture& sceneColor() const { return screen_.scene.colorTexture(); }
   // The output of the last frame; waits for the GPU. Black before the first.
   core::Image readBack();
   // Copies the output to the window's own frame buffer of this size. The caller swaps.
@@ -74,14 +99,27 @@ class Renderer {
   void finish();
 
  private:
+  struct Entry {
+    std::unique_ptr<Pass> pass;
+    Group group;
+    bool held = false;
+  };
+  struct Targets {
+    gl::FrameBuffer scene, sceneColorOnly, output;
+  };
+  enum class Which { drawn, all };
+
   void resize(int width, int height);
+  // False when it ended because the budget was used up.
+  bool drawPasses(const FrameInput& input, Which which, std::optional<double> budgetMs);
   void bindTarget(RenderStage stage);
   // Whether the passes of the layer's stage go into it in this frame; it is then the target.
-  bool beginLayer(const FrameInput& input);
+  bool beginLayer(const FrameInput& input, Which which);
   void composeLayer(std::exception_ptr& failure);
-  void measured(std::string_view name, const std::function<void()>& draw);
+  void measured(std::string_view name, const Group& group, const std::function<void()>& draw);
   // measured(), but what the pass throws of core::DataError is kept in `failure`, unless there is one.
-  void tried(std::string_view name, std::exception_ptr& failure, const std::function<void()>& draw);
+  void tried(std::string_view name, const Group& group, std::exception_ptr& failure,
+             const std::function<void()>& draw);
   void noteTimes();
 
   gl::Context& context_;
@@ -89,8 +127,11 @@ class Renderer {
   gl::ShaderCache shaders_;
   gl::PassTimer timer_;
   gl::Buffer uniforms_;
-  gl::FrameBuffer scene_, sceneColorOnly_, output_;
-  std::vector<std::unique_ptr<Pass>> passes_;
+  Targets screen_, unseen_;      // of draw(), of warmUp()
+  Targets* targets_ = &screen_;  // of the frame that is drawn
+  std::vector<Entry> passes_;
+  Group group_;
+  bool holds_ = false;
   std::unique_ptr<StageLayer> layer_;
   std::map<std::string, std::string, std::less<>> skipped_;
   std::map<std::string, std::vector<double>, std::less<>> times_;

@@ -42,6 +42,7 @@ class Object {
   Context* context_ = nullptr;
   GLuint id_ = 0;
   ObjectKind kind_ = ObjectKind::buffer;
+  GpuResourceTracker::Owner owner_ = 0;
   std::uint64_t bytes_ = 0;
 };
 

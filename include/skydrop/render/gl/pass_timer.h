@@ -31,6 +31,8 @@ class PassTimer {
   std::string_view clockName() const;
 
   void beginFrame();
+  // While paused, begin() and end() do nothing: of frames that nobody sees. Not between the two.
+  void setPaused(bool paused) { paused_ = paused; }
   // Passes do not nest.
   void begin(std::string_view pass);
   void end();
@@ -48,6 +50,7 @@ class PassTimer {
 
   Context* context_ = nullptr;
   PassClock clock_ = PassClock::none;
+  bool paused_ = false;
   std::string pass_;
   std::chrono::steady_clock::time_point start_;
   std::deque<Pending> pending_;

@@ -2,6 +2,7 @@
 // when a file changes.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
@@ -19,7 +20,8 @@ class ShaderCache {
   explicit ShaderCache(Context& context) : context_(&context) {}
 
   // The program of these files and defines; compiled at the first call. The reference stays valid as long as
-  // the cache. Throws core::DataError as Shader does: what failed is not tried again before reloadChanged().
+  // the cache, or until deleteUnused() finds it unused. Throws core::DataError as Shader does: what failed is
+  // not tried again before reloadChanged().
   Shader& shader(const std::string& vertex, const std::string& fragment,
                  std::span<const std::string> defines = {}, const std::string& geometry = {});
   ComputeShader& computeShader(const std::string& file, std::span<const std::string> defines = {});
@@ -39,12 +41,24 @@ class ShaderCache {
 
   std::size_t size() const { return shaders_.size() + computeShaders_.size(); }
 
+  // Deletes every program that was not asked for since beginUse() was called last (or ever, if it was not);
+  // references to those become invalid.
+  void beginUse() { ++use_; }
+  void deleteUnused();
+
  private:
+  template <class Program>
+  struct Entry {
+    std::unique_ptr<Program> program;
+    std::uint64_t lastUse = 0;
+  };
+
   void reloadIfChanged(const std::string& key, ShaderProgram& program, Reloaded& result);
 
   Context* context_;
-  std::map<std::string, std::unique_ptr<Shader>> shaders_;
-  std::map<std::string, std::unique_ptr<ComputeShader>> computeShaders_;
+  std::map<std::string, Entry<Shader>> shaders_;
+  std::map<std::string, Entry<ComputeShader>> computeShaders_;
+  std::uint64_t use_ = 0;
   std::map<std::string, core::DataError> failed_;  // never compiled
   std::map<std::string, std::string> stale_;       // compiled once, not since: the line that says why
 };

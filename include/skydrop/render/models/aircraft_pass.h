@@ -15,6 +15,9 @@ class AircraftPass final : public Pass {
   // `model`: assets/models/airplane.glb on this context, shared with the propeller's pass.
   explicit AircraftPass(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
 
+  // For the aircraft's shadow.
+  const std::shared_ptr<const Model>& model() const { return model_; }
+
   std::string_view name() const override { return "aircraft"; }
   RenderStage stage() const override { return RenderStage::models; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;

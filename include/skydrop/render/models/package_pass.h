@@ -23,6 +23,9 @@ class PackagePass final : public Pass {
  public:
   explicit PackagePass(std::shared_ptr<const PackageModels> models) : models_(std::move(models)) {}
 
+  // For the packages' shadows.
+  const std::shared_ptr<const PackageModels>& models() const { return models_; }
+
   std::string_view name() const override { return "packages"; }
   RenderStage stage() const override { return RenderStage::models; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;

@@ -1,6 +1,8 @@
 // Draws the maps of the shadows that fall on land in view.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,7 +16,12 @@ namespace skydrop::render {
 // CastShadows::kMost, the nearest have them.
 class ShadowPass final : public Pass {
  public:
-  void add(ShadowSource source) { sources_.push_back(std::move(source)); }
+  // `owner` names whose shadows they are, for remove().
+  void add(std::string owner, ShadowSource source) {
+    sources_.push_back({std::move(owner), std::move(source)});
+  }
+  void remove(std::string_view owner);
+  bool hasSources() const { return !sources_.empty(); }
 
   std::string_view name() const override { return "shadows"; }
   RenderStage stage() const override { return RenderStage::shadows; }
@@ -22,9 +29,14 @@ class ShadowPass final : public Pass {
   void draw(FrameContext& context) override;
 
  private:
+  struct OwnedSource {
+    std::string owner;
+    ShadowSource source;
+  };
+
   std::vector<ShadowCaster> castersIn(const FrameInput& frame) const;
 
-  std::vector<ShadowSource> sources_;
+  std::vector<OwnedSource> sources_;
   CastShadows shadows_;
 };
 

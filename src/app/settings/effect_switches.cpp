@@ -1,0 +1,60 @@
+#include "app/settings/effect_switches.h"
+
+#include <string>
+
+#include "skydrop/core/error.h"
+
+namespace skydrop::app {
+namespace {
+
+using scene::Effect;
+
+std::string_view helpOf(Effect effect) {
+  switch (effect) {
+    case Effect::sky:
+      return "The sky with its sun, and the light of both.";
+    case Effect::terrain:
+      return "Endless land and sea, which also decide where a flight ends.";
+    case Effect::clouds:
+      return "Volumetric clouds that drift with the wind, and their shadows on the land.";
+    case Effect::haze:
+      return "Air between the eye and what it sees: distant things fade into the sky.";
+    case Effect::aircraft:
+      return "The airplane: its flight, its model, its shadow. Without it the camera is free.";
+    case Effect::targets:
+      return "Targets, packages and score. Needs aircraft and terrain.";
+    case Effect::sound:
+      return "The sounds of engine and events.";
+    case Effect::hud:
+      return "Instruments, navigation bar and messages over the picture.";
+  }
+  return "";
+}
+
+}  // namespace
+
+EffectSwitches::EffectSwitches(const scene::EffectSet& effects) {
+  for (std::size_t i = 0; i < on.size(); ++i) on[i] = effects.contains(static_cast<Effect>(i));
+}
+
+scene::EffectSet EffectSwitches::set() const {
+  scene::EffectSet effects;
+  for (std::size_t i = 0; i < on.size(); ++i) {
+    if (on[i]) effects.insert(static_cast<Effect>(i));
+  }
+  return effects;
+}
+
+void describe(core::SettingsVisitor& visitor, EffectSwitches& switches) {
+  for (std::size_t i = 0; i < switches.on.size(); ++i) {
+    visitor.flag(scene::kEffectNames[i], switches.on[i],
+                 {.help = helpOf(static_cast<Effect>(i)), .takesEffect = core::TakesEffect::rebuild});
+  }
+}
+
+void requireUsable(const EffectSwitches& switches) {
+  if (const std::string missing = scene::unmetNeed(switches.set()); !missing.empty())
+    throw core::RangeError("effects: " + missing);
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,29 @@
+#include "skydrop/scene/effect.h"
+
+namespace skydrop::scene {
+
+EffectSet withNeeds(EffectSet effects) {
+  for (std::size_t round = 0; round < kEffectNeeds.size(); ++round) {  // needs of needs
+    for (const EffectNeed& need : kEffectNeeds) {
+      if (effects.contains(need.effect)) effects.insert(need.needs);
+    }
+  }
+  return effects;
+}
+
+std::string unmetNeed(const EffectSet& effects) {
+  for (const EffectNeed& need : kEffectNeeds) {
+    if (!effects.contains(need.effect) || effects.contains(need.needs)) continue;
+    return std::string(nameOf(need.effect)) + " needs " + std::string(nameOf(need.needs)) + ", which is off";
+  }
+  return "";
+}
+
+EffectSet effective(EffectSet effects) {
+  const bool showsSomething = effects.contains(Effect::terrain) || effects.contains(Effect::clouds) ||
+                              effects.contains(Effect::aircraft);
+  if (!showsSomething) effects.erase(Effect::haze);
+  return effects;
+}
+
+}  // namespace skydrop::scene
