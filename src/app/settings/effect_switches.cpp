@@ -27,6 +27,8 @@ std::string_view helpOf(Effect effect) {
       return "The sounds of engine and events.";
     case Effect::hud:
       return "Instruments, navigation bar and messages over the picture.";
+    case Effect::count_:
+      break;
   }
   return "";
 }
