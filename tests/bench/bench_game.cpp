@@ -14,9 +14,8 @@ std::unique_ptr<app::RunConfig> runOf(const BenchGame::Setup& setup) {
   app::CommandLine line;
   line.verb = app::Verb::render;
   line.scene = setup.scene;
-  std::unique_ptr<app::RunConfig> run = app::prepareRun(line);
-  if (setup.without) run->setup.scene.effects.erase(*setup.without);
-  return run;
+  if (setup.without) line.set.push_back("effects." + std::string(scene::nameOf(*setup.without)) + "=false");
+  return app::prepareRun(line);
 }
 
 app::PreparedResources preparedFor(const scene::EffectSet& effects) {

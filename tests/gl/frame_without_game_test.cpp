@@ -34,8 +34,8 @@ class FrameWithoutGameGLTest : public test::FrameTest {
     auto land = std::make_unique<TerrainPass>(context());
     landPass_ = land.get();
     auto shadows = std::make_unique<ShadowPass>();
-    shadows->add(aircraftShadow(airplane));
-    shadows->add(packageShadows(packages));
+    shadows->add("aircraft", aircraftShadow(airplane));
+    shadows->add("targets", packageShadows(packages));
     renderer().add(std::move(shadows));
     renderer().add(std::move(land));
     renderer().add(std::make_unique<SkyPass>(context()));

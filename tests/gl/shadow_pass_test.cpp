@@ -49,7 +49,7 @@ class ShadowGLTest : public test::FrameTest {
     data.meshes = {{"cover", sphereMesh(kCoverM, 96, 48), 0}};
     data.materials = {{"plain", {}, {}}};
     cover_ = std::make_shared<const Model>(context(), data, "cover");
-    this->shadows().add([this](const FrameInput&, std::vector<ShadowCaster>& casters) {
+    this->shadows().add("box", [this](const FrameInput&, std::vector<ShadowCaster>& casters) {
       if (!coverAt_) return;
       const auto parts = [model = cover_, at = *coverAt_](const View& view, const DrawPart& draw) {
         draw(*model, bodyMatrix(view, at, glm::dquat(1, 0, 0, 0)), ModelPose(*model));
@@ -67,7 +67,7 @@ class ShadowGLTest : public test::FrameTest {
     data.meshes = {{"ball", sphereMesh(radius, 96, 48), 0}};
     data.materials = {{"plain", {}, {}}};
     const auto model = std::make_shared<const Model>(context(), data, "ball");
-    shadows().add([=, this](const FrameInput&, std::vector<ShadowCaster>& casters) {
+    shadows().add("box", [=, this](const FrameInput&, std::vector<ShadowCaster>& casters) {
       if (!castsShadows_) return;
       const auto parts = [=](const View& view, const DrawPart& draw) {
         draw(*model, bodyMatrix(view, middle, glm::dquat(1, 0, 0, 0)), ModelPose(*model));
@@ -189,7 +189,7 @@ TEST_F(ShadowGLTest, aircraftsShadowIsAsWideAsItsWings) {
   // pixel's 0.2 m and the 0.07 m of blur to each side.
   const auto model = std::make_shared<const Model>(
       context(), importModel(core::assetPath("models/airplane.glb")), "airplane");
-  shadows().add(aircraftShadow(model));
+  shadows().add("aircraft", aircraftShadow(model));
   settings_.sun = {90, 0};
   snapshot_.aircraft.present = true;
   snapshot_.aircraft.position = {0, kGroundM + 8, 0};

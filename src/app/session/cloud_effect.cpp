@@ -18,6 +18,10 @@ void addCloudShadows(SceneRenderer& sceneRenderer) {
   renderer.add(std::make_unique<render::CloudShadowPass>(*renderer.find<render::CloudSystem>()));
 }
 
+void removeCloudShadows(SceneRenderer& sceneRenderer) {
+  sceneRenderer.renderer().find<render::CloudSystem>()->forgetShadowMap();
+}
+
 void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change) {
   if (!change.touches("clouds") && !change.touches("wind")) return;
   const Settings& settings = sceneRenderer.settings();

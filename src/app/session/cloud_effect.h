@@ -14,6 +14,7 @@ class SettingsChange;
 void addClouds(SceneRenderer& sceneRenderer);
 // Their shadows on the land; after addClouds().
 void addCloudShadows(SceneRenderer& sceneRenderer);
+void removeCloudShadows(SceneRenderer& sceneRenderer);
 void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change);
 // The noise: from the player's cache, or made and put there.
 std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker);

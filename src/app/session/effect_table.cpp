@@ -71,7 +71,7 @@ const std::vector<EffectDescriptor>& effectTable() {
        .menuSections = {{"game", "Game"}, {"package", "Package"}}},
       {.effect = Effect::clouds,
        .addPasses = addClouds,
-       .joints = {{Effect::terrain, addCloudShadows}},
+       .joints = {{Effect::terrain, addCloudShadows, removeCloudShadows}},
        .apply = applyClouds,
        .prepare = prepareClouds,
        .menuSections = {{"clouds", "Weather", false, {"wind"}}, {"clouds.march", "Cloud quality"}}},

@@ -26,6 +26,7 @@ struct EffectDescriptor {
   struct Joint {
     scene::Effect with;
     void (*addPasses)(SceneRenderer& sceneRenderer);
+    void (*remove)(SceneRenderer& sceneRenderer) = nullptr;  // as that of the effect
   };
   std::vector<Joint> joints = {};
   // When the effect goes, before its passes do: gives up what else addPasses made. Null: nothing.

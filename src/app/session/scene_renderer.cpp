@@ -76,7 +76,7 @@ void SceneRenderer::addPart(const Part& part) {
 
 void SceneRenderer::removePart(const Part& part) {
   const std::string name = part.name();
-  if (!part.joint && part.row->remove) part.row->remove(*this);
+  if (const auto remove = part.joint ? part.joint->remove : part.row->remove) remove(*this);
   if (auto* shadows = renderer_.find<render::ShadowPass>()) {
     shadows->remove(name);
     if (!shadows->hasSources()) renderer_.removeGroup(kShadowGroup);
@@ -153,13 +153,13 @@ bool SceneRenderer::warmUpInPart(const game::Snapshot& snapshot) {
   try {
     complete = renderer_.warmUp(
         render::gameFrame(next.snapshot, next.view, frameFeatures(setup_.effects, *setup_.table)),
-        kWarmUpBudgetMs);
+        kWarmUpBudgetMs, switch_->passesDrawn);
   } catch (...) {
     renderer_.apply(settings_->render);
     throw;
   }
   renderer_.apply(settings_->render);
-  if (complete) ++switch_->frame;
+  if (complete) ++switch_->frame, switch_->passesDrawn = 0;
   return switch_->frame >= frames.size();
 }
 

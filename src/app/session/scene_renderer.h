@@ -134,6 +134,7 @@ class SceneRenderer {
   struct Switch {
     render::FrameFeatures drawnFeatures;  // until all is ready
     std::size_t frame = 0;                // of the frames to warm up with
+    std::size_t passesDrawn = 0;          // of it
     bool isReady = false;                 // what came is drawn; what is not used any more is looked for
   };
 

@@ -98,13 +98,17 @@ CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::Pac
       textures_(std::make_unique<CloudTextures>(context, std::move(noise), settings)),
       near_(std::make_unique<SunOpticalDepthGrid>("near sun optical depth", SunOpticalDepthGridKeeps::all)),
       far_(std::make_unique<SunOpticalDepthGrid>("far sun optical depth", SunOpticalDepthGridKeeps::all)),
-      fineShadowMap_(
-          std::make_unique<SunOpticalDepthGrid>("fine cloud shadow map", SunOpticalDepthGridKeeps::base)),
-      coarseShadowMap_(
-          std::make_unique<SunOpticalDepthGrid>("coarse cloud shadow map", SunOpticalDepthGridKeeps::base)),
-      uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {}
+      uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {
+  forgetShadowMap();
+}
 
 CloudSystem::~CloudSystem() = default;
+
+void CloudSystem::forgetShadowMap() {
+  constexpr auto kBase = SunOpticalDepthGridKeeps::base;
+  fineShadowMap_ = std::make_unique<SunOpticalDepthGrid>("fine cloud shadow map", kBase);
+  coarseShadowMap_ = std::make_unique<SunOpticalDepthGrid>("coarse cloud shadow map", kBase);
+}
 
 void CloudSystem::apply(const clouds::CloudSettings& settings, const core::WindSettings& wind) {
   bool forgetsLight = settings.march.detail != settings_.march.detail;
@@ -183,8 +187,8 @@ void CloudSystem::marchMultiDispatch() {
   const gl::Functions& api = context_.api();
   const int width = light_.width(), height = light_.height();
   if (!rayLight_ || rayLight_.width() != width || rayLight_.height() != height) {
-    rayLight_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "carried light");
-    rayState_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "carried way");
+    rayLight_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "ray light");
+    rayState_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "ray state");
   }
   const std::array<float, 4> untouched = {0, 0, 0, 1};
   api.ClearTexImage(rayLight_.id(), 0, GL_RGBA, GL_FLOAT, untouched.data());

@@ -72,6 +72,11 @@ void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders,
                                  const SunOpticalDepthGridLayout& layout,
                                  const clouds::CloudLayerSettings& layer,
                                  const clouds::CloudSettings& settings, double meanDetail) {
+  std::vector<std::string> defines;
+  if (settings.march.detail) defines.emplace_back("DETAIL");
+  if (keeps_ == SunOpticalDepthGridKeeps::base) defines.emplace_back("BASE_ALONE");
+  // Asked for in every frame: a program that frames need now and then counts as used.
+  gl::ComputeShader& shader = shaders.computeShader("clouds/sun_optical_depth_grid.comp", defines);
   if (layout == layout_) return;
   if (!depths_ || layout.nodes != layout_.nodes) {
     const int layers = keeps_ == SunOpticalDepthGridKeeps::all ? layout.nodes.z : 1;
@@ -82,10 +87,6 @@ void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders,
   uniforms_.writeValue(0, fieldUniforms(layer, settings.fadeDistance, layout.foot, meanDetail));
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
   depths_.bindImage(0, GL_WRITE_ONLY);
-  std::vector<std::string> defines;
-  if (settings.march.detail) defines.emplace_back("DETAIL");
-  if (keeps_ == SunOpticalDepthGridKeeps::base) defines.emplace_back("BASE_ALONE");
-  gl::ComputeShader& shader = shaders.computeShader("clouds/sun_optical_depth_grid.comp", defines);
   shader.setVec3("along", glm::vec3(layout.along));
   shader.setVec3("across", glm::vec3(layout.across));
   shader.setVec3("sunward", glm::vec3(layout.sunward));

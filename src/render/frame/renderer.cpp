@@ -99,9 +99,18 @@ void Renderer::composeLayer(std::exception_ptr& failure) {
   tried(layer_->name(), {}, failure, [&] { layer_->compose(context_, shaders_); });
 }
 
-void Renderer::draw(const FrameInput& asked) { drawPasses(asked, Which::drawn, std::nullopt); }
+void Renderer::draw(const FrameInput& asked) { drawPasses(asked, Which::drawn, nullptr); }
 
-bool Renderer::warmUp(const FrameInput& asked, double budgetMs) {
+bool Renderer::warmUp(const FrameInput& asked, double budgetMs, std::size_t& drawn) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::size_t before = drawn;
+  const auto goesOn = [&](std::size_t count) {
+    drawn = count;
+    if (count <= before) return true;
+    context_.api().Finish();  // a software renderer compiles when it draws
+    const auto passed = std::chrono::steady_clock::now() - begin;
+    return std::chrono::duration<double, std::milli>(passed).count() < budgetMs;
+  };
   targets_ = &unseen_;
   timer_.setPaused(true);
   auto skippedInDraw = std::exchange(skipped_, {});
@@ -111,7 +120,7 @@ bool Renderer::warmUp(const FrameInput& asked, double budgetMs) {
     skipped_ = std::move(skippedInDraw);
   };
   try {
-    const bool complete = drawPasses(asked, Which::all, budgetMs);
+    const bool complete = drawPasses(asked, Which::all, goesOn);
     restore();
     return complete;
   } catch (...) {
@@ -120,14 +129,7 @@ bool Renderer::warmUp(const FrameInput& asked, double budgetMs) {
   }
 }
 
-bool Renderer::drawPasses(const FrameInput& asked, Which which, std::optional<double> budgetMs) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto isUsedUp = [&] {
-    if (!budgetMs) return false;
-    context_.api().Finish();  // a software renderer compiles when it draws
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() >
-           *budgetMs;
-  };
+bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& goesOn) {
   requireValid(asked.view);
   context_.makeCurrent();
   resize(asked.view.width, asked.view.height);
@@ -160,6 +162,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, std::optional<do
   if (layer_) skipped_.emplace(layer_->name(), layer_->skipReason(settings_, {}).value_or(""));
   bool layered = false;  // the layer is the target
   bool complete = true;
+  std::size_t count = 0;
   std::exception_ptr failure;
   for (const Entry& entry : passes_) {
     if (entry.held && which == Which::drawn) continue;
@@ -176,7 +179,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, std::optional<do
     if (!layered) bindTarget(pass.stage());
     context_.setDefaultState();
     tried(pass.name(), entry.group, failure, [&] { pass.draw(frame); });
-    if (&entry != &passes_.back() && isUsedUp()) {
+    if (goesOn && !goesOn(++count) && &entry != &passes_.back()) {
       complete = false;
       break;
     }

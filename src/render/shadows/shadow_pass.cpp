@@ -19,7 +19,8 @@ std::vector<ShadowCaster> ShadowPass::castersIn(const FrameInput& frame) const {
 }
 
 void ShadowPass::remove(std::string_view owner) {
-  std::erase_if(sources_, [&](const OwnedSource& owned) { return owned.owner == owner; });
+  const auto isTheirs = [&](const OwnedSource& owned) { return owned.owner == owner; };
+  if (std::erase_if(sources_, isTheirs) > 0) shadows_ = {};  // those that are left need fewer maps
 }
 
 std::optional<std::string> ShadowPass::skipReason(const FrameInput& frame) const {

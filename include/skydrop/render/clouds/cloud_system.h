@@ -48,6 +48,8 @@ class CloudSystem final : public Pass {
   // shadowSkipReason() gives no reason why there are no shadows. Throws core::DataError where a shader does
   // not compile.
   CloudShadowMap shadowMap(FrameContext& context);
+  // Gives up what shadowMap() has made; it is made again when it is asked for.
+  void forgetShadowMap();
   std::optional<std::string> shadowSkipReason(const FrameInput& frame) const;
 
   // What the last frame that was not skipped marched; 0 before the first. Waits for the GPU.

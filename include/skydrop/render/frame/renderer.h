@@ -69,11 +69,12 @@ class Renderer {
   void draw(const FrameInput& input);
 
   // Draws a frame of the view's size that nobody sees, those passes included that are held, so that no later
-  // frame has to wait for what they compile: pass by pass from the first, until `budgetMs` are used up after
-  // any of them. True when all were drawn; until then it is to be called again. Keep the view small: targets
-  // of its size are kept until endWarmUp(). To be called before the draw() of a frame, whose times and counts
-  // it leaves alone. Throws what draw() throws.
-  bool warmUp(const FrameInput& input, double budgetMs);
+  // frame has to wait for what they compile. Pass by pass from the first: those that earlier calls have
+  // drawn, at least one more, and then more until `budgetMs` are used up. `drawn`: how many passes earlier
+  // calls for this frame have drawn, 0 at first; it is moved on. True when all were drawn. Keep the view
+  // small: targets of its size are kept until endWarmUp(). To be called before the draw() of a frame, whose
+  // times and counts it leaves alone. Throws what draw() throws.
+  bool warmUp(const FrameInput& input, double budgetMs, std::size_t& drawn);
   void endWarmUp() { unseen_ = {}; }
 
   // Linear light of the last frame.
@@ -110,8 +111,10 @@ class Renderer {
   enum class Which { drawn, all };
 
   void resize(int width, int height);
-  // False when it ended because the budget was used up.
-  bool drawPasses(const FrameInput& input, Which which, std::optional<double> budgetMs);
+  // Asked after each pass whether to go on with the next.
+  using GoesOn = std::function<bool(std::size_t passesDrawn)>;
+  // False when it ended before the last pass.
+  bool drawPasses(const FrameInput& input, Which which, const GoesOn& goesOn);
   void bindTarget(RenderStage stage);
   // Whether the passes of the layer's stage go into it in this frame; it is then the target.
   bool beginLayer(const FrameInput& input, Which which);

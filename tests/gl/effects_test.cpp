@@ -1,0 +1,250 @@
+// Only the effects that a scene calls for: each effect of the table is proven by the same tests, so a new one
+// is proven the day it is added.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/effect_table.h"
+#include "app/session/preparations.h"
+#include "app/session/run_config.h"
+#include "app/session/scene_renderer.h"
+#include "skydrop/core/hash.h"
+#include "skydrop/render/frame/tone_map_pass.h"
+#include "support/gl_test.h"
+#include "support/process_memory.h"
+#include "support/shared_noise.h"
+
+namespace skydrop::app {
+namespace {
+
+using render::gl::ObjectKind;
+using scene::Effect;
+using scene::EffectSet;
+
+constexpr Size kSize{64, 36};
+
+std::vector<Effect> allEffects() {
+  std::vector<Effect> effects;
+  for (std::size_t i = 0; i < scene::kEffectNames.size(); ++i) effects.push_back(static_cast<Effect>(i));
+  return effects;
+}
+
+EffectSet everything() {
+  EffectSet set;
+  for (const Effect effect : allEffects()) set.insert(effect);
+  return set;
+}
+
+// Without the effect and all that rest on it.
+EffectSet without(EffectSet set, Effect effect) {
+  set.erase(effect);
+  for (std::size_t round = 0; round < scene::kEffectNeeds.size(); ++round) {
+    for (const scene::EffectNeed& need : scene::kEffectNeeds) {
+      if (!set.contains(need.needs)) set.erase(need.effect);
+    }
+  }
+  return scene::effective(set);
+}
+
+// The table of a program that does not know the effect.
+std::vector<EffectDescriptor> tableWithout(Effect effect) {
+  std::vector<EffectDescriptor> table = effectTable();
+  std::erase_if(table, [&](const EffectDescriptor& row) { return row.effect == effect; });
+  for (EffectDescriptor& row : table) {
+    std::erase_if(row.joints, [&](const EffectDescriptor::Joint& joint) { return joint.with == effect; });
+  }
+  return table;
+}
+
+// Everything that could be left behind.
+struct Ledger {
+  std::array<std::int64_t, render::gl::kObjectKindCount> objects{};
+  std::uint64_t bytes = 0;
+  std::map<std::string, render::gl::PassCounts> passes;
+  std::size_t threads = 0, openFiles = 0;
+  bool operator==(const Ledger&) const = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const Ledger& ledger) {
+  out << "objects";
+  for (const std::int64_t count : ledger.objects) out << ' ' << count;
+  out << ", " << ledger.bytes << " bytes, " << ledger.threads << " threads, " << ledger.openFiles
+      << " files;";
+  for (const auto& [pass, counts] : ledger.passes)
+    out << ' ' << pass << ' ' << counts.draws << '+' << counts.dispatches;
+  return out;
+}
+
+std::size_t entriesIn(const char* folder) {
+  std::error_code error;
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, error),
+                                                std::filesystem::directory_iterator()));
+}
+
+// A scene with these effects as it flies in a window, without the window.
+class Flight {
+ public:
+  Flight(render::gl::Context& context, const EffectSet& effects,
+         const std::vector<EffectDescriptor>& table = effectTable())
+      : context_(context), table_(table), run_(prepareRun(lineOf(effects))), preparations_(table_) {
+    preparations_.begin(effects, Preparation::Maker::processor);
+    preparations_.waitUntilReady();
+    simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
+    sceneRenderer_ =
+        std::make_unique<SceneRenderer>(context,
+                                        SceneRenderer::Setup{effects, simulation_->ground(), 1, false,
+                                                             preparations_.results(effects), &table_},
+                                        run_->settings);
+    sceneRenderer_->warmUp(snapshot(), kSize);
+    settle();
+  }
+
+  // What is drawn: where the world is, or a place that pictures of several flights have in common.
+  game::Snapshot snapshot() const { return shown_ ? *shown_ : simulation_->world().now(); }
+  void show(const game::Snapshot& snapshot) { shown_ = snapshot; }
+  Simulation& simulation() { return *simulation_; }
+  SceneRenderer& sceneRenderer() { return *sceneRenderer_; }
+
+  void settle() { sceneRenderer_->draw(snapshot(), kSize, Streaming::settled); }
+
+  core::Image picture() {
+    settle();
+    return sceneRenderer_->renderer().readBack();
+  }
+
+  void fly(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds * 120); ++i) {
+      simulation_->step({});
+      if (i % 40 == 0) sceneRenderer_->draw(snapshot(), kSize, Streaming::asItComes);
+    }
+  }
+
+  // As WindowGame does it. Returns the frames that it took.
+  int switchTo(const EffectSet& effects) {
+    run_->settings.effects = EffectSwitches(effects);
+    simulation_->apply({"effects"});
+    EXPECT_EQ(simulation_->effects(), effects);
+    preparations_.begin(effects, Preparation::Maker::processor);
+    sceneRenderer_->beginSwitch(effects, simulation_->ground());
+    preparations_.keepOnly(effects);
+    preparations_.waitUntilReady();
+    int frames = 0;
+    for (; sceneRenderer_->isSwitching(); ++frames) {
+      sceneRenderer_->continueSwitch(preparations_.results(effects), snapshot());
+      sceneRenderer_->draw(snapshot(), kSize, Streaming::asItComes);
+      EXPECT_LT(frames, 100000) << "a switch that never ends";
+    }
+    return frames;
+  }
+
+  Ledger ledger() {
+    settle();
+    Ledger ledger;
+    const render::gl::GpuResourceTracker& resources = context_.resources();
+    for (int i = 0; i < render::gl::kObjectKindCount; ++i)
+      ledger.objects[static_cast<std::size_t>(i)] = resources.live(static_cast<ObjectKind>(i));
+    ledger.bytes = resources.bytes();
+    ledger.passes = resources.passes();
+    ledger.threads = entriesIn("/proc/self/task");
+    ledger.openFiles = entriesIn("/proc/self/fd");
+    return ledger;
+  }
+
+ private:
+  static CommandLine lineOf(const EffectSet& effects) {
+    CommandLine line;
+    line.verb = Verb::render;
+    line.set = {"quality=low"};
+    for (const Effect effect : allEffects()) {
+      line.set.push_back("effects." + std::string(scene::nameOf(effect)) + "=" +
+                         (effects.contains(effect) ? "true" : "false"));
+    }
+    return line;
+  }
+
+  render::gl::Context& context_;
+  std::optional<game::Snapshot> shown_;
+  std::vector<EffectDescriptor> table_;
+  std::unique_ptr<RunConfig> run_;
+  Preparations preparations_;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<SceneRenderer> sceneRenderer_;
+};
+
+class EffectGLTest : public test::GLTest, public testing::WithParamInterface<Effect> {
+ protected:
+  void SetUp() override {
+    setenv("XDG_CACHE_HOME", test::sharedCacheHome().c_str(), 1);
+    test::sharedNoise();
+    test::GLTest::SetUp();
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, EffectGLTest, testing::ValuesIn(allEffects()),
+                         [](const auto& effect) { return std::string(scene::nameOf(effect.param)); });
+
+TEST_P(EffectGLTest, aSceneWithoutItIsThatOfAProgramWithoutIt) {
+  // Objects, bytes, draws, dispatches, threads, files and every pixel are those of a program whose table has
+  // no row for the effect.
+  const EffectSet set = without(everything(), GetParam());
+  Ledger off, absent;
+  core::Image offPicture, absentPicture;
+  {
+    Flight flight(context(), set);
+    off = flight.ledger();
+    offPicture = flight.picture();
+  }
+  {
+    Flight flight(context(), set, tableWithout(GetParam()));
+    absent = flight.ledger();
+    absentPicture = flight.picture();
+  }
+  EXPECT_EQ(off, absent);
+  EXPECT_EQ(offPicture.rgba, absentPicture.rgba);
+}
+
+TEST_P(EffectGLTest, switchedOffAndOnItIsAsIfTheSceneHadBegunSo) {
+  const EffectSet all = everything(), less = without(all, GetParam());
+  Ledger begunWith, begunWithout;
+  core::Image with, withoutIt;
+  const game::Snapshot shown = Flight(context(), all).snapshot();
+  {
+    Flight flight(context(), less);
+    flight.show(shown);
+    begunWithout = flight.ledger();
+    withoutIt = flight.picture();
+  }
+  Flight flight(context(), all);
+  flight.show(shown);
+  begunWith = flight.ledger();
+  with = flight.picture();
+  flight.switchTo(less);
+  EXPECT_EQ(flight.ledger(), begunWithout);
+  EXPECT_EQ(flight.picture().rgba, withoutIt.rgba);
+  flight.switchTo(all);
+  EXPECT_EQ(flight.ledger(), begunWith);
+  EXPECT_EQ(flight.picture().rgba, with.rgba);
+}
+
+TEST_P(EffectGLTest, switchedAHundredTimesItLeavesNothingBehind) {
+  const EffectSet all = everything(), less = without(all, GetParam());
+  Flight flight(context(), all);
+  for (int i = 0; i < 5; ++i) flight.switchTo(less), flight.switchTo(all);
+  const Ledger before = flight.ledger();
+  const std::size_t memoryBefore = test::heapBytes();
+  for (int i = 0; i < 95; ++i) flight.switchTo(less), flight.switchTo(all);
+  EXPECT_EQ(flight.ledger(), before);
+  // What a driver keeps of each program that it ever compiled is not ours to free: a few KiB a time.
+  std::printf("heap %+.0f KiB in 95 rounds\n",
+              (static_cast<double>(test::heapBytes()) - static_cast<double>(memoryBefore)) / 1024);
+}
+
+}  // namespace
+}  // namespace skydrop::app
