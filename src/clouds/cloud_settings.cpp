@@ -32,6 +32,7 @@ void describeLayer(core::SettingsVisitor& visitor, CloudLayerSettings& s, const 
     bool logarithmic = false;
     std::optional<core::Range> slider = std::nullopt;
     core::FieldNote note = {};
+    core::TakesEffect takesEffect = core::TakesEffect::liveRebuild;  // of the field (isSameField)
   };
   const auto number = [&](std::string_view name, double& value, std::string_view unit, double min, double max,
                           const Row& row) {
@@ -40,6 +41,7 @@ void describeLayer(core::SettingsVisitor& visitor, CloudLayerSettings& s, const 
                     .min = min,
                     .max = max,
                     .help = row.help,
+                    .takesEffect = row.takesEffect,
                     .logarithmic = row.logarithmic,
                     .slider = row.slider,
                     .aliases = row.aliases,
@@ -58,7 +60,8 @@ void describeLayer(core::SettingsVisitor& visitor, CloudLayerSettings& s, const 
   number(
       "anisotropy", s.anisotropy, "1", -0.9, 0.95,
       {.help = "Henyey-Greenstein's mean cosine; more sends light onward and lights edges against the sun.",
-       .aliases = "HG, g, Henyey-Greenstein, phase function, scattering"});
+       .aliases = "HG, g, Henyey-Greenstein, phase function, scattering",
+       .takesEffect = core::TakesEffect::live});
   number("extinction", s.extinction, "1/m", 0, 1,
          {.help = "Of the densest cloud; more makes it opaque.",
           .aliases = "SIGMA, absorption, opacity, density, Beer",
@@ -96,7 +99,8 @@ void describeLayer(core::SettingsVisitor& visitor, CloudLayerSettings& s, const 
           .slider = core::Range{0, 0.7}});
   number("forwardShare", s.forwardShare, "1", 0, 1,
          {.help = "Share of the light that goes nearly straight on; more makes silver edges against the sun.",
-          .aliases = "silver lining, phase function, scattering"});
+          .aliases = "silver lining, phase function, scattering",
+          .takesEffect = core::TakesEffect::live});
 }
 
 }  // namespace
@@ -184,6 +188,7 @@ void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
                   .min = 1000,
                   .max = 60000,
                   .help = "Clouds have faded out at this distance; more costs time.",
+                  .takesEffect = core::TakesEffect::liveRebuild,  // where it bounds the weather's period
                   .aliases = "draw distance, view distance, range"});
   visitor.choice("tier", s.tier, kCloudTierNames,
                  {.help = "How exactly clouds are drawn: sets the rows of the march.",

@@ -86,4 +86,12 @@ glm::dvec3 transmittance(const Atmosphere& air, double fromHeightM, double toHei
   return shared::transmittanceBetween(air, fromHeightM, toHeightM, lengthM);
 }
 
+glm::dvec3 applyAerialPerspective(const SkyLight& light, const glm::dvec3& radiance, double eyeHeightM,
+                                  const glm::dvec3& relative) {
+  const double distance = glm::length(relative);
+  const glm::dvec3 kept = transmittance(light.air, eyeHeightM, eyeHeightM + relative.y, distance);
+  const double cosine = glm::dot(relative, light.toSun) / std::max(distance, 1e-6);
+  return radiance * kept + horizonRadiance(light, cosine) * (1.0 - kept);
+}
+
 }  // namespace skydrop::sky

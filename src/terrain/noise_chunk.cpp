@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <memory>
@@ -273,6 +274,7 @@ void fillGullyNodes(const LandShape<float>& shape, const LandOctaves& octaves, c
 
 bool fillNoiseChunk(const LandShape<float>& shape, const LandOctaves& octaves, const RowKernels& kernels,
                     const ChunkKey& key, const std::stop_token& stop, ChunkData& out) {
+  assert(out.heightRange == HeightRange{});  // what the kernels encode over
   if (stop.stop_requested()) return false;
   const double step = cellMetres(key.level);
   const int reach = normalReach(key.level), side = kChunkSamples + 2 * reach;

@@ -36,6 +36,8 @@ std::string_view effectText(TakesEffect effect) {
   switch (effect) {
     case TakesEffect::live:
       return "Takes effect at once.";
+    case TakesEffect::liveRebuild:
+      return "Takes effect at once; each change rebuilds a part.";
     case TakesEffect::variant:
       return "Compiles a shader when released.";
     case TakesEffect::rebuild:

@@ -163,7 +163,7 @@ RowOutcome RowEditor::drawSlider(const Field& field, ScreenRect& place) {
     }
   }
   if (ImGui::IsItemActivated()) press_ = Press{field.path, before};
-  if (field.takesEffect == core::TakesEffect::live) {
+  if (core::isWhileHeld(field.takesEffect)) {
     outcome.held = ImGui::IsItemActive();
     if (edited) outcome.value = value;
     return outcome;

@@ -102,7 +102,7 @@ TEST(Settings, theThesisWeatherParametersHaveRowsThatTakeEffectAtOnce) {
   for (auto field = first; field != table.fields().end() && field->group == layer; ++field, ++i) {
     EXPECT_EQ(ui::sectionOf(sections, *field)->title, "Weather") << field->path;
     if (field->kind == core::FieldKind::number) {
-      EXPECT_EQ(field->takesEffect, core::TakesEffect::live) << field->path;
+      EXPECT_TRUE(core::isWhileHeld(field->takesEffect)) << field->path;
     }
     if (i >= std::size(values)) continue;
     EXPECT_EQ(field->path, layer + "." + values[i].first);

@@ -175,9 +175,9 @@ TEST_F(SkyGLTest, hazeIsThatOfTheAirBetween) {
       const View view = pose({0, height, 0}, 60, 0, 0);
       renderer.draw({.view = view, .features = {.haze = true}});
       const SkyLight light = skyLight(settings_, height);
-      const glm::dvec3 taken =
-          1.0 - glm::exp(-core::shared::f64::opticalDepthBetween(light.air, height, height, distance));
-      const glm::dvec3 expected = skyRadiance(light, view.forward()) * taken * light.exposure;
+      const glm::dvec3 expected =
+          sky::applyAerialPerspective(light, glm::dvec3(0), height, view.forward() * distance) *
+          light.exposure;
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(static_cast<double>(light_[0][c]) / expected[c], 1, 1e-3) << height;
     }

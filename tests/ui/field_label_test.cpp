@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <string>
+#include <utility>
 
 namespace skydrop::ui {
 namespace {
@@ -48,6 +50,20 @@ TEST(FieldLabel, theTooltipHasOtherNamesBothRangesAndTheNote) {
       tooltipText(field),
       "Of the billows.\nRepeats after 3 km.\nAlso called size, frequency.\nSlider 1 to 2 m.\nTyped 1 to 4 m."
       "\nDefault 0 m.\nTakes effect at once.\nclouds.scale");
+}
+
+TEST(FieldLabel, theTooltipSaysWhenAChangeTakesEffectAndWhatItRebuilds) {
+  core::Field field;
+  using core::TakesEffect;
+  for (const auto& [effect, text] :
+       {std::pair(TakesEffect::live, "\nTakes effect at once.\n"),
+        std::pair(TakesEffect::liveRebuild, "\nTakes effect at once; each change rebuilds a part.\n"),
+        std::pair(TakesEffect::variant, "\nCompiles a shader when released.\n"),
+        std::pair(TakesEffect::rebuild, "\nRebuilds a part when released.\n"),
+        std::pair(TakesEffect::restart, "\nLoads the flight again when released.\n")}) {
+    field.takesEffect = effect;
+    EXPECT_NE(tooltipText(field).find(text), std::string::npos) << tooltipText(field);
+  }
 }
 
 }  // namespace

@@ -56,9 +56,14 @@ inline void describe(core::SettingsVisitor& visitor, Weather& w) {
   visitor.number(
       "scale", w.scale,
       {.unit = "%", .min = 0.001, .max = 4, .help = "Low: bigger, fluffier.", .slider = core::Range{0.5, 1}});
-  visitor.number(
-      "cell", w.cell,
-      {.unit = "m", .min = 4, .max = 512, .help = "Of the map.", .logarithmic = true, .powersOfTwo = true});
+  visitor.number("cell", w.cell,
+                 {.unit = "m",
+                  .min = 4,
+                  .max = 512,
+                  .help = "Of the map.",
+                  .takesEffect = core::TakesEffect::liveRebuild,
+                  .logarithmic = true,
+                  .powersOfTwo = true});
   visitor.integer("seed", w.seed, {"1", 0, 1e15, "Of the sky."});
 }
 

@@ -91,6 +91,17 @@ TEST_F(MenuTypingTest, aClickOnASlowSliderTakesEffectOnceNoSecondOneCanFollow) {
   EXPECT_THAT(changed, ::testing::ElementsAre("aircraft.mass"));
 }
 
+TEST_F(MenuTypingTest, aSliderWhoseChangesRebuildAPartIsFollowedWhileItIsHeld) {
+  sections = {{"weather", "Weather", true}};
+  driver.frames(2);
+  drag("weather.cell", 0.5f, 0.9f);
+  driver.frames(2);
+  const double held = settings.weather.cell;
+  EXPECT_GT(held, 64) << "not released yet";
+  release("weather.cell", 0.9f);
+  EXPECT_EQ(settings.weather.cell, held);
+}
+
 TEST_F(MenuTypingTest, aRangeTooWideForASliderIsTypedOrRefused) {
   sections = {{"weather", "Weather", true}};
   driver.frames(2);

@@ -22,7 +22,10 @@ TEST(CloudSettings, onlyHowLightScattersLeavesTheFieldOfALayer) {
     ++rows;
     changed = CloudSettings();
     field.set(field.isDefault() && field.get() == field.max ? field.min : field.max);
-    EXPECT_EQ(isSameField(changed, CloudSettings(), 0), scattering.contains(field.name)) << field.path;
+    const bool same = isSameField(changed, CloudSettings(), 0);
+    EXPECT_EQ(same, scattering.contains(field.name)) << field.path;
+    EXPECT_EQ(field.takesEffect, same ? core::TakesEffect::live : core::TakesEffect::liveRebuild)
+        << field.path << ": the tooltip says what a drag costs";
   }
   EXPECT_EQ(rows, 12);
 }
@@ -32,6 +35,7 @@ TEST(CloudSettings, theFadeDistanceChangesTheFieldWhereItBoundsTheWeathersPeriod
   near.fadeDistance = 1000;
   far.fadeDistance = 60000;
   EXPECT_FALSE(isSameField(near, far, 0));
+  EXPECT_EQ(core::SettingsTable(near).at("fadeDistance").takesEffect, core::TakesEffect::liveRebuild);
   near.march.stepM = 99;
   EXPECT_TRUE(isSameField(near, near, 0));
 }

@@ -31,6 +31,23 @@ TEST(Sky, transmittanceIsTheExponentialOfTheOpticalDepth) {
   for (int c = 0; c < 3; ++c) EXPECT_EQ(left[c], std::exp(-depth[c]));
 }
 
+TEST(Sky, airTakesOfALightAndAddsThatOfTheHorizon) {
+  // At no distance a light is as it is. Far away its own share is what the path lets through, and all that is
+  // taken is made up by the horizon's light: a surface as bright as that is seen unchanged from anywhere on
+  // its level.
+  const SkyLight light = lightAt(30, 500);
+  const glm::dvec3 own(3, 2, 1), place = glm::normalize(glm::dvec3(2, 0, -1)) * 8000.0;
+  EXPECT_EQ(applyAerialPerspective(light, own, 500, glm::dvec3(0)), own);
+  const glm::dvec3 black = applyAerialPerspective(light, glm::dvec3(0), 500, place);
+  const glm::dvec3 lit = applyAerialPerspective(light, own, 500, place);
+  const glm::dvec3 horizon = horizonRadiance(light, glm::dot(place / 8000.0, light.toSun));
+  const glm::dvec3 unchanged = applyAerialPerspective(light, horizon, 500, place);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR((lit - black)[c], own[c] * transmittance(light.air, 500, 500, 8000)[c], 1e-12);
+    EXPECT_NEAR(unchanged[c] / horizon[c], 1, 1e-12);
+  }
+}
+
 TEST(Sky, noonIsAsBrightAsMeasured) {
   // With the sun at 60 degrees and clean air: 90 to 120 klx on a surface that faces it, 3 to 20 klx from the
   // sky (CIE: about a tenth of the total), and average land sends 12 % of what falls on it back.

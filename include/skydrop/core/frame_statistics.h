@@ -1,4 +1,11 @@
-// What a run measured, as plain data: written by --stats, drawn by the menu. Times in milliseconds.
+// What a run measured, as plain data: written by --stats, drawn by the menu. Times in milliseconds, times and
+// counts
+// >= 0. A value: any thread.
+//
+// It lies in core because render fills a part of it, ui draws it, and app fills the rest and writes it as
+// JSON: none of the three may include another's. It is numbers and names, of which core computes none and
+// means nothing by them; held by app, the parts of land, game and window would leave render and ui with a
+// second struct to be copied from.
 #pragma once
 
 #include <cstdint>
@@ -43,10 +50,12 @@ struct TerrainStatistics {
   std::int64_t coarsened = 0;  // chunks drawn coarser than wanted because a budget was full
 };
 
+// Of the world after its last step; angles and place those of the aircraft.
 struct GameStatistics {
-  std::int64_t score = 0, drops = 0, misses = 0, targets = 0;
-  double position[3] = {0, 0, 0};
-  double airspeedMps = 0, throttle = 0;              // of the aircraft; 0..1
+  std::int64_t score = 0, drops = 0, misses = 0;
+  std::int64_t targets = 0;                          // drawn so far
+  double position[3] = {0, 0, 0};                    // m, world
+  double airspeedMps = 0, throttle = 0;              // m/s; 0..1
   double headingDeg = 0, pitchDeg = 0, bankDeg = 0;  // degrees; compass, nose up, right wing down
 };
 

@@ -20,9 +20,15 @@
 
 namespace skydrop::core {
 
-// How a change takes effect: at the next step or frame; or, when a slider is released, by compiling a shader
-// variant, by rebuilding a part, or by starting the flight again with land and sky reloaded.
-enum class TakesEffect { live, variant, rebuild, restart };
+// How a change takes effect. While a slider is held, at the next step or frame: at no cost, or (liveRebuild)
+// with a part rebuilt for each change on the main thread, which a tuner rather waits for (tens of ms) than
+// works blind. When a slider is released: by compiling a shader variant, by rebuilding a part, or by starting
+// the flight again with land and sky reloaded.
+enum class TakesEffect { live, liveRebuild, variant, rebuild, restart };
+
+constexpr bool isWhileHeld(TakesEffect effect) {
+  return effect == TakesEffect::live || effect == TakesEffect::liveRebuild;
+}
 
 struct Range {
   double min, max;

@@ -21,16 +21,18 @@ double parachuteOpenAt(const PackageSettings& settings, double age);
 // Drag rate in 1/s at a share of opening. Terminal speed is kGravity over it.
 double dragRateAt(const PackageSettings& settings, double open);
 
-// One step of the translation: the drag rate is that of the middle of the step, everything else exact.
-PointState packageStep(const PackageSettings& settings, const PointState& state, double age,
-                       const glm::dvec3& wind, double dt);
+// The translation over dt >= 0 seconds from `age` (s since the release) on. Exact but while the canopy opens,
+// where the error is of order 4; the step is cut where the opening begins and ends, wherever in it that is.
+PointState packageStep(const PackageSettings& settings, PointState state, double age, const glm::dvec3& wind,
+                       double dt);
 
 class Package {
  public:
   // Released from a body in this state. Throws core::RangeError when settings or state are unusable.
   Package(const PackageSettings& settings, const BodyState& release);
 
-  // Advances by dt > 0 seconds; a landed package stays as it is.
+  // Advances by dt > 0 seconds; a landed package stays as it is. Translation and rotation are of order 4,
+  // also in steps in which the opening begins or ends.
   void step(const glm::dvec3& wind, double dt);
   // Comes to rest at this position.
   void land(const glm::dvec3& position);

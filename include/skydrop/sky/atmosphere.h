@@ -59,4 +59,10 @@ glm::dvec3 sunIlluminance(const SkyLight& light, double heightM);
 glm::dvec3 opticalDepth(const Atmosphere& air, double fromHeightM, double toHeightM, double lengthM);
 glm::dvec3 transmittance(const Atmosphere& air, double fromHeightM, double toHeightM, double lengthM);
 
+// A radiance as it reaches the eye, at eyeHeightM, from a place `relative` to it (m, world axes; length 0: as
+// it is): what the air leaves of it, and the light of the air between, which is that of the horizon. As
+// applyAerialPerspective of shaders/sky/atmosphere.glsl with HAZE. `light`: of the eye's height.
+glm::dvec3 applyAerialPerspective(const SkyLight& light, const glm::dvec3& radiance, double eyeHeightM,
+                                  const glm::dvec3& relative);
+
 }  // namespace skydrop::sky

@@ -11,8 +11,10 @@
 namespace skydrop::terrain {
 
 // The same settings and seed give the same bits everywhere. Throws core::RangeError when a setting is outside
-// its described range. Heights lie inside HeightRange{} for any settings: the last few
-// hundred metres are a soft limit.
+// its described range. Heights lie inside HeightRange{} for any settings: the last few hundred metres are a
+// soft limit. So its range() and storedRange() are always HeightRange{}: one range serves all settings,
+// chunks of two worlds decode alike, and the row kernels encode with its constants, whose step is a power of
+// two. A source of wider land (a map of the earth) states a range of its own.
 std::shared_ptr<const HeightSource> makeNoiseHeightSource(const TerrainSettings& settings,
                                                           std::uint64_t seed);
 

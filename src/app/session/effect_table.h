@@ -1,6 +1,9 @@
 // The one table that says what each effect needs. Nothing else decides what runs: what no effect of the scene
 // names is not constructed. Which effects need others is the scene's business (scene::requiredEffects),
 // because the simulation must know it too.
+//
+// A row holds all of an effect on purpose, the titles of its menu sections beside its passes: one who adds an
+// effect reads and writes one place, and what no row names exists nowhere.
 #pragma once
 
 #include <memory>

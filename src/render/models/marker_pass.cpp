@@ -68,16 +68,10 @@ bool isPotentiallyVisible(const View& view, const Box& box) {
   return render::isPotentiallyVisible(view, corners);
 }
 
-// applyAerialPerspective of shaders/sky/atmosphere.glsl: once for a whole part, because haze hardly changes
-// over 600 m.
-glm::dvec3 applyAerialPerspective(const FrameContext& context, const glm::dvec3& radiance,
-                                  const glm::dvec3& relative) {
+// Once for a whole part, because haze hardly changes over 600 m.
+glm::dvec3 throughAir(const FrameContext& context, const glm::dvec3& radiance, const glm::dvec3& relative) {
   if (!context.frame.features.haze) return radiance;
-  const SkyLight& light = context.light;
-  const double eyeHeight = context.frame.view.position.y, distance = glm::length(relative);
-  const glm::dvec3 kept = sky::transmittance(light.air, eyeHeight, eyeHeight + relative.y, distance);
-  const double cosine = glm::dot(relative, light.toSun) / std::max(distance, 1e-6);
-  return radiance * kept + sky::horizonRadiance(light, cosine) * (1.0 - kept);
+  return sky::applyAerialPerspective(context.light, radiance, context.frame.view.position.y, relative);
 }
 
 }  // namespace
@@ -130,8 +124,8 @@ void MarkerPass::draw(FrameContext& context) {
     shader.use();
     context.gl.drawArrays(GL_TRIANGLE_STRIP, 0, 14);
   };
-  drawPart("marker/ring.frag", mark.ring, applyAerialPerspective(context, signal, mark.foot));
-  drawPart("marker/beam.frag", mark.beam, applyAerialPerspective(context, signal, densest * kBeamHazeShare));
+  drawPart("marker/ring.frag", mark.ring, throughAir(context, signal, mark.foot));
+  drawPart("marker/beam.frag", mark.beam, throughAir(context, signal, densest * kBeamHazeShare));
 }
 
 }  // namespace skydrop::render
