@@ -9,6 +9,7 @@
 #include "skydrop/core/flag_text.h"
 #include "skydrop/ui/menu.h"
 #include "ui/copy_section.h"
+#include "ui/effect_table_view.h"
 #include "ui/field_label.h"
 #include "ui/key_press.h"
 #include "ui/menu_item.h"
@@ -82,6 +83,8 @@ struct ConfigurationMenu::Parts {
   void drawTools(const MenuContent& content, MenuResult& result);
   void drawSection(const MenuContent& content, const MenuSection& section, const RowFilter& filter,
                    MenuResult& result);
+  void drawFields(const SettingsTable& table, const MenuSection& section, std::span<const Field* const> shown,
+                  MenuResult& result);
   void drawRow(const SettingsTable& table, const Field& field, MenuResult& result);
   void takeKeys(const SettingsTable& table, MenuResult& result);
   void placeWindow(const Interface& context);
@@ -233,6 +236,24 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
     }
     if (!open) return;
   }
+  if (!filter.isActive() && section.group == kEffectsGroup) {
+    if (const Field* switched = drawEffectTable(shown, content.statistics, places))
+      set(*switched, switched->get() != 0 ? 0 : 1, result);
+  } else {
+    drawFields(content.table, section, shown, result);
+  }
+  // At the end, and always there: rows must not move under the mouse while a slider leaves its default.
+  if (!filter.isActive()) {
+    ImGui::PushID(section.group.c_str());
+    if (placedButton("Reset this section", "reset " + section.group, items, changed > 0)) {
+      resetSection(content, section, result);
+    }
+    ImGui::PopID();
+  }
+}
+
+void ConfigurationMenu::Parts::drawFields(const SettingsTable& table, const MenuSection& section,
+                                          std::span<const Field* const> shown, MenuResult& result) {
   if (!ImGui::BeginTable(("fields " + section.group).c_str(), 3, ImGuiTableFlags_SizingStretchProp)) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, kNameShare);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 1 - kNameShare);
@@ -242,23 +263,15 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
   for (const Field* field : shown) {
     if (field->group != group) {
       group = field->group;
-      if (const std::string heading = headingOf(group, section, content.table); !heading.empty()) {
+      if (const std::string heading = headingOf(group, section, table); !heading.empty()) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", heading.c_str());
       }
     }
-    drawRow(content.table, *field, result);
+    drawRow(table, *field, result);
   }
   ImGui::EndTable();
-  // At the end, and always there: rows must not move under the mouse while a slider leaves its default.
-  if (!filter.isActive()) {
-    ImGui::PushID(section.group.c_str());
-    if (placedButton("Reset this section", "reset " + section.group, items, changed > 0)) {
-      resetSection(content, section, result);
-    }
-    ImGui::PopID();
-  }
 }
 
 // What stays in sight whatever is scrolled: lines, search, undo.
@@ -460,8 +473,11 @@ void ConfigurationMenu::setState(MenuState state) {
 }
 
 bool ConfigurationMenu::showsCosts() const {
-  const auto costs = parts_->state.open.find("#costs");
-  return costs != parts_->state.open.end() && costs->second;
+  const auto isOpen = [&](std::string_view group) {
+    const auto section = parts_->state.open.find(std::string(group));
+    return section != parts_->state.open.end() && section->second;
+  };
+  return isOpen("#costs") || isOpen(kEffectsGroup);
 }
 
 const std::map<std::string, MenuRowPlace>& ConfigurationMenu::places() const { return parts_->places; }

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace skydrop::ui {
 namespace {
 
@@ -53,6 +55,14 @@ bool placedButton(const char* label, const std::string& name, ItemPlaces& places
   ImGui::EndDisabled();
   places.insert_or_assign(name, lastItemRect());
   return pressed;
+}
+
+// The next column, flush right.
+void rightCell(const std::string& text) {
+  ImGui::TableNextColumn();
+  const float gap = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(gap, 0.0f));
+  ImGui::TextUnformatted(text.c_str());
 }
 
 std::string fittingText(std::string text, float width) {

@@ -21,6 +21,9 @@ void tooltip(std::string_view text);
 // pressed.
 bool placedButton(const char* label, const std::string& name, ItemPlaces& places, bool enabled = true);
 
+// The next column of a table, flush right.
+void rightCell(const std::string& text);
+
 // `text`, or its beginning and an ellipsis where it is wider than that many pixels.
 std::string fittingText(std::string text, float width);
 

@@ -32,14 +32,6 @@ std::string grouped(std::int64_t value) {
   return text;
 }
 
-// The next column, flush right.
-void rightCell(const std::string& text) {
-  ImGui::TableNextColumn();
-  const float gap = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(gap, 0.0f));
-  ImGui::TextUnformatted(text.c_str());
-}
-
 void row(const char* name, const std::string& value) {
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", name);

@@ -115,7 +115,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(AudioSettings),      SKYDROP_STRUCT(ViewSettings),
       SKYDROP_STRUCT(GamepadSettings),    SKYDROP_STRUCT(InputSettings),
       SKYDROP_STRUCT(Settings),           SKYDROP_STRUCT(WindowMemory),
-      SKYDROP_STRUCT(WindSettings),
+      SKYDROP_STRUCT(WindSettings),       SKYDROP_STRUCT(EffectSwitches),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

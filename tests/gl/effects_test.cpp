@@ -128,7 +128,7 @@ class Flight {
 
   // As WindowGame does it. Returns the frames that it took.
   int switchTo(const EffectSet& effects) {
-    run_->settings.effects = EffectSwitches(effects);
+    run_->settings.effects = switchesOf(effects);
     simulation_->apply({"effects"});
     EXPECT_EQ(simulation_->effects(), effects);
     preparations_.begin(effects, Preparation::Maker::processor);

@@ -20,7 +20,7 @@
 namespace skydrop::ui {
 
 // A collapsing section with the fields of one group of the table, its subgroups included but for those that
-// have a section of their own.
+// have a section of their own. That of the group "effects" has switches with what each effect costs.
 struct MenuSection {
   std::string group;                         // path in the table: "aircraft"; names the section
   std::string title;                         // "Aircraft"
@@ -109,7 +109,7 @@ class ConfigurationMenu {
   const MenuState& state() const;
   void setState(MenuState state);
 
-  // Whether the costs are open: then somebody looks at the times.
+  // Whether the costs or the effects with their bill are open: then somebody looks at the times.
   bool showsCosts() const;
 
   // Rows drawn in the last frame, by path; rows scrolled out of sight included.

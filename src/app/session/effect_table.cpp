@@ -91,7 +91,7 @@ const std::vector<EffectDescriptor>& effectTable() {
 }
 
 std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects) {
-  std::vector<ui::MenuSection> sections;
+  std::vector<ui::MenuSection> sections = {{"effects", "Effects"}};
   for (const EffectDescriptor& row : effectTable()) {
     if (!effects.contains(row.effect)) continue;
     sections.insert(sections.end(), row.menuSections.begin(), row.menuSections.end());

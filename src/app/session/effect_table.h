@@ -47,8 +47,8 @@ struct EffectDescriptor {
 
 const std::vector<EffectDescriptor>& effectTable();
 
-// Sections of the menu: those of the scene's effects in the order of the table, then those that every scene
-// has.
+// Sections of the menu: the switches of all effects, those of the scene's effects in the order of the table,
+// then those that every scene has.
 std::vector<ui::MenuSection> menuSections(const scene::EffectSet& effects);
 
 render::FrameFeatures frameFeatures(const scene::EffectSet& effects,

@@ -35,8 +35,11 @@ std::string_view helpOf(Effect effect) {
 
 }  // namespace
 
-EffectSwitches::EffectSwitches(const scene::EffectSet& effects) {
-  for (std::size_t i = 0; i < on.size(); ++i) on[i] = effects.contains(static_cast<Effect>(i));
+EffectSwitches switchesOf(const scene::EffectSet& effects) {
+  EffectSwitches switches;
+  for (std::size_t i = 0; i < switches.on.size(); ++i)
+    switches.on[i] = effects.contains(static_cast<Effect>(i));
+  return switches;
 }
 
 scene::EffectSet EffectSwitches::set() const {

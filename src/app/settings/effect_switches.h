@@ -10,15 +10,14 @@
 namespace skydrop::app {
 
 struct EffectSwitches {
-  std::array<bool, scene::kEffectNames.size()> on{};
-
-  EffectSwitches() = default;
-  explicit EffectSwitches(const scene::EffectSet& effects);
+  std::array<bool, scene::kEffectNames.size()> on{};  // by scene::Effect
 
   // As they are switched; scene::effective() leaves those out that have nothing to do.
   scene::EffectSet set() const;
   bool operator==(const EffectSwitches&) const = default;
 };
+
+EffectSwitches switchesOf(const scene::EffectSet& effects);
 
 void describe(core::SettingsVisitor& visitor, EffectSwitches& switches);
 

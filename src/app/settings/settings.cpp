@@ -50,7 +50,6 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
 }
 
 void describe(core::SettingsVisitor& visitor, Settings& settings) {
-  visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");
   visitor.group("aircraft", settings.aircraft, "How the aircraft answers the controls.");
   visitor.group("package", settings.package, "The package and its parachute.");
   visitor.group("game", settings.game, "Targets, drops and score.");
@@ -62,6 +61,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("clouds", settings.clouds, "The cloud layers, and how exactly they are drawn.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("audio", settings.audio, "What is heard.");
+  visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");
   visitor.group("view", settings.view, "How the game is looked at.");
   visitor.group("input", settings.input, "How the game is steered.");
   visitor.choice(
