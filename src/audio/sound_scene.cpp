@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "skydrop/core/assets.h"
 
@@ -68,7 +69,18 @@ double SoundScene::enginePitch(double throttle, double airspeed) {
 
 double SoundScene::engineGain(double throttle) { return 0.45 + 0.55 * std::clamp(throttle, 0.0, 1.0); }
 
+std::optional<std::string> SoundScene::skipReason() const {
+  if (audio_.isSilent()) return audio_.status();
+  if (settings_.mute) return "muted";
+  if (settings_.volume <= 0) return "the volume is 0";
+  return std::nullopt;
+}
+
 void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEvent> events) {
+  if (skipReason()) {
+    for (Voice* loop : {&engine_, &stallHorn_}) audio_.stop(std::exchange(*loop, 0));
+    return;
+  }
   const bool running = now.aircraft.present && !now.aircraft.crashed;
   if (!running) {
     audio_.stop(engine_);

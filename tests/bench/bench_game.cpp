@@ -14,6 +14,7 @@ std::unique_ptr<app::RunConfig> runOf(const BenchGame::Setup& setup) {
   app::CommandLine line;
   line.verb = app::Verb::render;
   line.scene = setup.scene;
+  line.set = setup.set;
   if (setup.without) line.set.push_back("effects." + std::string(scene::nameOf(*setup.without)) + "=false");
   return app::prepareRun(line);
 }
@@ -37,6 +38,19 @@ BenchGame::BenchGame(const Setup& setup)
   sceneRenderer_.addOverlay();
   sceneRenderer_.warmUp(simulation_.world().now(), kFrameSize);
   sceneRenderer_.camera().setMode(render::CameraMode::free);
+}
+
+void BenchGame::switchTo(const scene::EffectSet& effects) {
+  run_->settings.effects = app::switchesOf(effects);
+  simulation_.apply({"effects"});
+  prepared_ = preparedFor(effects);
+  sceneRenderer_.beginSwitch(effects, simulation_.ground());
+}
+
+double BenchGame::continueSwitch() {
+  const auto begin = std::chrono::steady_clock::now();
+  sceneRenderer_.continueSwitch(prepared_, simulation_.world().now());
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 double BenchGame::draw(const app::Pose& pose) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
@@ -20,6 +21,7 @@ class BenchGame {
   struct Setup {
     bool measuring = false;  // times of the passes are asked for, which slows a software renderer down
     std::string scene = "terrain";
+    std::vector<std::string> set = {};                    // --set
     std::optional<scene::Effect> without = std::nullopt;  // of the scene's effects
   };
   explicit BenchGame(const Setup& setup);
@@ -32,6 +34,13 @@ class BenchGame {
   // One frame from there, in ms. Metres; degrees as in app::Pose.
   double draw(const app::Pose& pose);
 
+  // Begins to switch to these effects. From then on continueSwitch() is called before each draw() until
+  // isSwitching() is false; the time that it takes belongs to the frame.
+  void switchTo(const scene::EffectSet& effects);
+  bool isSwitching() const { return sceneRenderer_.isSwitching(); }
+  double continueSwitch();  // ms
+  const scene::EffectSet& effects() const { return simulation_.effects(); }
+
   // Draws until all land that the pose shows is there.
   void settle(const app::Pose& pose);
 
@@ -39,6 +48,7 @@ class BenchGame {
   std::unique_ptr<app::RunConfig> run_;
   std::unique_ptr<render::gl::Context> context_;
   app::Simulation simulation_;
+  app::PreparedResources prepared_;
   app::SceneRenderer sceneRenderer_;
   app::Overlay overlay_;
 };

@@ -2,7 +2,9 @@
 // events. Built only for scenes that call for sound. Main thread.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 
 #include "skydrop/audio/audio_manager.h"
 #include "skydrop/game/events.h"
@@ -18,7 +20,10 @@ class SoundScene {
   SoundScene(const SoundScene&) = delete;
   SoundScene& operator=(const SoundScene&) = delete;
 
-  // Once a frame, with the events of the steps since the last call.
+  // Why nobody can hear anything; nullopt: it can be heard.
+  std::optional<std::string> skipReason() const;
+  // Once a frame, with the events of the steps since the last call. Where nobody can hear it nothing is
+  // played.
   void update(const game::Snapshot& now, std::span<const game::GameEvent> events);
   void apply(const AudioSettings& settings) { settings_ = settings; }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace skydrop::core {
@@ -98,6 +99,14 @@ struct FrameStatistics {
   std::map<std::string, std::int64_t> guards;  // numerical guards that fired (guards.h)
   std::uint64_t stateHash = 0;
   std::uint64_t steps = 0;
+
+  // The row of the bill for an effect that is on; null where it is off or unknown.
+  EffectStatistics* billOf(std::string_view effect) {
+    for (EffectStatistics& row : bill) {
+      if (row.on && row.name == effect) return &row;
+    }
+    return nullptr;
+  }
 };
 
 }  // namespace skydrop::core

@@ -73,6 +73,14 @@ std::string progressState(const CommandLine& line, int frame, std::uint64_t step
   return state;
 }
 
+// Effects that no pass draws.
+void noteIdle(core::FrameStatistics& statistics, const Overlay* overlay) {
+  if (core::EffectStatistics* bill = statistics.billOf(scene::nameOf(scene::Effect::sound)))
+    bill->idle = "there is no window";
+  if (core::EffectStatistics* bill = statistics.billOf(scene::nameOf(scene::Effect::hud)))
+    bill->idle = overlay && overlay->hudShown ? "" : "switched off (view.hud)";
+}
+
 }  // namespace
 
 int render(const CommandLine& line) {
@@ -152,6 +160,7 @@ int render(const CommandLine& line) {
       shown = {};
       simulation.writeTo(shown);
       sceneRenderer.writeTo(shown);
+      noteIdle(shown, overlay.get());
     }
     progress.clear();
     if (line.out != "-") print("%s\n", files.path(frame).c_str());
@@ -163,6 +172,7 @@ int render(const CommandLine& line) {
     times.writeTo(statistics);
     simulation.writeTo(statistics);
     sceneRenderer.writeTo(statistics);
+    noteIdle(statistics, overlay.get());
     writeStatistics(*stats, statistics);
   }
   return endFlight(simulation, run->recorder.get());

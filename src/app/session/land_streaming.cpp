@@ -6,7 +6,9 @@ namespace skydrop::app {
 
 LandStreaming::LandStreaming(render::Renderer& renderer, std::shared_ptr<const terrain::HeightSource> ground,
                              int workers, const terrain::TerrainStreamingSettings& settings)
-    : ground_(std::move(ground)),
+    : renderer_(renderer),
+      owner_(renderer.group().name),
+      ground_(std::move(ground)),
       workerCount_(workers),
       workers_(workers),
       terrain_(ground_, workers_, settings) {
@@ -16,13 +18,18 @@ LandStreaming::LandStreaming(render::Renderer& renderer, std::shared_ptr<const t
 }
 
 const terrain::TerrainFrame& LandStreaming::update(const render::View& view) {
-  const terrain::TerrainFrame& frame = terrain_.update(render::viewVolume(view));
-  pass_->take(frame);
-  return frame;
+  return take(terrain_.update(render::viewVolume(view)));
 }
 
-void LandStreaming::settle(const render::View& view) {
-  pass_->take(terrain_.settle(render::viewVolume(view)));
+void LandStreaming::settle(const render::View& view) { take(terrain_.settle(render::viewVolume(view))); }
+
+// What is uploaded counts for whoever made this.
+const terrain::TerrainFrame& LandStreaming::take(const terrain::TerrainFrame& frame) {
+  render::gl::GpuResourceTracker& resources = renderer_.context().resources();
+  resources.setOwner(owner_);
+  pass_->take(frame);
+  resources.setOwner("");
+  return frame;
 }
 
 void LandStreaming::writeTo(core::FrameStatistics& statistics) const {

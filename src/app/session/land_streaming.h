@@ -37,6 +37,10 @@ class LandStreaming {
   void writeTo(core::FrameStatistics& statistics) const;
 
  private:
+  const terrain::TerrainFrame& take(const terrain::TerrainFrame& frame);
+
+  render::Renderer& renderer_;
+  std::string owner_;  // the group of passes that it was made with
   std::shared_ptr<const terrain::HeightSource> ground_;
   int workerCount_;
   core::JobPool workers_;

@@ -519,6 +519,10 @@ core::FrameStatistics WindowGame::statistics(std::size_t frames) {
   simulation_->writeTo(statistics);
   sceneRenderer_->writeTo(statistics, frames);
   window_.writeTo(statistics);
+  if (core::EffectStatistics* bill = statistics.billOf(scene::nameOf(Effect::sound)); bill && sound_)
+    bill->idle = isPaused() || isFrozen() ? "time is held" : sound_->skipReason().value_or("");
+  if (core::EffectStatistics* bill = statistics.billOf(scene::nameOf(Effect::hud)))
+    bill->idle = overlay_->hudShown ? "" : "switched off (view.hud)";
   core::WindowStatistics& window = statistics.window;
   window.camera = render::cameraModeName(sceneRenderer_->camera().mode());
   window.menuOpen = overlay_->menuOpen;
