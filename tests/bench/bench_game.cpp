@@ -47,9 +47,9 @@ void BenchGame::switchTo(const scene::EffectSet& effects) {
   sceneRenderer_.beginSwitch(effects, simulation_.ground());
 }
 
-double BenchGame::continueSwitch() {
+double BenchGame::continueSwitch(double budgetMs) {
   const auto begin = std::chrono::steady_clock::now();
-  sceneRenderer_.continueSwitch(prepared_, simulation_.world().now());
+  sceneRenderer_.continueSwitch(prepared_, simulation_.world().now(), budgetMs);
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 

@@ -38,7 +38,7 @@ class BenchGame {
   // isSwitching() is false; the time that it takes belongs to the frame.
   void switchTo(const scene::EffectSet& effects);
   bool isSwitching() const { return sceneRenderer_.isSwitching(); }
-  double continueSwitch();  // ms
+  double continueSwitch(double budgetMs);  // ms
   const scene::EffectSet& effects() const { return simulation_.effects(); }
 
   // Draws until all land that the pose shows is there.

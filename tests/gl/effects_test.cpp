@@ -137,7 +137,7 @@ class Flight {
     preparations_.waitUntilReady();
     int frames = 0;
     for (; sceneRenderer_->isSwitching(); ++frames) {
-      sceneRenderer_->continueSwitch(preparations_.results(effects), snapshot());
+      sceneRenderer_->continueSwitch(preparations_.results(effects), snapshot(), 50);
       sceneRenderer_->draw(snapshot(), kSize, Streaming::asItComes);
       EXPECT_LT(frames, 100000) << "a switch that never ends";
     }

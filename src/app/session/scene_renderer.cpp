@@ -16,8 +16,6 @@ namespace {
 constexpr std::string_view kShadowGroup = "shadows";
 // Of frames that nobody sees. Programs do not depend on a size, and the passes cost little at this one.
 constexpr Size kUnseenSize{64, 36};
-// What they may take of one frame, beside the program that is compiled last.
-constexpr double kWarmUpBudgetMs = 4;
 
 }  // namespace
 
@@ -118,7 +116,8 @@ void SceneRenderer::beginSwitch(const scene::EffectSet& effects,
   switch_ = Switch{.drawnFeatures = drawn};
 }
 
-void SceneRenderer::continueSwitch(const PreparedResources& prepared, const game::Snapshot& snapshot) {
+void SceneRenderer::continueSwitch(const PreparedResources& prepared, const game::Snapshot& snapshot,
+                                   double budgetMs) {
   if (!switch_) return;
   setup_.prepared = prepared;
   for (const Part& part : partsOf(setup_.effects)) {
@@ -126,7 +125,7 @@ void SceneRenderer::continueSwitch(const PreparedResources& prepared, const game
     renderer_.holdAdded();
     return addPart(part);
   }
-  if (!warmUpInPart(snapshot)) return;
+  if (!warmUpInPart(snapshot, budgetMs)) return;
   if (!switch_->isReady) {
     if (land_ && !land_->terrain().isSettled()) return;
     renderer_.releaseHeld();
@@ -142,25 +141,35 @@ void SceneRenderer::continueSwitch(const PreparedResources& prepared, const game
 }
 
 // A part of the frames to warm up with; true when all have been drawn.
-bool SceneRenderer::warmUpInPart(const game::Snapshot& snapshot) {
+bool SceneRenderer::warmUpInPart(const game::Snapshot& snapshot, double budgetMs) {
   const std::vector<WarmUpFrame> frames = warmUpFrames(snapshot, kUnseenSize);
-  if (switch_->frame >= frames.size()) return true;
-  const WarmUpFrame& next = frames[switch_->frame];
+  const render::FrameFeatures features = frameFeatures(setup_.effects, *setup_.table);
+  const Stopwatch watch;
+  do {
+    if (switch_->frame >= frames.size()) return true;
+    const WarmUpFrame& next = frames[switch_->frame];
+    if (!drawUnseen(next, features, budgetMs - watch.ms())) return false;
+    ++switch_->frame;
+    switch_->passesDrawn = 0;
+  } while (watch.ms() < budgetMs);
+  return switch_->frame >= frames.size();
+}
+
+bool SceneRenderer::drawUnseen(const WarmUpFrame& frame, const render::FrameFeatures& features,
+                               double budgetMs) {
   render::RenderSettings settings = settings_->render;
-  settings.smoothModels = settings.smoothModels && next.smoothModels;
+  settings.smoothModels = settings.smoothModels && frame.smoothModels;
   renderer_.apply(settings);
-  bool complete = false;
+  const auto restore = [&] { renderer_.apply(settings_->render); };
   try {
-    complete = renderer_.warmUp(
-        render::gameFrame(next.snapshot, next.view, frameFeatures(setup_.effects, *setup_.table)),
-        kWarmUpBudgetMs, switch_->passesDrawn);
+    const bool complete = renderer_.warmUp(render::gameFrame(frame.snapshot, frame.view, features), budgetMs,
+                                           switch_->passesDrawn);
+    restore();
+    return complete;
   } catch (...) {
-    renderer_.apply(settings_->render);
+    restore();
     throw;
   }
-  renderer_.apply(settings_->render);
-  if (complete) ++switch_->frame, switch_->passesDrawn = 0;
-  return switch_->frame >= frames.size();
 }
 
 void SceneRenderer::apply(const SettingsChange& change) {

@@ -70,10 +70,10 @@ class SceneRenderer {
   void beginSwitch(const scene::EffectSet& effects, std::shared_ptr<const terrain::HeightSource> ground);
   bool isSwitching() const { return switch_.has_value(); }
   // Once a frame before draw(), from when all is prepared that the effects need until isSwitching() is false:
-  // makes one effect, or compiles what the next frames draw, and takes about as long as one program does
-  // (docs/effects.md has figures). Throws core::DataError (shader, model): then beginSwitch() to what was
-  // there before is the way back.
-  void continueSwitch(const PreparedResources& prepared, const game::Snapshot& snapshot);
+  // makes one effect, or draws unseen what compiles the programs of later frames. It takes `budgetMs`, and
+  // then as long as the last of what it does: a program, an effect. Throws core::DataError (shader, model):
+  // then beginSwitch() to what was there before is the way back.
+  void continueSwitch(const PreparedResources& prepared, const game::Snapshot& snapshot, double budgetMs);
 
   // After the settings changed: takes over for the next frame what of them is drawn.
   void apply(const SettingsChange& change);
@@ -142,7 +142,9 @@ class SceneRenderer {
   void addPart(const Part& part);
   void removePart(const Part& part);
   std::vector<WarmUpFrame> warmUpFrames(const game::Snapshot& snapshot, Size size) const;
-  bool warmUpInPart(const game::Snapshot& snapshot);
+  bool warmUpInPart(const game::Snapshot& snapshot, double budgetMs);
+  // Draws on with the frame; true when all of it was drawn.
+  bool drawUnseen(const WarmUpFrame& frame, const render::FrameFeatures& features, double budgetMs);
   render::FrameFeatures features() const;
   const EffectDescriptor* firstCaster() const;  // who pays for the map of shadows; null: nobody casts one
   core::EffectStatistics billOf(const EffectDescriptor& row, const core::FrameStatistics& frame) const;

@@ -237,7 +237,7 @@ void WindowGame::fly() {
     }
     if (window_.isHidden()) paused_ = true;
     advance(seconds);
-    continueSwitch();
+    continueSwitch(seconds);
     if (!window_.isHidden()) {
       drawFrame(seconds);
       window_.swap();

@@ -82,7 +82,7 @@ class WindowGame {
   void carryOut(const SettingsChange& change);
   // Effects come and go: at once in the simulation and in what is heard, in steps in what is drawn.
   void switchEffects();
-  void continueSwitch();
+  void continueSwitch(double seconds);
   void openSound();
   void apply(const SettingsChange& change);  // to all dependents
   void watchFiles();

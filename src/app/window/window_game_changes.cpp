@@ -1,5 +1,6 @@
 // Changes while flying: from menu, presets and files to those that depend on them, and back to the last good
 // state where one fails.
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <string>
@@ -13,6 +14,9 @@ namespace skydrop::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// What an effect that comes may add to a frame, beside the program that is compiled last.
+constexpr double kShareOfFrame = 0.5, kLongestFrameMs = 200;
 
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 
@@ -62,12 +66,14 @@ void WindowGame::switchEffects() {
   sceneRenderer_->apply({"view.camera"});
 }
 
-void WindowGame::continueSwitch() {
+// `seconds`: of the frame before, half of which may be added to this one.
+void WindowGame::continueSwitch(double seconds) {
   if (!sceneRenderer_->isSwitching()) return;
   attempt(part::kChange, [this] {
     if (preparations_.pending()) return preparations_.makeParts(window_.context());
     for (const std::string& message : preparations_.takeMessages()) warn(message);
-    sceneRenderer_->continueSwitch(preparations_.results(sceneRenderer_->effects()), snapshotToDraw());
+    sceneRenderer_->continueSwitch(preparations_.results(sceneRenderer_->effects()), snapshotToDraw(),
+                                   kShareOfFrame * std::min(1000 * seconds, kLongestFrameMs));
   });
 }
 
