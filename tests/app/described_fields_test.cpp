@@ -13,6 +13,7 @@
 
 #include "app/settings/settings.h"
 #include "app/window/window_memory.h"
+#include "skydrop/noise/noise_settings.h"
 #include "support/paths.h"
 #include "support/struct_fields.h"
 
@@ -99,6 +100,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using flight::PackageSettings;
   using game::AutopilotSettings;
   using game::GameSettings;
+  using noise::NoiseSettings;
+  using noise::PostProcess;
   using render::AtmosphereSettings;
   using render::CameraSettings;
   using render::RenderSettings;
@@ -115,7 +118,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(AudioSettings),      SKYDROP_STRUCT(ViewSettings),
       SKYDROP_STRUCT(GamepadSettings),    SKYDROP_STRUCT(InputSettings),
       SKYDROP_STRUCT(Settings),           SKYDROP_STRUCT(WindowMemory),
-      SKYDROP_STRUCT(WindSettings),
+      SKYDROP_STRUCT(WindSettings),       SKYDROP_STRUCT(NoiseSettings),
+      SKYDROP_STRUCT(PostProcess),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -14,8 +14,9 @@
 namespace skydrop::core {
 namespace {
 
-constexpr TexelFormat kFormats[] = {TexelFormat::r8, TexelFormat::rg8, TexelFormat::rgba8, TexelFormat::r32f,
-                                    TexelFormat::rgba32f};
+constexpr TexelFormat kFormats[] = {TexelFormat::r8,   TexelFormat::rg8,     TexelFormat::rgba8,
+                                    TexelFormat::r32f, TexelFormat::rgba32f, TexelFormat::a8,
+                                    TexelFormat::r16};
 
 TextureData patterned(TexelFormat format, int width, int height, int depth) {
   TextureData texture(format, width, height, depth);
@@ -115,7 +116,7 @@ TEST(Dds, badFieldsAreNamed) {
   EXPECT_EQ(with(4, 100000), "a.dds: width: 100000 is out of range 1 to 2048");
   EXPECT_EQ(with(6, 0), "a.dds: depth: 0 is out of range 1 to 2048");
   EXPECT_EQ(with(6, 9), "a.dds: texels: 2048 bytes where the header says 2304");
-  EXPECT_EQ(with(32, 98), "a.dds: DXGI format: 98 is not among 2, 28, 41, 49, 61 and 87");
+  EXPECT_EQ(with(32, 98), "a.dds: DXGI format: 98 is not among 2, 28, 41, 49, 56, 61, 65 and 87");
   EXPECT_EQ(with(33, 2), "a.dds: dimension: 2 is neither 3 (2D) nor 4 (volume)");
   EXPECT_EQ(with(35, 6), "a.dds: array size: 6 instead of 1");
   EXPECT_EQ(with(34, 4), "a.dds: misc flag: a cube map");
