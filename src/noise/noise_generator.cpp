@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "noise/noise_rows.h"
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/settings_table.h"
@@ -70,14 +71,12 @@ NoiseGenerator::NoiseGenerator(const NoiseSettings& settings, const NoiseSize& s
     : settings_(settings), size_(size) {
   requireSettings(settings);
   requireSize(size);
+  rows_ = std::make_shared<const NoiseRows>(settings, size, bestOctaveKernels());
 }
 
 void NoiseGenerator::fillRows(int layer, int firstRow, std::span<float> values) const {
-  const auto width = static_cast<std::size_t>(size_.width);
-  assert(values.size() % width == 0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = valueAt(static_cast<int>(i % width), firstRow + static_cast<int>(i / width), layer);
-  }
+  assert(values.size() % static_cast<std::size_t>(size_.width) == 0);
+  rows_->fill(layer, firstRow, values);
 }
 
 float NoiseGenerator::valueAt(int x, int y, int layer) const {
@@ -133,8 +132,9 @@ core::TextureData makeNoise(const NoiseSettings& settings, const NoiseSize& size
     throw core::RangeError("size: " + std::to_string(bytes >> 20) + " MiB of texels: more than 256 MiB");
   }
   core::TextureData texture(options.format, size.width, size.height, size.slices);
-  // Rows that are made together share the work on a lattice row; few enough to stop within a moment.
-  const int block = std::min(size.height, 32);
+  // Rows that are made together share lattice rows; this many fit the cache, and stop within a moment.
+  constexpr int kTexelsAtOnce = 1 << 16;
+  const int block = std::clamp(kTexelsAtOnce / size.width, 1, size.height);
   std::vector<float> values(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(block));
   const std::size_t blockBytes = values.size() * core::texelBytes(options.format);
   const std::span<std::byte> texels = texture.texels;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -13,6 +14,8 @@
 #include "skydrop/noise/noise_settings.h"
 
 namespace skydrop::noise {
+
+class NoiseRows;
 
 // Texels. Sides are powers of two: then every texel's place between lattice points is exact in float, and mip
 // levels halve evenly. A plane has sides up to 8192, a volume up to 1024.
@@ -46,6 +49,7 @@ class NoiseGenerator {
   const NoiseSize& size() const { return size_; }
 
   // The rows firstRow, firstRow + 1, ... of a layer (0 of a plane), values.size() / width of them.
+  // Neighbouring rows share work: 64 at a time cost a fraction of 64 calls.
   void fillRows(int layer, int firstRow, std::span<float> values) const;
 
   // One texel by the plain definition; what fillRows() gives, bit for bit.
@@ -54,6 +58,7 @@ class NoiseGenerator {
  private:
   NoiseSettings settings_;
   NoiseSize size_;
+  std::shared_ptr<const NoiseRows> rows_;  // copies share it
 };
 
 // The cut to clouds, in place.
