@@ -67,6 +67,19 @@ void requireSize(const NoiseSize& size) {
   if (size.slices != 0) requireSide("slices", size.slices, most);
 }
 
+void requireTexture(const NoiseSize& size, core::TexelFormat format) {
+  requireSize(size);
+  if (!isNoiseFormat(format)) {
+    throw core::RangeError("noise is made as a8, r8, r16 or r32f, not as " +
+                           std::string(core::texelFormatName(format)));
+  }
+  const std::uint64_t bytes = std::uint64_t(size.width) * std::uint64_t(size.height) *
+                              std::uint64_t(size.layers()) * core::texelBytes(format);
+  if (bytes > kMostBytes) {
+    throw core::RangeError("size: " + std::to_string(bytes >> 20) + " MiB of texels: more than 256 MiB");
+  }
+}
+
 NoiseGenerator::NoiseGenerator(const NoiseSettings& settings, const NoiseSize& size)
     : settings_(settings), size_(size) {
   requireSettings(settings);
@@ -122,15 +135,7 @@ core::TextureData makeNoise(const NoiseSettings& settings, const NoiseSize& size
                             const MakeOptions& options) {
   const NoiseGenerator generator(settings, size);
   if (options.postProcess) requirePostProcess(*options.postProcess);
-  if (!isNoiseFormat(options.format)) {
-    throw core::RangeError("noise is made as a8, r8, r16 or r32f, not as " +
-                           std::string(core::texelFormatName(options.format)));
-  }
-  const std::uint64_t bytes = std::uint64_t(size.width) * std::uint64_t(size.height) *
-                              std::uint64_t(size.layers()) * core::texelBytes(options.format);
-  if (bytes > kMostBytes) {
-    throw core::RangeError("size: " + std::to_string(bytes >> 20) + " MiB of texels: more than 256 MiB");
-  }
+  requireTexture(size, options.format);
   core::TextureData texture(options.format, size.width, size.height, size.slices);
   // Rows that are made together share lattice rows; this many fit the cache, and stop within a moment.
   constexpr int kTexelsAtOnce = 1 << 16;

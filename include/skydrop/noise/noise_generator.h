@@ -36,6 +36,8 @@ inline constexpr int kMostPlaneSide = 8192, kMostVolumeSide = 1024;
 void requireSettings(const NoiseSettings& settings);
 void requirePostProcess(const PostProcess& postProcess);
 void requireSize(const NoiseSize& size);
+// Also more than 256 MiB of texels, and a format that noise is not made in (MakeOptions).
+void requireTexture(const NoiseSize& size, core::TexelFormat format);
 
 // Values in [0, 1] of one texture, row by row: for previews, and for what makeNoise() does not do. A value
 // depends on the settings, the size and its texel alone, never on the rows that are asked for together, the
