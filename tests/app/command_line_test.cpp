@@ -169,7 +169,27 @@ TEST(CommandLine, badNoiseIsRefusedAtTheDoor) {
   EXPECT_EQ(refusalOf({"noise", "--generate", "4d", "--out", "a.dds"}),
             "--generate: '4d' is not one of 2d 3d");
   EXPECT_EQ(refusalOf({"noise", "--generate", "2d"}), "--generate needs --out FILE");
-  EXPECT_EQ(refusalOf({"noise", "--octaves", "4"}), "--octaves belongs to --generate, which is not given");
+  EXPECT_EQ(refusalOf({"noise", "--octaves", "4"}),
+            "--octaves belongs to --generate or --tool, which are not given");
+}
+
+TEST(CommandLine, theToolTakesSettingsAFileAndAPicture) {
+  const CommandLine line = parse({"noise", "--tool", "--generate", "3d", "--octaves", "3", "--noise", "a.dds",
+                                  "--out", "a.png", "--size", "640x360"})
+                               .commandLine;
+  EXPECT_TRUE(line.noise.tool);
+  EXPECT_EQ(line.noise.texture->recipe.settings.octaves, 3);
+  EXPECT_TRUE(line.noise.texture->size.isVolume());
+  EXPECT_EQ(line.noise.file, "a.png");
+  EXPECT_EQ(line.size->width, 640);
+  EXPECT_EQ(refusalOf({"noise", "--tool"}), "");
+  EXPECT_EQ(refusalOf({"noise", "--tool", "--check"}), "--tool and --check exclude each other");
+  EXPECT_EQ(refusalOf({"noise", "--tool", "--noise", "a", "--noise", "b"}),
+            "--tool opens one file of --noise");
+  EXPECT_EQ(refusalOf({"noise", "--tool", "--width", "64"}),
+            "--width does not go with --tool, which has it among its rows");
+  EXPECT_EQ(refusalOf({"noise", "--tool", "--out", "a.dds"}), "--out: 'a.dds' does not end in .png");
+  EXPECT_EQ(refusalOf({"noise", "--size", "64x64"}), "--size belongs to --tool, which is not given");
 }
 
 TEST(CommandLine, wrongWordsAreEchoedPrintableAndBounded) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "app/window/noise_tool_settings.h"
 #include "app/window/window_memory.h"
 #include "skydrop/noise/noise_settings.h"
 #include "support/paths.h"
@@ -119,7 +120,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(GamepadSettings),    SKYDROP_STRUCT(InputSettings),
       SKYDROP_STRUCT(Settings),           SKYDROP_STRUCT(WindowMemory),
       SKYDROP_STRUCT(WindSettings),       SKYDROP_STRUCT(NoiseSettings),
-      SKYDROP_STRUCT(PostProcess),
+      SKYDROP_STRUCT(PostProcess),        SKYDROP_STRUCT(NoiseToolSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

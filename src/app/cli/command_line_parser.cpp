@@ -155,7 +155,7 @@ NoiseTextureRequest noiseTexture(const NoiseWords& words, std::uint64_t seed) {
     cut.density = words.density.value_or(cut.density);
     request.recipe.postProcess = cut;
   }
-  const bool volume = *words.volume;
+  const bool volume = words.volume.value_or(false);
   if (!volume && words.slices) throw UsageError("--slices belongs to --generate 3d");
   request.size.width = words.width.value_or(volume ? 128 : 512);
   request.size.height = words.height.value_or(request.size.width);
@@ -333,12 +333,18 @@ class Parser {
     text(verb, "--format", "dds|dx10|png",
          "of the export (dx10): DDS with legacy or DX10 header, slices as PNG",
          [this](const std::string& t) { line_.noise.format = parseNoiseFormat(t); });
-    text(verb, "--backend", "egl|osmesa|window", "what runs the shader of --check",
+    text(verb, "--backend", "egl|osmesa|window",
+         "what runs the shader of --check, and draws the picture of --tool",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
   }
 
   void addNoiseTexture(CLI::App& verb) {
     NoiseWords& words = noiseWords_;
+    verb.add_flag("--tool", line_.noise.tool,
+                  "open the tool that makes such noise, with these settings or the file of --noise; with "
+                  "--out FILE.png "
+                  "a picture of it, without a window");
+    addSize(verb);
     text(verb, "--generate", "2d|3d", "make a texture or a volume of gradient noise (docs/noise.md) instead",
          [&words](const std::string& t) {
            if (t != "2d" && t != "3d") throw UsageError("--generate: '" + t + "' is not one of 2d 3d");
@@ -379,24 +385,43 @@ class Parser {
          });
   }
 
-  // What --generate asks for; its file takes the place of the folder.
+  // What --generate and --tool ask for; a file takes the place of the folder.
   void finishNoise() {
     NoiseRequest& request = line_.noise;
+    if (request.tool) return finishTool();
+    if (line_.verb == Verb::noise && line_.size)
+      throw UsageError("--size belongs to --tool, which is not given");
     if (!noiseWords_.volume) {
       if (!noiseWords_.flags.empty())
-        throw UsageError(noiseWords_.flags.front() + " belongs to --generate, which is not given");
+        throw UsageError(noiseWords_.flags.front() + " belongs to --generate or --tool, which are not given");
       return;
     }
     if (request.check || !request.files.empty()) throw UsageError("--generate excludes --check and --noise");
     request.texture = noiseTexture(noiseWords_, line_.seed.value_or(0));
     if (!request.folder) throw UsageError("--generate needs --out FILE");
-    request.file = request.folder->string();
-    request.folder.reset();
     const bool png = request.format == NoiseFormat::png;
     if (png && core::texelBytes(request.texture->texels) != 1) throw UsageError("--format png holds 8 bits");
-    const bool isStream = request.file == "-" && !(png && request.texture->size.isVolume());
-    const std::string ending = png ? ".png" : ".dds";
-    if (!isStream && !request.file.ends_with(ending))
+    takeNoiseFile(png ? ".png" : ".dds", !png || !request.texture->size.isVolume());
+  }
+
+  void finishTool() {
+    NoiseRequest& request = line_.noise;
+    if (request.check) throw UsageError("--tool and --check exclude each other");
+    if (request.files.size() > 1) throw UsageError("--tool opens one file of --noise");
+    for (const std::string& flag : noiseWords_.flags) {
+      if (flag == "--width" || flag == "--height" || flag == "--slices" || flag == "--bits" ||
+          flag == "--channel")
+        throw UsageError(flag + " does not go with --tool, which has it among its rows");
+    }
+    request.texture = noiseTexture(noiseWords_, line_.seed.value_or(0));
+    if (request.folder) takeNoiseFile(".png", true);
+  }
+
+  void takeNoiseFile(const std::string& ending, bool mayBeStream) {
+    NoiseRequest& request = line_.noise;
+    request.file = request.folder->string();
+    request.folder.reset();
+    if (!(mayBeStream && request.file == "-") && !request.file.ends_with(ending))
       throw UsageError("--out: '" + request.file + "' does not end in " + ending);
   }
 

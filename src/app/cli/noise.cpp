@@ -13,6 +13,7 @@
 #include "app/measure/stopwatch.h"
 #include "app/session/noise_store.h"
 #include "app/session/open_context.h"
+#include "app/window/noise_tool_run.h"
 #include "skydrop/clouds/noise_cache.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
@@ -163,6 +164,10 @@ void fromStore(const CommandLine& line, std::uint32_t seed, Exports& exports) {
 }  // namespace
 
 int noise(const CommandLine& line) {
+  if (line.noise.tool) {
+    line.noise.file.empty() ? runNoiseTool(line) : drawNoiseTool(line);
+    return 0;
+  }
   if (line.noise.texture) return generateNoise(line);
   const auto seed = static_cast<std::uint32_t>(line.seed.value_or(0));
   requireExports(line);

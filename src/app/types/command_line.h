@@ -33,7 +33,8 @@ struct NoiseTextureRequest {
 
 struct NoiseRequest {
   bool check = false;
-  std::optional<NoiseTextureRequest> texture;   // --generate
+  bool tool = false;                            // opens it, or draws a picture of it to `file`
+  std::optional<NoiseTextureRequest> texture;   // --generate, or what the tool begins with
   std::string file;                             // that it goes to: .dds or .png, or "-"
   std::vector<std::filesystem::path> files;     // to read instead of making
   std::optional<std::filesystem::path> folder;  // to export to

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <glm/vec3.hpp>
 #include <string>
 
 namespace skydrop::render {
