@@ -72,10 +72,12 @@ void NoiseToolView::Parts::panel(const NoiseToolContent& content, float line, No
     ImGui::Spacing();
   }
   ImGui::TextDisabled("Histogram");
-  if (!content.histogram.empty()) {
-    const float most = *std::max_element(content.histogram.begin(), content.histogram.end());
+  if (content.histogram.size() > 1) {
+    // Clear sky would dwarf the rest.
+    const auto counted = content.histogram.subspan(1);
+    const float most = *std::max_element(counted.begin(), counted.end());
     ImGui::PlotHistogram("##histogram", content.histogram.data(), static_cast<int>(content.histogram.size()),
-                         0, nullptr, 0, most, {-1, kHistogramLines * line});
+                         0, nullptr, 0, most, {ImGui::GetContentRegionAvail().x, kHistogramLines * line});
   }
   ImGui::TextUnformatted(content.status.data(), content.status.data() + content.status.size());
   ImGui::ProgressBar(static_cast<float>(content.progress.value_or(1)), {-1, 0.4f * line}, "");

@@ -67,7 +67,7 @@ TEST_F(NoiseToolViewTest, aTypedValueOutOfRangeIsRefusedInOneLine) {
   driver.frames(3);
   std::string refusal;
   for (const NoiseToolResult& result : results) refusal += result.refusal.value_or("");
-  EXPECT_THAT(refusal, testing::HasSubstr("17 is out of range 1 to 16"));
+  EXPECT_THAT(refusal, testing::HasSubstr("'17' is out of range 1 to 16"));
   EXPECT_EQ(settings.noise.octaves, noise::NoiseSettings().octaves);
 }
 
