@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "app/window/noise_tool_settings.h"
 #include "app/window/window_memory.h"
+#include "skydrop/noise/noise_settings.h"
 #include "support/paths.h"
 #include "support/struct_fields.h"
 
@@ -99,6 +101,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using flight::PackageSettings;
   using game::AutopilotSettings;
   using game::GameSettings;
+  using noise::NoiseSettings;
+  using noise::PostProcess;
   using render::AtmosphereSettings;
   using render::CameraSettings;
   using render::RenderSettings;
@@ -116,6 +120,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(GamepadSettings),    SKYDROP_STRUCT(InputSettings),
       SKYDROP_STRUCT(Settings),           SKYDROP_STRUCT(WindowMemory),
       SKYDROP_STRUCT(WindSettings),       SKYDROP_STRUCT(EffectSwitches),
+      SKYDROP_STRUCT(NoiseSettings),      SKYDROP_STRUCT(PostProcess),
+      SKYDROP_STRUCT(NoiseToolSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

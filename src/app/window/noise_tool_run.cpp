@@ -1,0 +1,101 @@
+#include "app/window/noise_tool_run.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "app/console/message.h"
+#include "app/console/standard_output.h"
+#include "app/input/event_feed.h"
+#include "app/input/imgui_input.h"
+#include "app/input/input_code.h"
+#include "app/session/open_context.h"
+#include "app/window/game_window.h"
+#include "app/window/noise_tool.h"
+#include "skydrop/core/error.h"
+
+namespace skydrop::app {
+namespace {
+
+using render::gl::WindowEvent;
+
+constexpr Size kUsualSize{1280, 720};
+constexpr double kFramesASecond = 60;
+
+class WindowClipboard final : public Clipboard {
+ public:
+  explicit WindowClipboard(render::gl::WindowContext& window) : window_(window) {}
+  std::string text() override { return window_.clipboardText(); }
+  void setText(const std::string& text) override { window_.setClipboardText(text); }
+
+ private:
+  render::gl::WindowContext& window_;
+};
+
+void prepare(NoiseTool& tool, const NoiseRequest& request) {
+  takeRecipe(tool.settings(), request.texture->recipe);
+  tool.settings().kind = request.texture->size.isVolume() ? NoiseKind::volume : NoiseKind::plane;
+  // What cannot be read is told in the tool and here.
+  if (!request.files.empty()) tool.open(request.files.front().string());
+}
+
+bool closesTool(const WindowEvent& event) {
+  return event.kind == WindowEvent::Kind::key && event.code == key::kEscape && event.pressed &&
+         !ImGuiInput::wantsText();
+}
+
+}  // namespace
+
+void runNoiseTool(const CommandLine& line) {
+  GameWindow window(line);
+  for (const std::string& warning : window.show(kUsualSize, std::nullopt)) warn(warning);
+  ViewSettings pace;
+  pace.frameCapHz = kFramesASecond;
+  window.apply(pace);
+  NoiseTool tool(window.context(), window.size(), window.interfaceScale());
+  prepare(tool, line.noise);
+  WindowClipboard clipboard(window.context());
+  ImGuiInput input(&clipboard);
+  EventFeed feed(input);
+  const auto begun = [&feed] { feed.frameBuilt(); };
+  auto lastFrame = std::chrono::steady_clock::now();
+  while (!window.context().shouldClose()) {
+    for (const WindowEvent& event : window.pollEvents()) feed.add(event, window.context().pixelsPerUnit());
+    feed.deliver({[&](const WindowEvent& event) {
+                    if (closesTool(event)) window.context().setShouldClose(true);
+                    return false;
+                  },
+                  [] { return true; },
+                  [&] { tool.buildUnseen(window.size(), window.interfaceScale(), begun); }});
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - std::exchange(lastFrame, now)).count();
+    if (window.isHidden()) continue;  // pollEvents() waits meanwhile
+    const Size size = window.size();
+    tool.draw(size, seconds, window.interfaceScale(), begun);
+    tool.renderer().present(size.width, size.height);
+    window.swap();
+    window.waitForNextFrame();
+  }
+}
+
+void drawNoiseTool(const CommandLine& line) {
+  core::OutputFile file = openOutput(line.noise.file).value();
+  const Size size = line.size.value_or(kUsualSize);
+  const auto context = openContext(line.backend, size);
+  NoiseTool tool(*context, size);
+  tool.showsTimes = false;
+  prepare(tool, line.noise);
+  // The frame that shows the finished texture, and one before it in which Dear ImGui's windows find their
+  // size.
+  int finished = 0;
+  while (finished < 2) {
+    tool.draw(size, 0);
+    if (tool.isSettled())
+      ++finished;
+    else
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  file.write(core::encodePng(tool.renderer().readBack()));
+}
+
+}  // namespace skydrop::app
