@@ -12,7 +12,7 @@ namespace {
 
 TEST(CloudSettings, onlyHowLightScattersLeavesTheFieldOfALayer) {
   // Every row of the layer, turned to one end of its range: all others make another field, which is then made
-  // again; these two must not, or a drag of their sliders would cost 20 ms a frame.
+  // again; these two must not, or a drag of their sliders would rebuild the occupancy at each frame.
   const std::set<std::string> scattering = {"anisotropy", "forwardShare"};
   CloudSettings changed;
   const core::SettingsTable table(changed);

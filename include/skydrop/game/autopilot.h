@@ -16,17 +16,19 @@ class HeightSource;
 
 namespace skydrop::game {
 
+// describe() states and enforces the ranges.
 struct AutopilotSettings {
-  double clearance = 150;        // m above the highest ground ahead
-  double lookAheadSeconds = 25;  // s of flight in which the ground counts
-  double maxBankDeg = 50;        // degrees
-  double dropMargin = 0.5;       // of the radius: drops when the predicted miss is below this
+  double clearance = 150;        // m above the highest ground ahead, 30 .. 2000
+  double lookAheadSeconds = 25;  // s of flight in which the ground counts, 5 .. 120
+  double maxBankDeg = 50;        // degrees, 10 .. 70
+  double dropMargin = 0.5;       // of the radius, 0.05 .. 1: drops when the predicted miss is below this
 };
 
 void describe(core::SettingsVisitor& visitor, AutopilotSettings& settings);
 
 class Autopilot {
  public:
+  // `ground`: that of the world it flies in, not null.
   explicit Autopilot(std::shared_ptr<const terrain::HeightSource> ground,
                      const AutopilotSettings& settings = {});
 

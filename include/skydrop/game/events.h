@@ -21,10 +21,10 @@ enum class GameEventKind {
 
 struct GameEvent {
   GameEventKind kind{};
-  std::uint64_t step = 0;
-  glm::dvec3 position{0};
+  std::uint64_t step = 0;   // of the world when it had happened (World::stepCount), 1/120 s each
+  glm::dvec3 position{0};   // world, m: of the package, target or aircraft
   std::uint32_t id = 0;     // of the package or target, 0 for the aircraft
-  double missDistance = 0;  // scored, missed: from the target's centre, metres
+  double missDistance = 0;  // scored, missed: horizontal, from the target's centre, m
   bool onWater = false;     // packageLanded, crashed
 };
 

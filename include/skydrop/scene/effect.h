@@ -18,10 +18,13 @@ enum class Effect {
   targets,   // targets, packages, score
   sound,     // engine and events
   hud,       // instruments, navigation bar, messages
+  count_     // how many there are; no effect itself, and always the last
 };
 
-inline constexpr std::array<std::string_view, 8> kEffectNames = {"sky",      "terrain", "clouds", "haze",
-                                                                 "aircraft", "targets", "sound",  "hud"};
+// As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
+inline constexpr auto kEffectNames = std::to_array<std::string_view>(
+    {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud"});
+static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
  public:

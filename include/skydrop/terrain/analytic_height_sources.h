@@ -1,4 +1,6 @@
-// Lands with a closed form: for tests, and for scenes that need a plain ground.
+// Lands with a closed form: for tests, and for scenes that need a plain ground. Heights in metres above the
+// sea, slopes in metres a metre; all finite (not checked), and inside what chunks store
+// (HeightSource::storedRange), or chunks cut them off there. Immutable: any thread.
 #pragma once
 
 #include <memory>
@@ -7,6 +9,7 @@
 
 namespace skydrop::terrain {
 
+// The same height everywhere.
 std::shared_ptr<const HeightSource> makeFlatSource(double height);
 
 // height = heightAtOrigin + dot(gradient, xz), held to the range that its chunks store.

@@ -20,34 +20,43 @@ namespace skydrop::render {
 class CloudTextures;
 class SunOpticalDepthGrid;
 
+// Draws layer 0 of the settings (clouds::kCloudLayers). On the context's thread; it owns its textures and
+// grids; those with a texel a ray are made again when the view's size changes. Publishes CloudTransmittance
+// in frames in which it is not skipped; needs FrameContext::sceneDepth of all that may hide clouds.
 class CloudSystem final : public Pass {
  public:
+  // `noise` is kept: not null, as clouds::packCloudNoise() makes it. Works out the occupancy of each layer.
+  // The context must outlive the system.
   CloudSystem(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
               const clouds::CloudSettings& settings, const core::WindSettings& wind);
   ~CloudSystem() override;
 
-  // Takes the settings over for the next frame; where the field of a layer
-  // changed (clouds::isSameField) its occupancy is made again, about 20 ms; else it costs nothing.
+  // Takes the settings over for the next frame, between frames. Where the field of a layer changed
+  // (clouds::isSameField) its occupancy is built again before this returns (clouds::Occupancy has the time)
+  // and the light grids are filled again in the next frame; where only MarchSettings::detail changed, the
+  // grids alone; else it costs nothing.
   void apply(const clouds::CloudSettings& settings, const core::WindSettings& wind);
 
   std::string_view name() const override { return "clouds"; }
   RenderStage stage() const override { return RenderStage::clouds; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
+  // Only where skipReason() gave none. Throws core::DataError where a shader does not compile.
   void draw(FrameContext& context) override;
 
-  // What the clouds leave of the sun in this frame; its textures are kept until the next. Only where
-  // shadowSkipReason() gives no reason why there are no shadows.
+  // What the clouds leave of the sun in this frame, within its draw: CloudShadowPass asks for it. Its
+  // textures belong to the system and are valid until it is asked for in the next frame. Only where
+  // shadowSkipReason() gives no reason why there are no shadows. Throws core::DataError where a shader does
+  // not compile.
   CloudShadowMap shadowMap(FrameContext& context);
   std::optional<std::string> shadowSkipReason(const FrameInput& frame) const;
 
-  // What the last frame marched: 0 where it was idle. Waits for the GPU.
+  // What the last frame that was not skipped marched; 0 before the first. Waits for the GPU.
   struct Work {
     unsigned tiles = 0;  // of 8 x 8 rays
     unsigned edges = 0;  // single rays
   };
   Work lastWork() const;
-  // Of the last frame that was not idle, a texel a ray: radiance, and the share of light behind that comes
-  // through.
+  // CloudTransmittance::light of the last frame that was not skipped; no object before the first.
   const gl::Texture& light() const { return light_; }
 
  private:

@@ -7,10 +7,20 @@ namespace skydrop::render {
 // The clouds of a frame as they were seen: for whatever is drawn after them and may lie behind. A resource of
 // the frame (FrameResources), published by the pass that draws clouds, valid until the frame has been drawn.
 // It belongs to no effect, so that those who are veiled need not know who veils them.
+//
+// Both textures have one texel for each ray of the march: the view's size divided by 1, 2 or 4
+// (clouds::MarchResolution) and rounded up, row 0 at the bottom. They belong to the pass, which overwrites
+// them in the next frame. Where a ray met no cloud, and where an opaque surface hides the clouds,
+// transmittance is 1.
 struct CloudTransmittance {
   // Neither is null once this is published.
-  const gl::Texture* light = nullptr;      // a: the share of light behind that comes through
-  const gl::Texture* distances = nullptr;  // x: where the clouds are, metres from the eye
+  // RGBA16F. rgb: the clouds' own light, linear after exposure; a: share of the light behind them that comes
+  // through, [0, 1].
+  const gl::Texture* light = nullptr;
+  // RG16F, metres from the eye. x: mean distance of the clouds' light, kFarDistance (65 km,
+  // shaders/shared/half_float.glsl) where there is none; y: of the surface behind, at most kFarDistance, and
+  // 0 where no ray was marched.
+  const gl::Texture* distances = nullptr;
 };
 
 }  // namespace skydrop::render

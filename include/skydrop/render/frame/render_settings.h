@@ -1,4 +1,5 @@
-// What a frame looks like, apart from what is in it.
+// What a frame looks like, apart from what is in it. Plain values; describe() states and enforces the ranges
+// at every entry (files, --set, the menu). Renderer::apply takes a change over for the next frame.
 #pragma once
 
 #include "skydrop/core/settings.h"
@@ -6,26 +7,26 @@
 namespace skydrop::render {
 
 struct CameraSettings {
-  double fovDegrees = 60;        // vertical
-  double nearM = 0.1;            // m
-  double chaseDistance = 15;     // m behind the aircraft
-  double chaseHeight = 2.8;      // m above it, in its own axes
+  double fovDegrees = 60;        // vertical, 20 .. 120
+  double nearM = 0.1;            // m, 0.02 .. 5
+  double chaseDistance = 15;     // m behind the aircraft, 4 .. 60
+  double chaseHeight = 2.8;      // m above it, in its own axes, 0 .. 20
   double chaseSoftness = 1;      // 0 bolted to the aircraft .. 1 hangs back in its turns
-  double groundClearance = 2;    // m of the chase camera above land and sea, at least
-  double buffetDegrees = 0.35;   // by how much a full stall shakes the picture
-  double cockpitForward = 0.35;  // m ahead of the aircraft's centre
-  double cockpitHeight = 0.72;   // m above it
+  double groundClearance = 2;    // m of the chase camera above land and sea, at least; 0.5 .. 50
+  double buffetDegrees = 0.35;   // by how much a full stall shakes the picture, 0 .. 2
+  double cockpitForward = 0.35;  // m ahead of the aircraft's centre, -2 .. 5
+  double cockpitHeight = 0.72;   // m above it, -1 .. 3
 };
 
 struct SunSettings {
-  double elevationDegrees = 40;  // above the horizon; negative: night
-  double azimuthDegrees = 135;   // compass
+  double elevationDegrees = 40;  // above the horizon, -30 .. 90; negative: night
+  double azimuthDegrees = 135;   // compass, 0 .. 360
 };
 
 struct AtmosphereSettings {
-  double visibilityM = 100000;  // distance at which contrast falls to 2 %, at sea level
-  double hazeHeightM = 1200;    // scale height of the aerosol
-  double hazeAnisotropy = 0.7;  // g of its phase function
+  double visibilityM = 100000;  // m, 1e3 .. 250e3: distance at which contrast falls to 2 %, at sea level
+  double hazeHeightM = 1200;    // m, 100 .. 4000: scale height of the aerosol
+  double hazeAnisotropy = 0.7;  // g of its phase function, 0 .. 0.95
 };
 
 // How much of the land's surface is worked out.
@@ -38,11 +39,11 @@ struct RenderSettings {
   CameraSettings camera;
   SunSettings sun;
   AtmosphereSettings atmosphere;
-  double exposureStops = 0;  // on top of the automatic exposure
+  double exposureStops = 0;  // EV, -6 .. 6, on top of the automatic exposure
   bool smoothModels = true;  // four samples a pixel for aircraft and packages
   LandDetail landDetail = LandDetail::rich;
-  bool wireframe = false;
-  bool terrainNormals = false;
+  bool wireframe = false;       // the land as lines
+  bool terrainNormals = false;  // a stroke along the normal of each of its vertices
 };
 
 void describe(core::SettingsVisitor& visitor, CameraSettings& settings);

@@ -14,7 +14,10 @@ struct FrameBufferFormat {
   GLsizei samples = 1;                   // a pixel; with more the textures cannot be filtered
 };
 
-// A target to draw into whose colour and depth are textures that later passes read. Any size, resizable.
+// A target to draw into whose colour and depth are textures that later passes read. Sizes in pixels, 1 to
+// 16384, resizable. On the context's thread; it must go before its context. At least one of colour and depth
+// must be there (asserted); what the driver cannot give is reported by its debug messages
+// (Context::debugErrors).
 class FrameBuffer : public Object {
  public:
   enum class Clear { no, yes };

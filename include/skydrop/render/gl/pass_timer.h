@@ -30,6 +30,8 @@ class PassTimer {
   // What the statistics call it: "none", "timer query", "wall clock between glFinish calls".
   std::string_view clockName() const;
 
+  // Order of calls: beginFrame(), then begin() and end() for each pass, on the context's thread. The first
+  // takes over what has arrived of earlier frames; it waits only where more than 80 passes are under way.
   void beginFrame();
   // Passes do not nest.
   void begin(std::string_view pass);

@@ -8,25 +8,34 @@
 
 namespace skydrop::render {
 
+// What all packages are drawn with: loaded once, shared by the pass and the shadows. Owns GL objects: on the
+// context's thread, and must go before its context.
 struct PackageModels {
-  // Reads assets/models/package.glb and parachute.glb. Throws core::DataError.
+  // Reads assets/models/package.glb and parachute.glb. Throws core::DataError for a file that is missing or
+  // broken, or a material with too many textures.
   explicit PackageModels(gl::Context& context);
 
   Model crate, parachute;
 };
 
-// The packages, with their parachutes, as they hide the sun.
+// The packages of FrameInput::game, with their parachutes, as they hide the sun; nothing without a game. A
+// caster refers to the frame's snapshot, and to the models, which it keeps alive.
 ShadowSource packageShadows(std::shared_ptr<const PackageModels> models);
 
-// The packages under way and those that have landed, with their parachutes.
+// The packages of FrameInput::game, under way or landed, with their parachutes: closed they are not drawn,
+// opening they grow from a streamer to the full canopy along the flow of the air, landed they lie on the
+// slope, down the wind. Skipped where no package is in view (each as a ball of 8 m). Publishes nothing, asks
+// for nothing.
 class PackagePass final : public Pass {
  public:
+  // `models`: not null.
   explicit PackagePass(std::shared_ptr<const PackageModels> models) : models_(std::move(models)) {}
 
   std::string_view name() const override { return "packages"; }
   RenderStage stage() const override { return RenderStage::models; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
-  PixelBox extent(const FrameInput& frame) const override;
+  PixelBox extent(const FrameInput& frame) const override;  // only where skipReason() gave none
+  // Throws core::DataError where its shaders do not compile.
   void draw(FrameContext& context) override;
 
  private:

@@ -14,12 +14,14 @@ class ChunkTextures {
   // kLargestSplitChunks): the table wraps them around.
   static constexpr int kTableSide = core::shared::f64::kChunkTableSide;
 
-  ChunkTextures() = default;
+  ChunkTextures() = default;  // no layers; may be assigned to and asked for layers(), nothing else
+  // Allocates all layers at once: 1 to 65534 (asserted).
   ChunkTextures(gl::Context& context, int layers);
 
   int layers() const { return layers_; }
 
-  // Writes heights and normals of a chunk into its layer.
+  // Writes heights and normals of a chunk into its layer, below layers() (asserted). The data is not needed
+  // afterwards.
   void upload(const terrain::ChunkUpload& upload);
   // Makes these the chunks that shaders find, and no others.
   void setResident(std::span<const terrain::ResidentChunk> chunks);
