@@ -162,6 +162,7 @@ EffectSet requiredEffects(const Scene& scene) {
     effects.insert(Effect::terrain);
   }
   const bool seesSomething = effects.contains(Effect::terrain) || effects.contains(Effect::clouds) ||
+                             effects.contains(Effect::cloudPlanes) || effects.contains(Effect::cloudDome) ||
                              effects.contains(Effect::aircraft);
   if (!seesSomething) effects.erase(Effect::haze);
   return effects;

@@ -10,6 +10,8 @@
 
 #include "app/input/gamepad.h"
 #include "skydrop/audio/audio_settings.h"
+#include "skydrop/clouds/cloud_dome_settings.h"
+#include "skydrop/clouds/cloud_planes_settings.h"
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/core/settings.h"
 #include "skydrop/core/settings_table.h"
@@ -52,6 +54,8 @@ struct Settings {
   terrain::TerrainStreamingSettings streaming;
   render::RenderSettings render;
   clouds::CloudSettings clouds;
+  clouds::CloudPlanesSettings cloudPlanes;
+  clouds::CloudDomeSettings cloudDome;
   core::WindSettings wind;
   audio::AudioSettings audio;
   ViewSettings view;

@@ -136,7 +136,7 @@ void WindowGame::tellOfSoftware() {
 void WindowGame::beginPreparations() {
   using Maker = Preparation::Maker;
   preparations_.begin(scene::requiredEffects(run_->setup.scene),
-                      window_.context().isSoftware() ? Maker::processor : Maker::graphics);
+                      window_.context().isSoftware() ? Maker::processor : Maker::graphics, run_->settings);
 }
 
 // Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player
