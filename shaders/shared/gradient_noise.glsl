@@ -8,13 +8,8 @@
 // period, and the cut to clouds.
 #ifndef __cplusplus
 #include "shared/guards.glsl"
-#include "shared/lattice.glsl"
+#include "shared/lattice_gradients.glsl"
 #endif
-
-// A row of the lattice is added to a column as one number, so latticeBits() mixes all coordinates.
-CONST Uint kColumnStride = Uint(0x9e3779b1u);
-CONST Uint kRowStride = Uint(0x85ebca77u);
-CONST Uint kSliceStride = Uint(0xc2b2ae3du);
 
 // Tells octaves, seeds, and noise of the plane and of space (dimensions 2 and 3) apart.
 FN Uint octaveSalt(Uint seed, Uint octave, Uint dimensions) {
@@ -33,36 +28,6 @@ FN Uvec2 cellOfTexel(Uint texel, Uint size, Uint cells) {
 }
 
 FN Uint cellAfter(Uint cell, Uint cells) { return cell + Uint(1u) == cells ? Uint(0u) : cell + Uint(1u); }
-
-// +1 or -1.
-FN Real signOf(Uint bit) { return Real(1.0) - Real(2.0) * Real(bit & Uint(1u)); }
-
-// Components of the gradient at a node of a plane's lattice: eight directions, 45 degrees apart, of length sqrt(2).
-FN Real planeGradientX(Uint bits) {
-  Real along = (bits & Uint(0x20000000u)) != Uint(0u) ? Real(1.0)
-               : (bits & Uint(0x80000000u)) != Uint(0u) ? Real(0.0) : Real(1.41421356);
-  return along * signOf(bits >> Uint(30u));
-}
-FN Real planeGradientY(Uint bits) {
-  if ((bits & Uint(0x20000000u)) != Uint(0u)) return signOf(bits >> Uint(31u));
-  return (bits & Uint(0x80000000u)) != Uint(0u) ? Real(1.41421356) * signOf(bits >> Uint(30u)) : Real(0.0);
-}
-
-// Of a lattice in space: to the middles of a cube's twelve edges, four of them twice (Perlin 2002).
-FN Real spaceGradientX(Uint bits) {
-  Uint h = bits >> Uint(28u);
-  if (h < Uint(8u)) return signOf(h);
-  return (h & Uint(13u)) == Uint(12u) ? signOf(h >> Uint(1u)) : Real(0.0);
-}
-FN Real spaceGradientY(Uint bits) {
-  Uint h = bits >> Uint(28u);
-  if (h >= Uint(8u)) return signOf(h);
-  return h < Uint(4u) ? signOf(h >> Uint(1u)) : Real(0.0);
-}
-FN Real spaceGradientZ(Uint bits) {
-  Uint h = bits >> Uint(28u);
-  return h >= Uint(4u) && (h & Uint(13u)) != Uint(12u) ? signOf(h >> Uint(1u)) : Real(0.0);
-}
 
 // A node's plane a + x gx + y gy over its surroundings: what is left of a node in space once z is given.
 // x: gx, y: gy, z: a.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "noise/noise_rows.h"
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/settings_table.h"
@@ -66,18 +67,29 @@ void requireSize(const NoiseSize& size) {
   if (size.slices != 0) requireSide("slices", size.slices, most);
 }
 
+void requireTexture(const NoiseSize& size, core::TexelFormat format) {
+  requireSize(size);
+  if (!isNoiseFormat(format)) {
+    throw core::RangeError("noise is made as a8, r8, r16 or r32f, not as " +
+                           std::string(core::texelFormatName(format)));
+  }
+  const std::uint64_t bytes = std::uint64_t(size.width) * std::uint64_t(size.height) *
+                              std::uint64_t(size.layers()) * core::texelBytes(format);
+  if (bytes > kMostBytes) {
+    throw core::RangeError("size: " + std::to_string(bytes >> 20) + " MiB of texels: more than 256 MiB");
+  }
+}
+
 NoiseGenerator::NoiseGenerator(const NoiseSettings& settings, const NoiseSize& size)
     : settings_(settings), size_(size) {
   requireSettings(settings);
   requireSize(size);
+  rows_ = std::make_shared<const NoiseRows>(settings, size, bestOctaveKernels());
 }
 
 void NoiseGenerator::fillRows(int layer, int firstRow, std::span<float> values) const {
-  const auto width = static_cast<std::size_t>(size_.width);
-  assert(values.size() % width == 0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = valueAt(static_cast<int>(i % width), firstRow + static_cast<int>(i / width), layer);
-  }
+  assert(values.size() % static_cast<std::size_t>(size_.width) == 0);
+  rows_->fill(layer, firstRow, values);
 }
 
 float NoiseGenerator::valueAt(int x, int y, int layer) const {
@@ -123,18 +135,11 @@ core::TextureData makeNoise(const NoiseSettings& settings, const NoiseSize& size
                             const MakeOptions& options) {
   const NoiseGenerator generator(settings, size);
   if (options.postProcess) requirePostProcess(*options.postProcess);
-  if (!isNoiseFormat(options.format)) {
-    throw core::RangeError("noise is made as a8, r8, r16 or r32f, not as " +
-                           std::string(core::texelFormatName(options.format)));
-  }
-  const std::uint64_t bytes = std::uint64_t(size.width) * std::uint64_t(size.height) *
-                              std::uint64_t(size.layers()) * core::texelBytes(options.format);
-  if (bytes > kMostBytes) {
-    throw core::RangeError("size: " + std::to_string(bytes >> 20) + " MiB of texels: more than 256 MiB");
-  }
+  requireTexture(size, options.format);
   core::TextureData texture(options.format, size.width, size.height, size.slices);
-  // Rows that are made together share the work on a lattice row; few enough to stop within a moment.
-  const int block = std::min(size.height, 32);
+  // Rows that are made together share lattice rows; this many fit the cache, and stop within a moment.
+  constexpr int kTexelsAtOnce = 1 << 16;
+  const int block = std::clamp(kTexelsAtOnce / size.width, 1, size.height);
   std::vector<float> values(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(block));
   const std::size_t blockBytes = values.size() * core::texelBytes(options.format);
   const std::span<std::byte> texels = texture.texels;

@@ -65,6 +65,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"platform", {"gl"}},
             {"frame", {"gl"}},
             {"sky", effect},
+            {"noise", {"gl"}},
             {"clouds", effect},
             {"models", effect},
             {"overlay", effect},

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -13,6 +14,8 @@
 #include "skydrop/noise/noise_settings.h"
 
 namespace skydrop::noise {
+
+class NoiseRows;
 
 // Texels. Sides are powers of two: then every texel's place between lattice points is exact in float, and mip
 // levels halve evenly. A plane has sides up to 8192, a volume up to 1024.
@@ -33,6 +36,8 @@ inline constexpr int kMostPlaneSide = 8192, kMostVolumeSide = 1024;
 void requireSettings(const NoiseSettings& settings);
 void requirePostProcess(const PostProcess& postProcess);
 void requireSize(const NoiseSize& size);
+// Also more than 256 MiB of texels, and a format that noise is not made in (MakeOptions).
+void requireTexture(const NoiseSize& size, core::TexelFormat format);
 
 // Values in [0, 1] of one texture, row by row: for previews, and for what makeNoise() does not do. A value
 // depends on the settings, the size and its texel alone, never on the rows that are asked for together, the
@@ -46,6 +51,7 @@ class NoiseGenerator {
   const NoiseSize& size() const { return size_; }
 
   // The rows firstRow, firstRow + 1, ... of a layer (0 of a plane), values.size() / width of them.
+  // Neighbouring rows share work: 64 at a time cost a fraction of 64 calls.
   void fillRows(int layer, int firstRow, std::span<float> values) const;
 
   // One texel by the plain definition; what fillRows() gives, bit for bit.
@@ -54,6 +60,7 @@ class NoiseGenerator {
  private:
   NoiseSettings settings_;
   NoiseSize size_;
+  std::shared_ptr<const NoiseRows> rows_;  // copies share it
 };
 
 // The cut to clouds, in place.
