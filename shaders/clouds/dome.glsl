@@ -11,9 +11,12 @@ uniform float bias;
 uniform float noiseMean;
 uniform vec3 cloudColor;
 
+// Standard deviations of noise over which the cut is softened: of what is seen, and of the shade.
+const float kDomeSoftCut = 0.03, kDomeShadeBlur = 0.06;
+
 // The fine copy of the noise: its frequency and its share.
 const float kDomeFineScale = 7.31;
-const float kDomeFineShare = 0.22;
+const float kDomeFineShare = 0.2;
 
 // The volume is cut at a slant to its lattice, so that the cut itself never repeats.
 vec3 noisePlace(vec3 place) { return domeTurn(place) * scale + offset; }
@@ -27,12 +30,13 @@ float noiseAt(vec3 place) {
 
 vec4 domeLight(vec3 direction, float rim) {
   vec3 place = domePlace(direction, flatness);
-  float here = sheetDepth(noiseAt(place), cutoff, depthPerNoise);
+  SheetCover cover = sheetCover(noiseAt(place), kDomeSoftCut, cutoff, depthPerNoise);
+  float here = cover.depth;
   vec3 sunPlace = domePlace(directionOf(vec3(frame.toSun.x, max(frame.toSun.y, 0.05), frame.toSun.z), vec3(0.0, 1.0, 0.0)), flatness);
   vec3 towardsSun = directionOf(sunPlace - place, vec3(0.0, 1.0, 0.0)) * min(length(sunPlace - place), 0.12);
-  float sunward = sheetDepth(texture(noise, noisePlace(place + towardsSun)).r, cutoff, depthPerNoise);
-  vec3 light = sheetLight(direction, here, sunward, 0.0) * cloudColor;
+  SheetCover shade = sheetCover(texture(noise, noisePlace(place + towardsSun)).r, kDomeShadeBlur, cutoff, depthPerNoise);
+  vec3 light = sheetLight(direction, here, shade.share * shade.depth, 0.0) * cloudColor;
   float distanceM = domeDistance(direction.y, frame.eye.x);
-  float opacity = bias * stepOpacity(here) * smoothstep(0.0, 1.0, rim);
+  float opacity = bias * sheetCoverOpacity(cover, 1.0) * smoothstep(0.0, 1.0, rim);
   return vec4(applyAerialPerspective(light, direction * distanceM), 1.0) * opacity;
 }

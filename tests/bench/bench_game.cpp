@@ -14,6 +14,7 @@ std::unique_ptr<app::RunConfig> runOf(const BenchGame::Setup& setup) {
   app::CommandLine line;
   line.verb = app::Verb::render;
   line.scene = setup.scene;
+  line.set = setup.set;
   std::unique_ptr<app::RunConfig> run = app::prepareRun(line);
   if (setup.without) run->setup.scene.effects.erase(*setup.without);
   return run;

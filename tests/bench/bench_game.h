@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
@@ -21,6 +22,7 @@ class BenchGame {
     bool measuring = false;  // times of the passes are asked for, which slows a software renderer down
     std::string scene = "terrain";
     std::optional<scene::Effect> without = std::nullopt;  // of the scene's effects
+    std::vector<std::string> set = {};                    // PATH=VALUE, as --set
   };
   explicit BenchGame(const Setup& setup);
 

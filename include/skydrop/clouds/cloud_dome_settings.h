@@ -11,7 +11,7 @@ namespace skydrop::clouds {
 
 struct CloudDomeSettings {
   double scale = 0.4;       // copies of the volume across the unit dome's radius, [0.05, 4]
-  double cutoff = 0.5;      // noise up to it is no cloud, [0, 1]; from 1 on the dome is empty
+  double cutoff = 0.61;     // noise up to it is no cloud, [0, 1]; from 1 on the dome is empty
   double exponent = 0.96;   // light that 1 / 255 of noise above the cutoff lets through, [0.8, 0.999]
   double bias = 1;          // factor of the opacity, [0, 1]; 0: an empty dome
   double speedX = 0.0015;   // drift: copies of the volume a second, [-0.1, 0.1]

@@ -93,6 +93,7 @@ SheetNoise makeSheetNoise(const clouds::CloudDomeSettings& settings, std::stop_t
   std::vector<float> values = floatsOf(noise::make3d(noiseOf(settings), side, side, side, options));
   if (values.empty()) return made;
   made.side = side;
+  for (float& value : values) value = 0.5f + static_cast<float>(kDomeContrast) * (value - 0.5f);
   made.levels.push_back(std::move(values));
   measure(made);
   return made;

@@ -28,7 +28,11 @@ struct SheetNoise {
 // 2D; empty (no levels) when it was stopped before. Throws core::RangeError for settings outside their
 // ranges.
 SheetNoise makeSheetNoise(const clouds::CloudPlaneSettings& settings, std::stop_token stop = {});
-// A volume, level 0 alone. progress: 0 .. 1, called on this thread.
+// How much the noise of a dome is stretched around its mean: the source's cutoffs for the dome, .85 to .61,
+// then range from a few clouds to a sky a third full. Values may leave [0, 1].
+inline constexpr double kDomeContrast = 1.65;
+
+// A volume, level 0 alone, stretched. progress: 0 .. 1, called on this thread.
 SheetNoise makeSheetNoise(const clouds::CloudDomeSettings& settings, std::stop_token stop = {},
                           std::function<void(double)> progress = {});
 
