@@ -398,6 +398,8 @@ constexpr std::string_view kElsewhere[] = {
     "view.freezeTime",         // tests/window/comfort_test.cpp
     "render.",                 // all but the camera: tests/gl/settings_effect_test.cpp
     "clouds.",                 // tests/gl/settings_effect_test.cpp
+    "cloudPlanes.",            // tests/gl/settings_effect_test.cpp
+    "cloudDome.",              // tests/gl/settings_effect_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -453,6 +455,8 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
 constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot.", "terrain.",
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
                                    "clouds.",    "render.",  "wind."};
+// Tried by tests/gl/settings_effect_test.cpp alone.
+constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;
@@ -465,7 +469,9 @@ TEST(SettingsEffectOfAll, everyGroupIsTried) {
   const core::SettingsTable table(settings);
   for (const core::Field& field : table.fields()) {
     const bool isTried =
-        std::ranges::any_of(kGroups, [&](const char* group) { return field.path.starts_with(group); });
+        std::ranges::any_of(kGroups, [&](const char* group) { return field.path.starts_with(group); }) ||
+        std::ranges::any_of(kGroupsOfPictures,
+                            [&](const char* group) { return field.path.starts_with(group); });
     // The switches of the effects are tried in tests/gl/effects_test.cpp.
     EXPECT_TRUE(isTried || field.path.starts_with("effects.")) << field.path;
   }

@@ -2,6 +2,7 @@
 // weather by what a ray sees of the clouds, and by where there is cloud; the others by whole frames of the
 // game. Other rows: tests/app/settings_effect_test.cpp.
 #include <algorithm>
+#include <functional>
 #include <glm/trigonometric.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,8 @@
 #include "app/session/scene_renderer.h"
 #include "app/settings/settings.h"
 #include "skydrop/core/hash.h"
+#include "skydrop/render/clouds/cloud_dome.h"
+#include "skydrop/render/clouds/cloud_plane.h"
 #include "support/cloud_rows.h"
 #include "support/row_steps.h"
 #include "support/shared_noise.h"
@@ -76,6 +79,83 @@ TEST_F(CloudRowsEffectGLTest, onlyTheTierOffDrawsNoClouds) {
     clouds_.tier = static_cast<clouds::CloudTier>(tier);
     EXPECT_GT(difference(sceneFrom(below()), background), 20) << tier;
   }
+}
+
+// Clouds without thickness, on small textures: planes from below with their rim in view, the dome above.
+class CloudSheetRowsEffectGLTest : public test::CloudRowsGLTest {
+ protected:
+  void SetUp() override {
+    CloudRowsGLTest::SetUp();
+    if (IsSkipped()) return;
+    renderer().add(std::make_unique<test::LightProbe>(light_));
+    addSky();
+    features_.haze = true;
+    snapshot_.simulatedSeconds = 100;
+  }
+
+  // Every row of the group, from defaults with more cloud and smaller textures.
+  int tryRows(std::string_view group, const std::function<std::uint64_t(const Settings&)>& observe) {
+    Settings settings;
+    const core::SettingsTable table(settings);
+    int rows = 0;
+    for (const core::Field& field : table.fields()) {
+      if (!field.path.starts_with(group)) continue;
+      ++rows;
+      settings = Settings();
+      for (clouds::CloudPlaneSettings& layer : settings.cloudPlanes.layers) {
+        layer.textureSide = 128;
+        layer.cutoff = 0.5;
+      }
+      settings.cloudDome.textureSide = 32;
+      settings.cloudDome.cutoff = 0.5;
+      for (const std::string& line : test::idleSteps(field, {}, [&] { return observe(settings); }))
+        ADD_FAILURE() << line;
+    }
+    return rows;
+  }
+  void add(StateHasher& h) const {
+    for (const glm::vec4& texel : light_)
+      for (int c = 0; c < 3; ++c) h.add(static_cast<double>(texel[c]));
+  }
+
+  std::vector<glm::vec4> light_;
+};
+
+TEST_F(CloudSheetRowsEffectGLTest, everyTenthOfEveryRowOfThePlanesMakesADifference) {
+  if (test::backendFromEnvironment() == render::gl::Backend::osmesa) return;  // draws the same bits
+  auto pass = std::make_unique<render::CloudPlanes>(context(), nullptr, Settings().cloudPlanes, wind_);
+  render::CloudPlanes& planes = *pass;
+  renderer().add(std::move(pass));
+  EXPECT_GE(
+      tryRows("cloudPlanes.",
+              [&](const Settings& settings) {
+                planes.apply(settings.cloudPlanes, settings.wind);
+                planes.waitForNoise();
+                StateHasher h;
+                for (const render::View& view : {small({0, 300, 0}, 40, 14), small({0, 7000, 0}, 40, -4)}) {
+                  draw(view);
+                  add(h);
+                }
+                return h.value();
+              }),
+      30);
+}
+
+TEST_F(CloudSheetRowsEffectGLTest, everyTenthOfEveryRowOfTheDomeMakesADifference) {
+  if (test::backendFromEnvironment() == render::gl::Backend::osmesa) return;  // draws the same bits
+  auto pass = std::make_unique<render::CloudDome>(context(), nullptr, Settings().cloudDome);
+  render::CloudDome& dome = *pass;
+  renderer().add(std::move(pass));
+  EXPECT_GE(tryRows("cloudDome.",
+                    [&](const Settings& settings) {
+                      dome.apply(settings.cloudDome);
+                      dome.waitForNoise();
+                      StateHasher h;
+                      draw(small({0, 300, 0}, 40, 45));
+                      add(h);
+                      return h.value();
+                    }),
+            17);
 }
 
 // What a row needs before it means anything.

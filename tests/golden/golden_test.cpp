@@ -86,6 +86,21 @@ const std::vector<Golden>& goldens() {
       {"stratocumulusAtDusk", clouded("fair", "5000,450,6000,220,4,0", "3", "250",
                                       {"clouds.typeShift=-0.4", "clouds.coverage=0.42"})},
       {"overcastFromBelow", clouded("overcast", "0,400,0,40,4,0", "40", "135")},
+      {"planeOvercast",
+       clouded("plane1", "0,400,0,200,14,0", "40", "135", {"cloudPlanes.layers.0.cutoff=0.4"})},
+      {"planeBroken", clouded("plane1", "0,400,0,40,14,0", "40", "150")},
+      {"planeFew", clouded("plane3", "0,400,0,200,14,0", "45", "100",
+                           {"cloudPlanes.layers.0.cutoff=1", "cloudPlanes.layers.1.cutoff=1",
+                            "cloudPlanes.layers.2.cutoff=0.68"})},
+      {"planesTwoLayers", clouded("plane3", "0,400,0,200,14,0", "40", "135",
+                                  {"cloudPlanes.count=2", "cloudPlanes.layers.0.cutoff=0.5"})},
+      {"planesFromAbove", clouded("plane3", "0,2600,0,200,-14,0", "30", "135")},
+      {"planesAtDusk", withoutHud({"--scene", "duskPlanes", "--pose=0,400,0,220,8,0"})},
+      {"domeAt85", clouded("dome", "0,400,0,40,20,0", "40", "220", {"cloudDome.cutoff=0.85"})},
+      {"domeAt78", clouded("dome", "0,400,0,40,20,0", "40", "220", {"cloudDome.cutoff=0.78"})},
+      {"domeAt72", clouded("dome", "0,400,0,40,20,0", "40", "220", {"cloudDome.cutoff=0.72"})},
+      {"domeAt61", clouded("dome", "0,400,0,40,20,0", "40", "220", {"cloudDome.cutoff=0.61"})},
+      {"domeAtDusk", clouded("dome", "0,400,0,220,12,0", "-1", "250")},
   };
   return all;
 }

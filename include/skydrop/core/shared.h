@@ -25,8 +25,8 @@ using Vec4 = glm::vec4;
 using Uint = std::uint32_t;
 using Uvec2 = glm::u32vec2;
 using Uvec3 = glm::u32vec3;
-using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::max, glm::min, glm::mix,
-    glm::pow, glm::sqrt;
+using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::log, glm::max, glm::min,
+    glm::mix, glm::pow, glm::sqrt;
 
 // In the order of need.
 // clang-format off
@@ -49,6 +49,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
 #include "shared/cloud_march.glsl"
+#include "shared/cloud_sheet.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -62,8 +63,8 @@ using Vec4 = glm::dvec4;
 using Uint = std::uint32_t;
 using Uvec2 = glm::u32vec2;
 using Uvec3 = glm::u32vec3;
-using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::max, glm::min, glm::mix,
-    glm::pow, glm::sqrt;
+using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::log, glm::max, glm::min,
+    glm::mix, glm::pow, glm::sqrt;
 
 // In the order of need.
 // clang-format off
@@ -86,6 +87,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
 #include "shared/cloud_march.glsl"
+#include "shared/cloud_sheet.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

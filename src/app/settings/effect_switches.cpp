@@ -27,6 +27,10 @@ std::string_view helpOf(Effect effect) {
       return "The sounds of engine and events.";
     case Effect::hud:
       return "Instruments, navigation bar and messages over the picture.";
+    case Effect::cloudPlanes:
+      return "One to three flat layers of clouds that drift with the wind: cheap, and best from below.";
+    case Effect::cloudDome:
+      return "Clouds on a dome around the viewer, infinitely far away: the cheapest full sky.";
     case Effect::count_:
       break;
   }
