@@ -69,7 +69,7 @@ void WindowGame::switchEffects() {
 // `seconds`: of the frame before, half of which may be added to this one.
 void WindowGame::continueSwitch(double seconds) {
   if (!sceneRenderer_->isSwitching()) return;
-  attempt(part::kChange, [this] {
+  attempt(part::kChange, [&] {
     if (preparations_.pending()) return preparations_.makeParts(window_.context());
     for (const std::string& message : preparations_.takeMessages()) warn(message);
     sceneRenderer_->continueSwitch(preparations_.results(sceneRenderer_->effects()), snapshotToDraw(),
