@@ -23,7 +23,6 @@ class BenchGame {
     std::string scene = "terrain";
     std::vector<std::string> set = {};                    // --set
     std::optional<scene::Effect> without = std::nullopt;  // of the scene's effects
-    std::vector<std::string> set = {};                    // PATH=VALUE, as --set
   };
   explicit BenchGame(const Setup& setup);
 
