@@ -1,6 +1,7 @@
 #include "app/session/scene_renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <glm/gtc/constants.hpp>
 #include <utility>
@@ -14,8 +15,12 @@ namespace skydrop::app {
 namespace {
 
 constexpr std::string_view kShadowGroup = "shadows";
-// Of frames that nobody sees. Programs do not depend on a size, and the passes cost little at this one.
-constexpr Size kUnseenSize{64, 36};
+// Of frames that nobody sees: small, because programs do not depend on a size. But a software renderer
+// compiles one program for textures whose sides are powers of two and another for those whose are not.
+Size unseenSize(Size size) {
+  const auto isPowerOfTwo = [](int side) { return std::has_single_bit(static_cast<unsigned>(side)); };
+  return {isPowerOfTwo(size.width) ? 64 : 80, isPowerOfTwo(size.height) ? 32 : 45};
+}
 
 }  // namespace
 
@@ -142,7 +147,7 @@ void SceneRenderer::continueSwitch(const PreparedResources& prepared, const game
 
 // A part of the frames to warm up with; true when all have been drawn.
 bool SceneRenderer::warmUpInPart(const game::Snapshot& snapshot, double budgetMs) {
-  const std::vector<WarmUpFrame> frames = warmUpFrames(snapshot, kUnseenSize);
+  const std::vector<WarmUpFrame> frames = warmUpFrames(snapshot, unseenSize(drawnSize_));
   const render::FrameFeatures features = frameFeatures(setup_.effects, *setup_.table);
   const Stopwatch watch;
   do {
@@ -204,6 +209,7 @@ render::View SceneRenderer::view(const game::Snapshot& snapshot, Size size) cons
 void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
   const render::View view = this->view(snapshot, size);
   lastView_ = view;
+  drawnSize_ = size;
   settleMs_ = 0;
   if (land_) {
     if (streaming == Streaming::settled) {

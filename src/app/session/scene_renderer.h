@@ -154,6 +154,7 @@ class SceneRenderer {
   render::Renderer renderer_;
   render::Camera camera_;
   std::optional<render::View> lastView_;
+  Size drawnSize_{1, 1};     // of the last frame
   std::vector<Part> parts_;  // that are there, in the order of adding
   std::optional<Switch> switch_;
   std::map<std::string, double> startMs_;  // what each effect took to be made, on this thread

@@ -113,16 +113,21 @@ bool Renderer::warmUp(const FrameInput& asked, double budgetMs, std::size_t& dra
   };
   targets_ = &unseen_;
   timer_.setPaused(true);
+  shaders_.limitCompiling(1);
   auto skippedInDraw = std::exchange(skipped_, {});
   const auto restore = [&] {
     targets_ = &screen_;
     timer_.setPaused(false);
+    shaders_.limitCompiling(std::nullopt);
     skipped_ = std::move(skippedInDraw);
   };
   try {
     const bool complete = drawPasses(asked, Which::all, goesOn);
     restore();
     return complete;
+  } catch (const gl::ShaderCache::CompileLater&) {
+    restore();
+    return false;
   } catch (...) {
     restore();
     throw;

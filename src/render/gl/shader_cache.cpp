@@ -12,34 +12,33 @@ std::string keyOf(std::initializer_list<std::string_view> files, std::span<const
   return key;
 }
 
-// The program of the entry, made there by `make` the first time.
-template <class Entry, class Make>
-auto& madeOnce(Entry& entry, std::uint64_t use, const std::string& key,
-               std::map<std::string, core::DataError>& failed, Make make) {
-  entry.lastUse = use;
+}  // namespace
+
+template <class Program, class Make>
+Program& ShaderCache::madeOnce(Entry<Program>& entry, const std::string& key, Make make) {
+  entry.lastUse = use_;
   if (entry.program) return *entry.program;
-  if (const auto known = failed.find(key); known != failed.end()) throw known->second;
+  if (const auto known = failed_.find(key); known != failed_.end()) throw known->second;
+  if (mayCompile_ && (*mayCompile_)-- <= 0) throw CompileLater();
   try {
     entry.program = make();
   } catch (const core::DataError& error) {
-    failed.insert_or_assign(key, error);
+    failed_.insert_or_assign(key, error);
     throw;
   }
   return *entry.program;
 }
 
-}  // namespace
-
 Shader& ShaderCache::shader(const std::string& vertex, const std::string& fragment,
                             std::span<const std::string> defines, const std::string& geometry) {
   const std::string key = keyOf({vertex, fragment, geometry}, defines);
-  return madeOnce(shaders_[key], use_, key, failed_,
+  return madeOnce(shaders_[key], key,
                   [&] { return std::make_unique<Shader>(*context_, vertex, fragment, geometry, defines); });
 }
 
 ComputeShader& ShaderCache::computeShader(const std::string& file, std::span<const std::string> defines) {
   const std::string key = keyOf({file}, defines);
-  return madeOnce(computeShaders_[key], use_, key, failed_,
+  return madeOnce(computeShaders_[key], key,
                   [&] { return std::make_unique<ComputeShader>(*context_, file, defines); });
 }
 

@@ -70,10 +70,10 @@ class Renderer {
 
   // Draws a frame of the view's size that nobody sees, those passes included that are held, so that no later
   // frame has to wait for what they compile. Pass by pass from the first: those that earlier calls have
-  // drawn, at least one more, and then more until `budgetMs` are used up. `drawn`: how many passes earlier
-  // calls for this frame have drawn, 0 at first; it is moved on. True when all were drawn. Keep the view
-  // small: targets of its size are kept until endWarmUp(). To be called before the draw() of a frame, whose
-  // times and counts it leaves alone. Throws what draw() throws.
+  // drawn, one more, and then more until `budgetMs` are used up or a second program would have to be
+  // compiled. `drawn`: how many passes earlier calls for this frame have drawn, 0 at first; it is moved on.
+  // True when all were drawn. Keep the view small: targets of its size are kept until endWarmUp(). To be
+  // called before the draw() of a frame, whose times and counts it leaves alone. Throws what draw() throws.
   bool warmUp(const FrameInput& input, double budgetMs, std::size_t& drawn);
   void endWarmUp() { unseen_ = {}; }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,12 @@ class ShaderCache {
 
   std::size_t size() const { return shaders_.size() + computeShaders_.size(); }
 
+  // Thrown by shader() and computeShader() in place of compiling a program beyond the limit: whoever set it
+  // asks again in a later frame.
+  struct CompileLater {};
+  // From now on so many programs are compiled, and further ones are not; nullopt: no limit.
+  void limitCompiling(std::optional<int> programs) { mayCompile_ = programs; }
+
   // Deletes every program that was not asked for since beginUse() was called last (or ever, if it was not);
   // references to those become invalid.
   void beginUse() { ++use_; }
@@ -53,12 +60,16 @@ class ShaderCache {
     std::uint64_t lastUse = 0;
   };
 
+  // The program of the entry, made there by `make` the first time.
+  template <class Program, class Make>
+  Program& madeOnce(Entry<Program>& entry, const std::string& key, Make make);
   void reloadIfChanged(const std::string& key, ShaderProgram& program, Reloaded& result);
 
   Context* context_;
   std::map<std::string, Entry<Shader>> shaders_;
   std::map<std::string, Entry<ComputeShader>> computeShaders_;
   std::uint64_t use_ = 0;
+  std::optional<int> mayCompile_;                  // nullopt: as many as are asked for
   std::map<std::string, core::DataError> failed_;  // never compiled
   std::map<std::string, std::string> stale_;       // compiled once, not since: the line that says why
 };
