@@ -2,6 +2,7 @@
 
 in vec3 ray;
 in float rim;
+in vec3 airLeft;
 out vec4 color;
 
-void main() { color = domeLight(normalize(ray), rim); }
+void main() { color = domeLight(normalize(ray), rim, airLeft); }

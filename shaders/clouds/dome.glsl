@@ -6,7 +6,6 @@ uniform float scale;
 uniform float flatness;
 uniform vec3 offset;        // of the noise, copies of the volume, [0, 1)
 uniform float cutoff;
-uniform float depthPerNoise;
 uniform float bias;
 uniform float noiseMean;
 uniform vec3 cloudColor;
@@ -28,15 +27,14 @@ float noiseAt(vec3 place) {
   return texture(noise, at).r + kDomeFineShare * fine;
 }
 
-vec4 domeLight(vec3 direction, float rim) {
+vec4 domeLight(vec3 direction, float rim, vec3 airLeft) {
   vec3 place = domePlace(direction, flatness);
   SheetCover cover = sheetCover(noiseAt(place), kDomeSoftCut, cutoff, depthPerNoise);
   float here = cover.depth;
   vec3 sunPlace = domePlace(directionOf(vec3(frame.toSun.x, max(frame.toSun.y, 0.05), frame.toSun.z), vec3(0.0, 1.0, 0.0)), flatness);
   vec3 towardsSun = directionOf(sunPlace - place, vec3(0.0, 1.0, 0.0)) * min(length(sunPlace - place), 0.12);
-  SheetCover shade = sheetCover(texture(noise, noisePlace(place + towardsSun)).r, kDomeShadeBlur, cutoff, depthPerNoise);
-  vec3 light = sheetLight(direction, here, shade.share * shade.depth, 0.0) * cloudColor;
-  float distanceM = domeDistance(direction.y, frame.eye.x);
+  float shade = meanDepth(texture(noise, noisePlace(place + towardsSun)).r - cutoff, kDomeShadeBlur);
+  vec3 light = sheetLight(direction, here, shade, 0.0) * cloudColor;
   float opacity = bias * sheetCoverOpacity(cover, 1.0) * smoothstep(0.0, 1.0, rim);
-  return vec4(applyAerialPerspective(light, direction * distanceM), 1.0) * opacity;
+  return vec4(throughAir(light, direction, airLeft), 1.0) * opacity;
 }

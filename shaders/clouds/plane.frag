@@ -5,6 +5,7 @@ in vec2 texturePlace;
 in vec2 weatherPlace;
 in vec2 finePlace;
 in float rim;
+in vec3 airLeft;
 out vec4 color;
 
-void main() { color = planeLight(relative, texturePlace, weatherPlace, finePlace, rim); }
+void main() { color = planeLight(relative, texturePlace, weatherPlace, finePlace, rim, airLeft); }

@@ -5,7 +5,6 @@
 layout(binding = 0) uniform sampler2D noise;
 layout(binding = 1) uniform sampler2D sceneDepth;
 uniform float cutoff;
-uniform float depthPerNoise;
 uniform float variation;   // how far the second copy shifts the cutoff
 uniform float noiseMean;
 uniform float detail;      // share of the fine copy
@@ -29,7 +28,7 @@ float throughClouds(float distanceM) {
 float throughClouds(float distanceM) { return 1.0; }
 #endif
 
-const float kNearFadeM = 120.0;   // closer than this to the eye a sheet thins out, instead of cutting the picture in two
+const float kNearFadeM = 250.0;   // closer than this to the eye a sheet thins out, instead of cutting the picture in two
 // Standard deviations of noise over which the cut is softened: of what is seen, and of the shade.
 const float kSoftCut = 0.011, kShadeBlur = 0.03;
 const float kSoftEdgeM = 90.0;  // so far before a surface that pierces it, likewise
@@ -52,7 +51,7 @@ float unhidden() {
   return clamp((surfaceZ - viewZOfDepth(gl_FragCoord.z, frame.eye.y)) / kSoftEdgeM, 0.0, 1.0);
 }
 
-vec4 planeLight(vec3 relative, vec2 place, vec2 weatherPlace, vec2 finePlace, float rim) {
+vec4 planeLight(vec3 relative, vec2 place, vec2 weatherPlace, vec2 finePlace, float rim, vec3 airLeft) {
   float level = max(footprintLevel(place) - 1.0, 0.0);
   float spread = lostAt(level);
   float shift = clamp(variation * (textureLod(noise, weatherPlace, max(level - 2.0, 1.0)).r - noiseMean), -mostShift, mostShift);
@@ -64,7 +63,7 @@ vec4 planeLight(vec3 relative, vec2 place, vec2 weatherPlace, vec2 finePlace, fl
   vec3 direction = relative / max(distanceM, 1e-3);
   float opacity = sheetCoverOpacity(cover, sheetPath(direction.y));
   opacity *= smoothstep(0.0, 1.0, rim) * smoothstep(0.0, kNearFadeM, distanceM) * unhidden() * throughClouds(distanceM);
-  SheetCover sunward = sheetCover(textureLod(noise, place + towardsSun, max(level, 1.5)).r, max(spread, kShadeBlur), cut, depthPerNoise);
-  vec3 light = sheetLight(direction, cover.depth, sunward.share * sunward.depth, relative.y < 0.0 ? 1.0 : 0.0);
-  return vec4(applyAerialPerspective(light, relative), 1.0) * opacity;
+  float shade = meanDepth(textureLod(noise, place + towardsSun, max(level, 1.5)).r - cut, max(spread, kShadeBlur));
+  vec3 light = sheetLight(direction, cover.depth, shade, relative.y < 0.0 ? 1.0 : 0.0);
+  return vec4(throughAir(light, direction, airLeft), 1.0) * opacity;
 }

@@ -8,6 +8,7 @@ out vec2 texturePlace;
 out vec2 weatherPlace;
 out vec2 finePlace;
 out float rim;
+out vec3 airLeft;
 
 void main() {
   relative = planePoint(place);
@@ -15,5 +16,6 @@ void main() {
   weatherPlace = weatherPlaceOf(relative.xz);
   finePlace = finePlaceOf(relative.xz);
   rim = alpha;
+  airLeft = airTransmittance(relative.y, length(relative));
   gl_Position = frame.viewProjection * vec4(relative, 1.0);
 }

@@ -43,7 +43,12 @@ FN SheetCover sheetCover(Real noise, Real spread, Real cutoff, Real depthPerNois
 }
 
 // Of a sheet seen at a slant: path is how much longer the way through it is than straight through, at least 1.
-FN Real sheetCoverOpacity(SheetCover cover, Real path) { return cover.share * stepOpacity(cover.depth * path); }
+// Depths within the share spread like an exponential distribution where little of it is cloud, whose mean opacity is
+// d / (1 + d), and hardly where all of it is.
+FN Real sheetCoverOpacity(SheetCover cover, Real path) {
+  Real d = cover.depth * path;
+  return cover.share * mix(d / (Real(1.0) + d), stepOpacity(d), cover.share * cover.share);
+}
 
 // The longest way through a sheet against the way straight through: sheets stand for layers that are not infinitely wide.
 FN Real sheetPath(Real cosine) { return Real(1.0) / max(abs(cosine), Real(0.3)); }

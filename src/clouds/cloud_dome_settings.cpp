@@ -27,7 +27,7 @@ void describe(core::SettingsVisitor& visitor, CloudDomeSettings& s) {
                   .max = 4,
                   .help = "Of the noise on the dome; more makes smaller clouds.",
                   .logarithmic = true,
-                  .slider = Range{0.1, 1},
+                  .slider = Range{0.1, 0.8},
                   .aliases = "size"});
   visitor.number("exponent", s.exponent,
                  {.unit = "1",
@@ -87,7 +87,7 @@ void describe(core::SettingsVisitor& visitor, CloudDomeSettings& s) {
                   {.unit = "1",
                    .min = 1,
                    .max = 8,
-                   .help = "Of the noise; more makes finer edges.",
+                   .help = "Of the noise; more makes finer edges, down to the texels.",
                    .takesEffect = TakesEffect::rebuild,
                    .slider = Range{1, 6},
                    .aliases = "noise, detail"});

@@ -48,7 +48,7 @@ void describe(core::SettingsVisitor& visitor, CloudPlaneSettings& s) {
                   {.unit = "1",
                    .min = 1,
                    .max = 10,
-                   .help = "Of the noise; more makes finer edges.",
+                   .help = "Of the noise; more makes finer edges, down to the texels.",
                    .takesEffect = TakesEffect::rebuild,
                    .aliases = "noise, detail"});
   visitor.integer("frequency", s.frequency,

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/session/run_config.h"
+#include "skydrop/render/clouds/cloud_dome.h"
+#include "skydrop/render/clouds/cloud_plane.h"
 #include "support/gl_test.h"
 #include "support/shared_noise.h"
 
@@ -76,6 +78,37 @@ TEST_P(SceneRendererGLTest, theGpusMemoryIsWithinItsBudget) {
   sceneRenderer.writeTo(statistics);
   EXPECT_GT(statistics.gl.bytes, 32 << 20);
   EXPECT_LE(statistics.gl.bytes, 128 << 20);
+}
+
+TEST_P(SceneRendererGLTest, cloudSheetsCostNothingWhereNoSceneCallsForThem) {
+  // Without the effects: no pass, no row in the statistics. With them, on the same scene: two passes, and
+  // programs, textures and draws that the frame did not have.
+  const auto run = prepared();
+  Simulation simulation(run->setup, run->settings, run->table);
+  const auto frame = [&](const SceneRenderer::Setup& setup, bool has) {
+    SceneRenderer sceneRenderer(context(), setup, run->settings);
+    auto* planes = sceneRenderer.renderer().find<render::CloudPlanes>();
+    auto* dome = sceneRenderer.renderer().find<render::CloudDome>();
+    EXPECT_EQ(planes != nullptr, has);
+    EXPECT_EQ(dome != nullptr, has);
+    if (has) planes->waitForNoise(), dome->waitForNoise();
+    sceneRenderer.draw(simulation.world().now(), {64, 36}, Streaming::settled);
+    core::FrameStatistics statistics;
+    sceneRenderer.writeTo(statistics);
+    for (const auto& [name, row] : statistics.passes) {
+      if (name == "cloudPlanes" || name == "cloudDome") {
+        EXPECT_TRUE(has) << name;
+      }
+    }
+    return statistics.gl;
+  };
+  SceneRenderer::Setup setup = setupOf(simulation);
+  const auto without = frame(setup, false);
+  setup.effects.insert(scene::Effect::cloudPlanes);
+  setup.effects.insert(scene::Effect::cloudDome);
+  const auto with = frame(setup, true);
+  EXPECT_EQ(with.programs, without.programs + 2);
+  EXPECT_EQ(with.textures, without.textures + 4);
 }
 
 }  // namespace

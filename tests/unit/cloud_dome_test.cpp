@@ -63,23 +63,31 @@ TEST(CloudDome, levelSheetIsSeenAtItsHeightAndTheHemisphereAsItIs) {
   EXPECT_LT(before, 10);
 }
 
-TEST(CloudDome, noTwoPlacesOfTheSheetAreAPeriodApart) {
-  // The noise repeats where the turned coordinates of two places differ by whole numbers in all three axes.
-  // Of all such differences up to 6 copies along each axis none lies in the sheet: every one is at least
-  // 1/200 of a copy off it.
+TEST(CloudDome, aSkyIsNarrowerThanItsNoiseRepeats) {
+  // Noise looks the same again where turned coordinates differ by nearly whole numbers in all three axes:
+  // within 0.06 of a copy, a third of a cell of the first octave. The shortest such way along the sheet is
+  // longer than the whole sky down to 14 degrees at the default scale, and than a view of 60 degrees straight
+  // up at the largest of the slider.
   const f64::Vec3 normal = f64::domeTurn({0, 1, 0});
   EXPECT_NEAR(glm::length(normal), 1, 1e-6);
   EXPECT_NEAR(glm::dot(normal, f64::domeTurn({1, 0, 0})), 0, 1e-6);
-  double nearest = 1;
+  EXPECT_NEAR(glm::dot(f64::domeTurn({0, 0, 1}), f64::domeTurn({1, 0, 0})), 0, 1e-6);
+  double shortest = 100;
   for (int x = -6; x <= 6; ++x) {
     for (int y = -6; y <= 6; ++y) {
       for (int z = -6; z <= 6; ++z) {
-        if (x == 0 && y == 0 && z == 0) continue;
-        nearest = std::min(nearest, std::abs(glm::dot(normal, glm::dvec3(x, y, z))));
+        const glm::dvec3 copies(x, y, z);
+        if (copies != glm::dvec3(0) && std::abs(glm::dot(normal, copies)) < 0.06)
+          shortest = std::min(shortest, glm::length(copies));
       }
     }
   }
-  EXPECT_GT(nearest, 0.005);
+  const auto radiusAt = [](double elevationDeg) {
+    const double angle = elevationDeg * std::numbers::pi / 180;
+    return f64::domePlace({std::cos(angle), std::sin(angle), 0}, 1).x;
+  };
+  EXPECT_GT(shortest, 2 * radiusAt(14) * clouds::CloudDomeSettings().scale);
+  EXPECT_GT(shortest, 2 * radiusAt(60) * 0.8);
 }
 
 TEST(CloudDome, driftIsExactAfterMonths) {

@@ -7,8 +7,8 @@
 
 namespace skydrop::render {
 
-// Illuminance by the sun at a height (m), multiplied by exposure, on a surface that faces it. The horizon
-// dips by sqrt(2 h / R) for it, so clouds keep their light for some minutes after the land has lost it.
+// Illuminance by the sun at a height (m), multiplied by exposure, on a surface that faces it. The sun sets
+// later for it: clouds keep their light, redder and redder, until the sun is sqrt(2 h / R) below the horizon.
 glm::dvec3 sunOnSheet(const SkyLight& light, double heightM);
 
 }  // namespace skydrop::render
