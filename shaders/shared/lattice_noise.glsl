@@ -2,18 +2,8 @@
 // (whole numbers, wrapped at 2^32) and a position inside it.
 #ifndef __cplusplus
 #include "shared/hash.glsl"
+#include "shared/lattice.glsl"
 #endif
-
-// The last rounds of lowbias32 (Wellons, "Prospecting for Hash Functions", 2018) over the sum of both coordinates'
-// products: half of the work of hash2, which matters in a shader that runs it sixteen times a pixel.
-FN Uint latticeBits(Uint column, Uint row) {
-  Uint bits = column + row;
-  bits = bits ^ (bits >> Uint(16u));
-  bits = bits * Uint(0x7feb352du);
-  bits = bits ^ (bits >> Uint(15u));
-  bits = bits * Uint(0x846ca68bu);
-  return bits ^ (bits >> Uint(16u));
-}
 
 // Two gradients from 32 bits, each along `offset` (from the node, in cells): the components are bytes in [-1, 1].
 FN Vec2 gradientPair(Uint bits, Vec2 offset) {
@@ -23,8 +13,6 @@ FN Vec2 gradientPair(Uint bits, Vec2 offset) {
   Real middle = offset.x + offset.y;
   return sums - Vec2(middle, middle);
 }
-
-FN Real smoothStep5(Real t) { return t * t * t * (t * (t * Real(6.0) - Real(15.0)) + Real(10.0)); }
 
 // Two independent values (gradient noise: Perlin, "Improving Noise", 2002) at a position [0, 1] in a cell: mean 0,
 // standard deviation about .3, nearly always inside [-1, 1]. Noise of values instead of gradients shows its squares.

@@ -142,9 +142,15 @@ NoiseDifference noiseDifference(const core::TextureData& a, const core::TextureD
 }
 
 double seamRoughness(const core::TextureData& texture) {
-  const bool floats =
-      texture.format == core::TexelFormat::r32f || texture.format == core::TexelFormat::rgba32f;
-  return floats ? roughestSeam<float>(texture) : roughestSeam<std::uint8_t>(texture);
+  switch (texture.format) {
+    case core::TexelFormat::r32f:
+    case core::TexelFormat::rgba32f:
+      return roughestSeam<float>(texture);
+    case core::TexelFormat::r16:
+      return roughestSeam<std::uint16_t>(texture);
+    default:
+      return roughestSeam<std::uint8_t>(texture);
+  }
 }
 
 }  // namespace skydrop::clouds

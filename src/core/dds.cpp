@@ -58,7 +58,8 @@ constexpr Word kDds = fourCc("DDS "), kDx10 = fourCc("DX10");
 constexpr Word kFlagCaps = 0x1, kFlagHeight = 0x2, kFlagWidth = 0x4, kFlagPitch = 0x8,
                kFlagPixelFormat = 0x1000, kFlagDepth = 0x800000;
 constexpr Word kCapsComplex = 0x8, kCapsTexture = 0x1000, kCaps2Cube = 0x200, kCaps2Volume = 0x200000;
-constexpr Word kPixelAlpha = 0x1, kPixelFourCc = 0x4, kPixelRgb = 0x40, kPixelLuminance = 0x20000;
+constexpr Word kPixelAlpha = 0x1, kPixelAlphaAlone = 0x2, kPixelFourCc = 0x4, kPixelRgb = 0x40,
+               kPixelLuminance = 0x20000;
 constexpr Word kDimension2D = 3, kDimension3D = 4, kMiscCube = 0x4;
 
 struct PixelFormat {
@@ -75,7 +76,7 @@ struct FormatRow {
   PixelFormat legacy;
 };
 
-constexpr std::array<FormatRow, 5> kFormats = {{
+constexpr std::array<FormatRow, 7> kFormats = {{
     {TexelFormat::r8, "r8", 1, 1, 61, {kPixelLuminance, 0, 8, 0xff, 0, 0, 0}},
     {TexelFormat::rg8, "rg8", 2, 2, 49, {kPixelLuminance | kPixelAlpha, 0, 16, 0xff, 0, 0, 0xff00}},
     {TexelFormat::rgba8,
@@ -86,6 +87,8 @@ constexpr std::array<FormatRow, 5> kFormats = {{
      {kPixelRgb | kPixelAlpha, 0, 32, 0xff, 0xff00, 0xff0000, 0xff000000}},
     {TexelFormat::r32f, "r32f", 1, 4, 41, {kPixelFourCc, 114, 0, 0, 0, 0, 0}},
     {TexelFormat::rgba32f, "rgba32f", 4, 16, 2, {kPixelFourCc, 116, 0, 0, 0, 0, 0}},
+    {TexelFormat::a8, "a8", 1, 1, 65, {kPixelAlphaAlone, 0, 8, 0, 0, 0, 0xff}},
+    {TexelFormat::r16, "r16", 1, 2, 56, {kPixelLuminance, 0, 16, 0xffff, 0, 0, 0}},
 }};
 constexpr PixelFormat kBgra = {kPixelRgb | kPixelAlpha, 0, 32, 0xff0000, 0xff00, 0xff, 0xff000000};
 constexpr PixelFormat kBgrx = {kPixelRgb, 0, 32, 0xff0000, 0xff00, 0xff, 0};
@@ -181,7 +184,8 @@ class HeaderReader {
       for (const FormatRow& row : kFormats) {
         if (row.dxgi == word(kDxgiFormat)) return row.format;
       }
-      fail("DXGI format", std::to_string(word(kDxgiFormat)) + " is not among 2, 28, 41, 49, 61 and 87");
+      fail("DXGI format",
+           std::to_string(word(kDxgiFormat)) + " is not among 2, 28, 41, 49, 56, 61, 65 and 87");
     }
     const PixelFormat stored = storedPixelFormat();
     opaque_ = stored == kBgrx;
@@ -196,13 +200,14 @@ class HeaderReader {
 
   // Fields that the flags leave without meaning count as 0.
   PixelFormat storedPixelFormat() const {
-    const Word flags = word(kPixelFlags) & (kPixelAlpha | kPixelFourCc | kPixelRgb | kPixelLuminance);
+    const Word flags =
+        word(kPixelFlags) & (kPixelAlpha | kPixelAlphaAlone | kPixelFourCc | kPixelRgb | kPixelLuminance);
     if ((flags & kPixelFourCc) != 0) return {kPixelFourCc, word(kFourCc), 0, 0, 0, 0, 0};
-    const bool rgb = (flags & kPixelRgb) != 0, alpha = (flags & kPixelAlpha) != 0;
+    const bool rgb = (flags & kPixelRgb) != 0, alpha = (flags & (kPixelAlpha | kPixelAlphaAlone)) != 0;
     return {flags,
             0,
             word(kBitCount),
-            word(kRedMask),
+            rgb || (flags & kPixelLuminance) != 0 ? word(kRedMask) : 0,
             rgb ? word(kGreenMask) : 0,
             rgb ? word(kBlueMask) : 0,
             alpha ? word(kAlphaMask) : 0};

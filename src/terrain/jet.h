@@ -9,16 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#if defined(__GNUC__)
-#define SKYDROP_INLINE __attribute__((always_inline)) inline
-#define SKYDROP_INLINE_LAMBDA __attribute__((always_inline))
-#elif defined(_MSC_VER)
-#define SKYDROP_INLINE __forceinline
-#define SKYDROP_INLINE_LAMBDA
-#else
-#define SKYDROP_INLINE inline
-#define SKYDROP_INLINE_LAMBDA
-#endif
+#include "skydrop/core/force_inline.h"
 
 namespace skydrop::terrain {
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 
+#include "skydrop/core/instruction_set.h"
 #include "skydrop/terrain/chunk_key.h"
 #include "terrain/land_gully.h"
 #include "terrain/land_shape.h"
@@ -91,9 +92,8 @@ struct RowKernels {
                      GullyNodeRow& out);
 };
 
-enum class InstructionSet { baseline, sse41, avx2, avx512 };
-inline constexpr std::array<InstructionSet, 4> kInstructionSets{
-    InstructionSet::baseline, InstructionSet::sse41, InstructionSet::avx2, InstructionSet::avx512};
+using core::InstructionSet;
+using core::kInstructionSets;
 
 // Null where this processor, or the build, lacks the set; never for the baseline.
 const RowKernels* rowKernels(InstructionSet set);

@@ -119,6 +119,59 @@ TEST(CommandLine, twoNoiseFilesOfOneNameAreNotExportedOverEachOther) {
       << "nothing is written";
 }
 
+TEST(CommandLine, generateTakesWhatItSays) {
+  const NoiseRequest plane = parse({"noise", "--generate", "2d", "--out", "a.dds"}).commandLine.noise;
+  EXPECT_EQ(plane.file, "a.dds");
+  EXPECT_FALSE(plane.folder);
+  EXPECT_EQ(plane.texture->size, (noise::NoiseSize{512, 512, 0}));
+  EXPECT_EQ(plane.texture->texels, core::TexelFormat::a8);
+  EXPECT_EQ(plane.texture->recipe, noise::NoiseRecipe());
+  const NoiseRequest volume =
+      parse({"noise", "--generate",    "3d",  "--octaves", "4",  "--frequency", "3",   "--amplitude",
+             "1",     "--persistence", "0.3", "--seed",    "5",  "--width",     "64",  "--slices",
+             "16",    "--cutoff",      "0.6", "--bits",    "16", "--format",    "dds", "--out",
+             "a.dds"})
+          .commandLine.noise;
+  EXPECT_EQ(volume.texture->size, (noise::NoiseSize{64, 64, 16}));
+  EXPECT_EQ(volume.texture->texels, core::TexelFormat::r16);
+  const noise::NoiseSettings settings{
+      .octaves = 4, .frequency = 3, .amplitude = 1, .persistence = 0.3, .seed = 5};
+  EXPECT_EQ(volume.texture->recipe, (noise::NoiseRecipe{settings, noise::PostProcess{.cutoff = 0.6}}));
+}
+
+TEST(CommandLine, badNoiseIsRefusedAtTheDoor) {
+  const auto refusal = [](std::vector<std::string> words, const std::string& kind = "2d") {
+    words.insert(words.begin(), {"noise", "--generate", kind, "--out", "a.dds"});
+    return refusalOf(words);
+  };
+  EXPECT_EQ(refusal({"--octaves", "0"}), "--octaves: 0 is out of range 1 to 16");
+  EXPECT_EQ(refusal({"--octaves", "17"}), "--octaves: 17 is out of range 1 to 16");
+  EXPECT_EQ(refusal({"--frequency", "0"}), "--frequency: 0 is out of range 1 to 512");
+  EXPECT_EQ(refusal({"--frequency", "2.5"}), "--frequency: '2.5' is not a whole number");
+  EXPECT_EQ(refusal({"--amplitude", "nan"}), "--amplitude: 'nan' is not a finite number");
+  EXPECT_EQ(refusal({"--persistence", "-1"}), "--persistence: -1 is out of range 0 to 1");
+  EXPECT_EQ(refusal({"--cutoff", "1.5"}), "--cutoff: 1.5 is out of range 0 to 1");
+  EXPECT_EQ(refusal({"--density", "2"}), "--density: 2 is out of range 0 to 1");
+  EXPECT_EQ(refusal({"--width", "0"}), "--width: 0 is out of range 1 to 8192");
+  EXPECT_EQ(refusal({"--width", "3"}),
+            "--width: 3 is not a power of two, which exact tiling and mip levels need");
+  EXPECT_EQ(refusal({"--width", "100000"}), "--width: 100000 is out of range 1 to 8192");
+  EXPECT_EQ(refusal({"--height", "-1"}), "--height: -1 is out of range 1 to 8192");
+  EXPECT_EQ(refusal({"--slices", "4"}), "--slices belongs to --generate 3d");
+  EXPECT_EQ(refusal({"--slices", "0"}, "3d"), "--slices: 0 layers make no volume");
+  EXPECT_EQ(refusal({"--width", "1024"}, "3d"), "--size: 1024 MiB of texels: more than 256 MiB");
+  EXPECT_EQ(refusal({"--bits", "12"}), "--bits: 12 is not one of 8 16 32");
+  EXPECT_EQ(refusal({"--channel", "alpha", "--bits", "16"}),
+            "--bits 16: DDS has alpha alone in 8 bits only; --channel luminance has 16 and 32");
+  EXPECT_EQ(refusal({"--channel", "red"}), "--channel: 'red' is not one of alpha luminance");
+  EXPECT_EQ(refusal({"--format", "png"}), "--out: 'a.dds' does not end in .png");
+  EXPECT_EQ(refusal({"--check"}), "--generate excludes --check and --noise");
+  EXPECT_EQ(refusalOf({"noise", "--generate", "4d", "--out", "a.dds"}),
+            "--generate: '4d' is not one of 2d 3d");
+  EXPECT_EQ(refusalOf({"noise", "--generate", "2d"}), "--generate needs --out FILE");
+  EXPECT_EQ(refusalOf({"noise", "--octaves", "4"}), "--octaves belongs to --generate, which is not given");
+}
+
 TEST(CommandLine, wrongWordsAreEchoedPrintableAndBounded) {
   // What stands on the command line may come from a script that passes on anything.
   const std::string bad = "a\x1b[2J\n" + std::string(5000, 'x') + "end";

@@ -13,6 +13,7 @@
 
 #include "app/settings/settings.h"
 #include "app/window/window_memory.h"
+#include "skydrop/noise/noise_settings.h"
 #include "support/paths.h"
 #include "support/struct_fields.h"
 
@@ -92,6 +93,9 @@ std::set<std::string> describedStructs() {
 
 TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using audio::AudioSettings;
+  using clouds::CloudDomeSettings;
+  using clouds::CloudPlaneSettings;
+  using clouds::CloudPlanesSettings;
   using clouds::CloudSettings;
   using clouds::MarchSettings;
   using core::WindSettings;
@@ -99,6 +103,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using flight::PackageSettings;
   using game::AutopilotSettings;
   using game::GameSettings;
+  using noise::NoiseSettings;
+  using noise::PostProcess;
   using render::AtmosphereSettings;
   using render::CameraSettings;
   using render::RenderSettings;
@@ -106,16 +112,30 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using terrain::TerrainSettings;
   using terrain::TerrainStreamingSettings;
   const std::map<std::string, void (*)(const char*)> structs = {
-      SKYDROP_STRUCT(AirplaneSettings),   SKYDROP_STRUCT(PackageSettings),
-      SKYDROP_STRUCT(GameSettings),       SKYDROP_STRUCT(AutopilotSettings),
-      SKYDROP_STRUCT(TerrainSettings),    SKYDROP_STRUCT(TerrainStreamingSettings),
-      SKYDROP_STRUCT(CameraSettings),     SKYDROP_STRUCT(SunSettings),
-      SKYDROP_STRUCT(AtmosphereSettings), SKYDROP_STRUCT(RenderSettings),
-      SKYDROP_STRUCT(MarchSettings),      SKYDROP_STRUCT(CloudSettings),
-      SKYDROP_STRUCT(AudioSettings),      SKYDROP_STRUCT(ViewSettings),
-      SKYDROP_STRUCT(GamepadSettings),    SKYDROP_STRUCT(InputSettings),
-      SKYDROP_STRUCT(Settings),           SKYDROP_STRUCT(WindowMemory),
+      SKYDROP_STRUCT(AirplaneSettings),
+      SKYDROP_STRUCT(PackageSettings),
+      SKYDROP_STRUCT(GameSettings),
+      SKYDROP_STRUCT(AutopilotSettings),
+      SKYDROP_STRUCT(TerrainSettings),
+      SKYDROP_STRUCT(TerrainStreamingSettings),
+      SKYDROP_STRUCT(CameraSettings),
+      SKYDROP_STRUCT(SunSettings),
+      SKYDROP_STRUCT(AtmosphereSettings),
+      SKYDROP_STRUCT(RenderSettings),
+      SKYDROP_STRUCT(MarchSettings),
+      SKYDROP_STRUCT(CloudSettings),
+      SKYDROP_STRUCT(AudioSettings),
+      SKYDROP_STRUCT(ViewSettings),
+      SKYDROP_STRUCT(GamepadSettings),
+      SKYDROP_STRUCT(InputSettings),
+      SKYDROP_STRUCT(Settings),
+      SKYDROP_STRUCT(WindowMemory),
       SKYDROP_STRUCT(WindSettings),
+      SKYDROP_STRUCT(CloudPlaneSettings),
+      SKYDROP_STRUCT(CloudPlanesSettings),
+      SKYDROP_STRUCT(CloudDomeSettings),
+      SKYDROP_STRUCT(NoiseSettings),
+      SKYDROP_STRUCT(PostProcess),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

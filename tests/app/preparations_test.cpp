@@ -40,7 +40,9 @@ class FakePreparation final : public Preparation {
   static inline bool fails = false;
 };
 
-std::unique_ptr<Preparation> prepareAnswer(Preparation::Maker) { return std::make_unique<FakePreparation>(); }
+std::unique_ptr<Preparation> prepareAnswer(Preparation::Maker, const Settings&) {
+  return std::make_unique<FakePreparation>();
+}
 
 EffectSet setOf(std::initializer_list<Effect> effects) {
   EffectSet set;
@@ -49,6 +51,7 @@ EffectSet setOf(std::initializer_list<Effect> effects) {
 }
 
 constexpr auto kMaker = Preparation::Maker::processor;
+const Settings kSettings;
 
 // A table in which clouds and haze prepare something, and the sky does not.
 class PreparationsTest : public testing::Test {
@@ -65,19 +68,19 @@ class PreparationsTest : public testing::Test {
 };
 
 TEST_F(PreparationsTest, onlyWhatTheEffectsCallForIsStartedAndOnlyOnce) {
-  preparations_.begin(setOf({Effect::sky, Effect::terrain}), kMaker);
+  preparations_.begin(setOf({Effect::sky, Effect::terrain}), kMaker, kSettings);
   EXPECT_EQ(FakePreparation::alive, 0);
   EXPECT_EQ(preparations_.pending(), nullptr);
   EXPECT_EQ(preparations_.progress(), 1);
-  preparations_.begin(setOf({Effect::sky, Effect::clouds}), kMaker);
-  preparations_.begin(setOf({Effect::sky, Effect::clouds}), kMaker);
+  preparations_.begin(setOf({Effect::sky, Effect::clouds}), kMaker, kSettings);
+  preparations_.begin(setOf({Effect::sky, Effect::clouds}), kMaker, kSettings);
   EXPECT_EQ(FakePreparation::alive, 1);
 }
 
 TEST_F(PreparationsTest, resultsAreThereWhenTheyAreReady) {
   // Before, they are pending and nothing can be found; after, only effects that need a result are given it.
   const EffectSet clouds = setOf({Effect::clouds});
-  preparations_.begin(clouds, kMaker);
+  preparations_.begin(clouds, kMaker, kSettings);
   FakePreparation::share = 0.5;
   ASSERT_NE(preparations_.pending(), nullptr);
   EXPECT_EQ(preparations_.pending()->title(), "Making the answer");
@@ -94,7 +97,7 @@ TEST_F(PreparationsTest, resultsAreThereWhenTheyAreReady) {
 
 TEST_F(PreparationsTest, whatTheNextSceneDoesNotNeedEnds) {
   // And what it does need goes on as it is.
-  preparations_.begin(setOf({Effect::clouds, Effect::haze}), kMaker);
+  preparations_.begin(setOf({Effect::clouds, Effect::haze}), kMaker, kSettings);
   EXPECT_EQ(FakePreparation::alive, 2);
   const Preparation* first = preparations_.pending();
   preparations_.keepOnly(setOf({Effect::clouds, Effect::sky}));
@@ -105,7 +108,7 @@ TEST_F(PreparationsTest, whatTheNextSceneDoesNotNeedEnds) {
 }
 
 TEST_F(PreparationsTest, aFailureReachesWhoAsks) {
-  preparations_.begin(setOf({Effect::clouds}), kMaker);
+  preparations_.begin(setOf({Effect::clouds}), kMaker, kSettings);
   FakePreparation::fails = true;
   EXPECT_THROW(preparations_.pending(), std::runtime_error);
 }

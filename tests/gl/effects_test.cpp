@@ -94,7 +94,7 @@ class Flight {
   Flight(render::gl::Context& context, const EffectSet& effects,
          const std::vector<EffectDescriptor>& table = effectTable())
       : context_(context), table_(table), run_(prepareRun(lineOf(effects))), preparations_(table_) {
-    preparations_.begin(effects, Preparation::Maker::processor);
+    preparations_.begin(effects, Preparation::Maker::processor, run_->settings);
     preparations_.waitUntilReady();
     simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
     sceneRenderer_ =
@@ -131,7 +131,7 @@ class Flight {
     run_->settings.effects = EffectSwitches(effects);
     simulation_->apply({"effects"});
     EXPECT_EQ(simulation_->effects(), effects);
-    preparations_.begin(effects, Preparation::Maker::processor);
+    preparations_.begin(effects, Preparation::Maker::processor, run_->settings);
     sceneRenderer_->beginSwitch(effects, simulation_->ground());
     preparations_.keepOnly(effects);
     preparations_.waitUntilReady();

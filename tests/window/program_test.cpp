@@ -26,7 +26,7 @@ testing::AssertionResult isOneLine(const ProcessResult& result) {
 
 TEST(Program, usageErrorsExitWithTwoAndOneLine) {
   const TemporaryFolder folder;
-  const std::string out = (folder.path() / "a.png").string();
+  const std::string out = (folder.path() / "a.png").string(), dds = (folder.path() / "a.dds").string();
   const std::vector<std::vector<std::string>> wrong = {
       {"--fast"},
       {"dance"},
@@ -44,6 +44,11 @@ TEST(Program, usageErrorsExitWithTwoAndOneLine) {
       {"accuracy", "nothing-of-this-name"},
       {"noise", "--format", "bmp"},
       {"noise", "--check", "--noise", out},
+      {"noise", "--generate", "2d", "--octaves", "0", "--out", dds},
+      {"noise", "--generate", "2d", "--frequency", "0.5", "--out", dds},
+      {"noise", "--generate", "3d", "--width", "3", "--out", dds},
+      {"noise", "--generate", "2d", "--height", "100000", "--out", dds},
+      {"noise", "--generate", "2d", "--density", "-1", "--out", dds},
   };
   for (const auto& words : wrong) {
     const ProcessResult result = runSkydrop(words);
@@ -106,6 +111,10 @@ TEST(Program, outputsAreTriedBeforeTheWork) {
       {{"noise", "--check", "--out", old}, old + ": cannot make the folder: File exists"},
       {{"noise", "--check", "--out", "/proc/export"}, "/proc/export: cannot make the folder"},
       {{"noise", "--out", here}, here + "/shape.dds: cannot write: is a folder"},
+      {{"noise", "--generate", "3d", "--width", "512", "--out", here + "/shape.dds"},
+       here + "/shape.dds: cannot write: is a folder"},
+      {{"noise", "--generate", "2d", "--out", "/nonexistent/a.dds"},
+       "/nonexistent/a.dds: cannot write: No such file or directory"},
   };
   for (const auto& [words, line] : wrong) {
     const ProcessResult result = runSkydrop(words);
@@ -329,6 +338,45 @@ TEST(Program, noiseFilesOfAnyShapeAreReadAndExportsReplaceNothing) {
   EXPECT_EQ(onto.exitCode, 1);
   EXPECT_NE(onto.err.find("would replace the file that is read"), std::string::npos) << onto.err;
   EXPECT_EQ(std::filesystem::file_size(column), 132u);
+}
+
+TEST(Program, generatedNoiseIsWhatTheFileSays) {
+  // Every format and channel reads back as it was asked for, with its recipe; the line that reports it has
+  // the seed.
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "a.dds").string();
+  struct Row {
+    std::vector<std::string> words;
+    std::string expected;
+  };
+  for (const Row& row :
+       {Row{{"2d", "--width", "64"}, "64x64 a8"},
+        Row{{"2d", "--width", "64", "--height", "32", "--format", "dds"}, "64x32 a8"},
+        Row{{"2d", "--width", "64", "--channel", "luminance", "--format", "dds"}, "64x64 r8"},
+        Row{{"3d", "--width", "32", "--bits", "16", "--slices", "8"}, "32x32x8 r16"},
+        Row{{"3d", "--width", "16", "--bits", "32", "--format", "dds"}, "16x16x16 r32f"}}) {
+    std::vector<std::string> words = {"noise", "--seed", "77", "--cutoff",
+                                      "0.4",   "--out",  file, "--generate"};
+    words.insert(words.end(), row.words.begin(), row.words.end());
+    const ProcessResult made = runSkydrop(words);
+    EXPECT_EQ(made.exitCode, 0) << made.err;
+    EXPECT_EQ(made.err, "");
+    EXPECT_TRUE(made.out.starts_with(file + ": " + row.expected + ", octaves 6")) << made.out;
+    EXPECT_NE(made.out.find("seed 77, cutoff 0.4, density 0.96"), std::string::npos) << made.out;
+    const ProcessResult read = runSkydrop({"noise", "--noise", file});
+    EXPECT_TRUE(read.out.starts_with(file + ": " + row.expected)) << read.out;
+    EXPECT_NE(read.out.find("seed 77, cutoff 0.4, density 0.96"), std::string::npos) << read.out;
+  }
+  const std::string picture = (folder.path() / "v.png").string();
+  EXPECT_EQ(
+      runSkydrop({"noise", "--generate", "3d", "--width", "8", "--format", "png", "--out", picture}).exitCode,
+      0);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "v-007.png"));
+  EXPECT_FALSE(std::filesystem::exists(picture));
+  // On standard output the file is alone.
+  const ProcessResult piped =
+      runShell("\"$SKYDROP\" noise --generate 2d --width 8 --out - --progress | head -c 4");
+  EXPECT_EQ(piped.out, "DDS ");
 }
 
 TEST(Program, noiseIsMadeOnceAndKept) {

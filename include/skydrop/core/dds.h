@@ -10,8 +10,10 @@
 
 namespace skydrop::core {
 
-// Unsigned normalised bytes or 32-bit floats; one, two or four channels in the order red, green, blue, alpha.
-enum class TexelFormat { r8, rg8, rgba8, r32f, rgba32f };
+// Unsigned normalised bytes, 16-bit words (r16) or 32-bit floats; one, two or four channels in the order red,
+// green, blue, alpha. r8 and r16 are LUMINANCE in a legacy file; a8 is alpha alone. Words and floats are
+// little-endian.
+enum class TexelFormat { r8, rg8, rgba8, r32f, rgba32f, a8, r16 };
 
 int channelCount(TexelFormat format);
 std::size_t texelBytes(TexelFormat format);

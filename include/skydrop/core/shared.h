@@ -25,8 +25,8 @@ using Vec4 = glm::vec4;
 using Uint = std::uint32_t;
 using Uvec2 = glm::u32vec2;
 using Uvec3 = glm::u32vec3;
-using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::max, glm::min, glm::mix,
-    glm::pow, glm::sqrt;
+using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::log, glm::max, glm::min,
+    glm::mix, glm::pow, glm::sqrt;
 
 // In the order of need.
 // clang-format off
@@ -38,7 +38,10 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/tone_map.glsl"
 #include "shared/terrain_grid.glsl"
 #include "shared/terrain_lod.glsl"
+#include "shared/lattice.glsl"
 #include "shared/lattice_noise.glsl"
+#include "shared/lattice_gradients.glsl"
+#include "shared/gradient_noise.glsl"
 #include "shared/land_material.glsl"
 #include "shared/water.glsl"
 #include "shared/marker.glsl"
@@ -46,6 +49,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
 #include "shared/cloud_march.glsl"
+#include "shared/cloud_sheet.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -59,8 +63,8 @@ using Vec4 = glm::dvec4;
 using Uint = std::uint32_t;
 using Uvec2 = glm::u32vec2;
 using Uvec3 = glm::u32vec3;
-using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::max, glm::min, glm::mix,
-    glm::pow, glm::sqrt;
+using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::log, glm::max, glm::min,
+    glm::mix, glm::pow, glm::sqrt;
 
 // In the order of need.
 // clang-format off
@@ -72,7 +76,10 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/tone_map.glsl"
 #include "shared/terrain_grid.glsl"
 #include "shared/terrain_lod.glsl"
+#include "shared/lattice.glsl"
 #include "shared/lattice_noise.glsl"
+#include "shared/lattice_gradients.glsl"
+#include "shared/gradient_noise.glsl"
 #include "shared/land_material.glsl"
 #include "shared/water.glsl"
 #include "shared/marker.glsl"
@@ -80,6 +87,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::ma
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
 #include "shared/cloud_march.glsl"
+#include "shared/cloud_sheet.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

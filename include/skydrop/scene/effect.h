@@ -11,20 +11,22 @@
 namespace skydrop::scene {
 
 enum class Effect {
-  sky,       // sky gradient, sun, light of both
-  terrain,   // endless land and sea
-  clouds,    // a layer of volumetric clouds that drifts with the wind
-  haze,      // extinction and in-scattering between eye and surface
-  aircraft,  // the airplane: its flight, its model, its camera
-  targets,   // targets, packages, score
-  sound,     // engine and events
-  hud,       // instruments, navigation bar, messages
-  count_     // how many there are; no effect itself, and always the last
+  sky,          // sky gradient, sun, light of both
+  terrain,      // endless land and sea
+  clouds,       // a layer of volumetric clouds that drifts with the wind
+  haze,         // extinction and in-scattering between eye and surface
+  aircraft,     // the airplane: its flight, its model, its camera
+  targets,      // targets, packages, score
+  sound,        // engine and events
+  hud,          // instruments, navigation bar, messages
+  cloudPlanes,  // up to three flat layers of clouds that follow the eye
+  cloudDome,    // clouds on a hemisphere behind everything
+  count_        // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
-    {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud"});
+    {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud", "cloudPlanes", "cloudDome"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {

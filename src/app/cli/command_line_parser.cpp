@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -111,6 +112,67 @@ ReportFormat parseReportFormat(const std::string& text) {
   return found->second;
 }
 
+// The words of --generate as they were given; judged together in noiseTexture().
+struct NoiseWords {
+  std::optional<bool> volume;  // --generate
+  std::optional<int> octaves, frequency, width, height, slices;
+  std::optional<double> amplitude, persistence, cutoff, density;
+  std::optional<bool> alpha;
+  std::optional<int> bits;
+  std::vector<std::string> flags;  // that belong to --generate
+};
+
+core::TexelFormat noiseTexels(bool alpha, int bits) {
+  using core::TexelFormat;
+  if (alpha && bits != 8) {
+    throw UsageError("--bits " + std::to_string(bits) +
+                     ": DDS has alpha alone in 8 bits only; --channel luminance has 16 and 32");
+  }
+  switch (bits) {
+    case 8:
+      return alpha ? TexelFormat::a8 : TexelFormat::r8;
+    case 16:
+      return TexelFormat::r16;
+    case 32:
+      return TexelFormat::r32f;
+    default:
+      throw UsageError("--bits: " + std::to_string(bits) + " is not one of 8 16 32");
+  }
+}
+
+// Settings, size and texels, with the defaults of what was not given: 512 x 512, or 128 x 128 x 128; sides
+// that follow the width.
+NoiseTextureRequest noiseTexture(const NoiseWords& words, std::uint64_t seed) {
+  NoiseTextureRequest request;
+  noise::NoiseSettings& settings = request.recipe.settings;
+  settings.octaves = words.octaves.value_or(static_cast<int>(settings.octaves));
+  settings.frequency = words.frequency.value_or(static_cast<int>(settings.frequency));
+  settings.amplitude = words.amplitude.value_or(settings.amplitude);
+  settings.persistence = words.persistence.value_or(settings.persistence);
+  settings.seed = static_cast<std::uint32_t>(seed);
+  if (words.cutoff || words.density) {
+    noise::PostProcess cut;
+    cut.cutoff = words.cutoff.value_or(cut.cutoff);
+    cut.density = words.density.value_or(cut.density);
+    request.recipe.postProcess = cut;
+  }
+  const bool volume = *words.volume;
+  if (!volume && words.slices) throw UsageError("--slices belongs to --generate 3d");
+  request.size.width = words.width.value_or(volume ? 128 : 512);
+  request.size.height = words.height.value_or(request.size.width);
+  if (volume) request.size.slices = words.slices.value_or(request.size.width);
+  request.texels = noiseTexels(words.alpha.value_or(words.bits.value_or(8) == 8), words.bits.value_or(8));
+  try {
+    noise::requireSettings(settings);
+    if (request.recipe.postProcess) noise::requirePostProcess(*request.recipe.postProcess);
+    if (volume && request.size.slices == 0) throw core::RangeError("slices: 0 layers make no volume");
+    noise::requireTexture(request.size, request.texels);
+  } catch (const core::RangeError& refusal) {
+    throw UsageError(std::string("--") + refusal.what());
+  }
+  return request;
+}
+
 // Where the file's name begins in a path.
 std::size_t nameAt(const std::string& path) { return path.rfind('/') + 1; }
 
@@ -142,7 +204,8 @@ class Parser {
     CLI::App* render = app_.add_subcommand("render", "frames to PNG files, no window needed");
     CLI::App* simulate = app_.add_subcommand("simulate", "no graphics: physics and game only");
     CLI::App* accuracy = app_.add_subcommand("accuracy", "measure error against time, write the report");
-    CLI::App* noise = app_.add_subcommand("noise", "make, check, export and read the noise of the clouds");
+    CLI::App* noise = app_.add_subcommand(
+        "noise", "make, check, export and read noise: the clouds' own, and textures of any settings");
     CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
     for (CLI::App* verb : {render, simulate, accuracy, noise, info})
       verb->set_help_flag("--help", "print this help");
@@ -183,6 +246,7 @@ class Parser {
     }
     if (version_) return {line_, std::string("skydrop ") + kVersion + "\n", {}};
     if (listScenes_) return sceneList();
+    finishNoise();
     check();
     checkCamera();
     if (camera_) line_.pose = poseOfCamera();
@@ -284,12 +348,78 @@ class Parser {
         ->type_name("FILE|-")
         ->allow_extra_args(false)
         ->expected(1, 1000);
-    path(verb, "--out", "DIR", "export to this folder", line_.noise.folder);
+    path(verb, "--out", "DIR|FILE",
+         "export to this folder; with --generate the file, .dds or .png (-: standard output)",
+         line_.noise.folder);
+    addNoiseTexture(verb);
     text(verb, "--format", "dds|dx10|png",
          "of the export (dx10): DDS with legacy or DX10 header, slices as PNG",
          [this](const std::string& t) { line_.noise.format = parseNoiseFormat(t); });
     text(verb, "--backend", "egl|osmesa|window", "what runs the shader of --check",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
+  }
+
+  void addNoiseTexture(CLI::App& verb) {
+    NoiseWords& words = noiseWords_;
+    text(verb, "--generate", "2d|3d", "make a texture or a volume of gradient noise (docs/noise.md) instead",
+         [&words](const std::string& t) {
+           if (t != "2d" && t != "3d") throw UsageError("--generate: '" + t + "' is not one of 2d 3d");
+           words.volume = t == "3d";
+         });
+    const auto whole = [&](const std::string& flag, std::optional<int>& target, const std::string& help) {
+      text(verb, flag, "N", help, [flag, &target, &words](const std::string& t) {
+        constexpr int kMost = std::numeric_limits<int>::max();
+        target = integer(flag, t, -kMost, kMost);
+        words.flags.push_back(flag);
+      });
+    };
+    const auto real = [&](const std::string& flag, std::optional<double>& target, const std::string& help) {
+      text(verb, flag, "X", help, [flag, &target, &words](const std::string& t) {
+        constexpr double kMost = std::numeric_limits<double>::max();
+        target = number(flag, t, -kMost, kMost);
+        words.flags.push_back(flag);
+      });
+    };
+    whole("--octaves", words.octaves, "1 to 16 (6)");
+    whole("--frequency", words.frequency, "lattice cells to a period in the first octave, 1 to 512 (6)");
+    real("--amplitude", words.amplitude, "weight of the first octave, 0 to 4 (0.7)");
+    real("--persistence", words.persistence, "weight of an octave over the one before, 0 to 1 (0.5)");
+    whole("--width", words.width, "texels, a power of two (512; 128 of a volume)");
+    whole("--height", words.height, "texels, a power of two (the width)");
+    whole("--slices", words.slices, "layers of a volume, a power of two (the width)");
+    real("--cutoff", words.cutoff,
+         "cut to clouds: values up to this one are 0 (not cut; 0.5 with --density)");
+    real("--density", words.density,
+         "cut to clouds: 1 - density^(255 (value - cutoff)) above (0.96 with --cutoff)");
+    whole("--bits", words.bits, "of a texel: 8, 16, or 32 for floats (8)");
+    text(verb, "--channel", "alpha|luminance", "what the texels are (alpha; luminance with 16 and 32 bits)",
+         [&words](const std::string& t) {
+           if (t != "alpha" && t != "luminance")
+             throw UsageError("--channel: '" + t + "' is not one of alpha luminance");
+           words.alpha = t == "alpha";
+           words.flags.emplace_back("--channel");
+         });
+  }
+
+  // What --generate asks for; its file takes the place of the folder.
+  void finishNoise() {
+    NoiseRequest& request = line_.noise;
+    if (!noiseWords_.volume) {
+      if (!noiseWords_.flags.empty())
+        throw UsageError(noiseWords_.flags.front() + " belongs to --generate, which is not given");
+      return;
+    }
+    if (request.check || !request.files.empty()) throw UsageError("--generate excludes --check and --noise");
+    request.texture = noiseTexture(noiseWords_, line_.seed.value_or(0));
+    if (!request.folder) throw UsageError("--generate needs --out FILE");
+    request.file = request.folder->string();
+    request.folder.reset();
+    const bool png = request.format == NoiseFormat::png;
+    if (png && core::texelBytes(request.texture->texels) != 1) throw UsageError("--format png holds 8 bits");
+    const bool isStream = request.file == "-" && !(png && request.texture->size.isVolume());
+    const std::string ending = png ? ".png" : ".dds";
+    if (!isStream && !request.file.ends_with(ending))
+      throw UsageError("--out: '" + request.file + "' does not end in " + ending);
   }
 
   void addSize(CLI::App& verb) {
@@ -433,6 +563,7 @@ class Parser {
   bool version_ = false, listScenes_ = false;
   std::optional<glm::dvec3> camera_;
   std::optional<double> heading_, pitch_, roll_;
+  NoiseWords noiseWords_;
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};
 };

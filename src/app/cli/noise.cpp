@@ -1,9 +1,11 @@
 // skydrop noise: makes, checks, exports and reads the noise textures of the clouds.
-#include <cstdio>
+#include <algorithm>
+#include <optional>
 #include <set>
 #include <system_error>
 
 #include "app/cli/command_line_parser.h"
+#include "app/cli/noise_picture.h"
 #include "app/cli/verbs.h"
 #include "app/console/message.h"
 #include "app/console/progress.h"
@@ -14,9 +16,9 @@
 #include "skydrop/clouds/noise_cache.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
-#include "skydrop/core/image.h"
 #include "skydrop/core/message.h"
 #include "skydrop/core/output_file.h"
+#include "skydrop/noise/noise_recipe.h"
 #include "skydrop/render/clouds/noise_maker.h"
 
 namespace skydrop::app {
@@ -25,27 +27,15 @@ namespace {
 using clouds::NoiseTexture;
 using core::TextureData;
 
+// The largest texture that core::decodeDds() reads, and both its headers.
+constexpr std::size_t kMostFileBytes = (std::size_t{256} << 20) + 148;
+
 std::string nameOf(NoiseTexture texture) { return std::string(clouds::noiseLayout(texture).name); }
 
 std::string sizeOf(const TextureData& texture) {
   std::string text = std::to_string(texture.width) + "x" + std::to_string(texture.height);
   if (texture.isVolume()) text += "x" + std::to_string(texture.depth);
   return text + " " + std::string(core::texelFormatName(texture.format));
-}
-
-// A layer of a volume, or the whole map, as a picture; colour as it is stored, opaque, so that it can be
-// seen.
-core::Image sliceOf(const TextureData& texture, int layer) {
-  if (texture.format != core::TexelFormat::rgba8) {
-    throw core::RangeError("a texture of format " + std::string(core::texelFormatName(texture.format)) +
-                           " cannot be written as PNG: only rgba8 can");
-  }
-  core::Image image(texture.width, texture.height);
-  const std::size_t bytes = image.rgba.size();
-  const std::byte* first = texture.texels.data() + static_cast<std::size_t>(layer) * bytes;
-  for (std::size_t i = 0; i < bytes; ++i)
-    image.rgba[i] = i % 4 == 3 ? 255 : std::to_integer<std::uint8_t>(first[i]);
-  return image;
 }
 
 // Writes textures to the folder that was asked for, none of them over another one or over a file that is
@@ -69,12 +59,8 @@ class Exports {
 
  private:
   void addPng(const TextureData& texture, const std::string& name) {
-    if (!texture.isVolume()) return core::writePng(target(name + ".png"), sliceOf(texture, 0));
-    for (int layer = 0; layer < texture.depth; ++layer) {
-      char number[24];
-      std::snprintf(number, sizeof number, "-%03d.png", layer);
-      core::writePng(target(name + number), sliceOf(texture, layer));
-    }
+    for (int layer = 0; layer < std::max(texture.depth, 1); ++layer)
+      core::writePng(target(layerFile(name + ".png", texture, layer)), pictureOf(texture, layer));
   }
 
   std::filesystem::path target(const std::string& name) {
@@ -145,9 +131,11 @@ bool check(const CommandLine& line, std::uint32_t seed, Exports& exports) {
 void readFiles(const CommandLine& line, Exports& exports) {
   for (const std::filesystem::path& file : line.noise.files) {
     const std::string name = core::inputName(file);
-    const TextureData texture = core::decodeDds(core::readInput(file), name);
-    print("%s: %s, seam %.2f\n", core::printable(name).c_str(), sizeOf(texture).c_str(),
-          clouds::seamRoughness(texture));
+    const auto bytes = core::readInput(file, kMostFileBytes);
+    const TextureData texture = core::decodeDds(bytes, name);
+    const std::optional<noise::NoiseRecipe> recipe = noise::recipeOf(bytes);
+    print("%s: %s, seam %.2f%s\n", core::printable(name).c_str(), sizeOf(texture).c_str(),
+          clouds::seamRoughness(texture), recipe ? (", " + noise::recipeText(*recipe)).c_str() : "");
     exports.add(texture, noiseExportName(file));
   }
 }
@@ -175,6 +163,7 @@ void fromStore(const CommandLine& line, std::uint32_t seed, Exports& exports) {
 }  // namespace
 
 int noise(const CommandLine& line) {
+  if (line.noise.texture) return generateNoise(line);
   const auto seed = static_cast<std::uint32_t>(line.seed.value_or(0));
   requireExports(line);
   Exports exports(line.noise);

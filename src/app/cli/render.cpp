@@ -82,7 +82,7 @@ int render(const CommandLine& line) {
   if (run->warning) warn(*run->warning);
   for (const std::string& note : run->replayNotes) warn(note);
   Preparations preparations;  // beside the rest
-  preparations.begin(effectsOf(*run), Preparation::Maker::processor);
+  preparations.begin(effectsOf(*run), Preparation::Maker::processor, run->settings);
   const Size size = line.size.value_or(kDefaultSize);
   const auto context = openContext(line.backend, size);
   Simulation simulation(run->setup, run->settings, run->table);

@@ -10,6 +10,7 @@ int render(const CommandLine& line);
 int simulate(const CommandLine& line);
 int accuracy(const CommandLine& line);
 int noise(const CommandLine& line);
+int generateNoise(const CommandLine& line);  // noise --generate
 int info(const CommandLine& line);
 
 // The whole program: parses, runs, and turns errors into one line on stderr and an exit code.

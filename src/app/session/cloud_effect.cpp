@@ -28,7 +28,7 @@ void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change) {
   sceneRenderer.renderer().find<render::CloudSystem>()->apply(settings.clouds, settings.wind);
 }
 
-std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker) {
+std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker, const Settings&) {
   return std::make_unique<CloudNoise>(NoiseStore(cacheFolder()), maker);
 }
 

@@ -9,6 +9,7 @@ namespace skydrop::app {
 
 class SceneRenderer;
 class SettingsChange;
+struct Settings;
 
 // Throws core::DataError (shader). The noise (clouds::PackedCloudNoise) must be among the prepared resources.
 void addClouds(SceneRenderer& sceneRenderer);
@@ -17,6 +18,6 @@ void addCloudShadows(SceneRenderer& sceneRenderer);
 void removeCloudShadows(SceneRenderer& sceneRenderer);
 void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change);
 // The noise: from the player's cache, or made and put there.
-std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker);
+std::unique_ptr<Preparation> prepareClouds(Preparation::Maker maker, const Settings& settings);
 
 }  // namespace skydrop::app

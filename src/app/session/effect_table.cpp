@@ -1,6 +1,8 @@
 #include "app/session/effect_table.h"
 
+#include "app/session/cloud_dome_effect.h"
 #include "app/session/cloud_effect.h"
+#include "app/session/cloud_planes_effect.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
@@ -75,6 +77,16 @@ const std::vector<EffectDescriptor>& effectTable() {
        .apply = applyClouds,
        .prepare = prepareClouds,
        .menuSections = {{"clouds", "Weather", false, {"wind"}}, {"clouds.march", "Cloud quality"}}},
+      {.effect = Effect::cloudDome,
+       .addPasses = addCloudDome,
+       .apply = applyCloudDome,
+       .prepare = prepareCloudDome,
+       .menuSections = {{"cloudDome", "Cloud dome"}}},
+      {.effect = Effect::cloudPlanes,
+       .addPasses = addCloudPlanes,
+       .apply = applyCloudPlanes,
+       .prepare = prepareCloudPlanes,
+       .menuSections = {{"cloudPlanes", "Cloud planes", false, {"wind"}}}},
       {.effect = Effect::terrain,
        .addPasses = addLand,
        .remove = removeLand,

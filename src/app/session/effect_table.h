@@ -18,6 +18,7 @@ namespace skydrop::app {
 
 class SceneRenderer;
 class SettingsChange;
+struct Settings;
 
 struct EffectDescriptor {
   scene::Effect effect;
@@ -39,8 +40,9 @@ struct EffectDescriptor {
   // While flying, before the next frame, whenever settings have changed: hands those that the change touches
   // to the passes. Null: its passes take no settings but FrameContext::settings.
   void (*apply)(SceneRenderer& sceneRenderer, const SettingsChange& change) = nullptr;
-  // Starts what must be ready before addPasses, beside everything else. Null: nothing.
-  std::unique_ptr<Preparation> (*prepare)(Preparation::Maker maker) = nullptr;
+  // Starts what must be ready before addPasses, beside everything else, of the settings as they are now.
+  // Null: nothing.
+  std::unique_ptr<Preparation> (*prepare)(Preparation::Maker maker, const Settings& settings) = nullptr;
   // Settings that matter only with this effect.
   std::vector<ui::MenuSection> menuSections = {};
 };

@@ -2,10 +2,11 @@
 
 namespace skydrop::app {
 
-void Preparations::begin(const scene::EffectSet& effects, Preparation::Maker maker) {
+void Preparations::begin(const scene::EffectSet& effects, Preparation::Maker maker,
+                         const Settings& settings) {
   for (const EffectDescriptor& row : table_) {
     if (!row.prepare || !effects.contains(row.effect) || preparations_.contains(row.effect)) continue;
-    preparations_.emplace(row.effect, row.prepare(maker));
+    preparations_.emplace(row.effect, row.prepare(maker, settings));
   }
 }
 

@@ -16,8 +16,8 @@ class Preparations {
   // The table says what each effect prepares; it must outlive this.
   explicit Preparations(const std::vector<EffectDescriptor>& table = effectTable()) : table_(table) {}
 
-  // Starts what these effects need, unless it is under way or done.
-  void begin(const scene::EffectSet& effects, Preparation::Maker maker);
+  // Starts what these effects need with these settings, unless it is under way or done.
+  void begin(const scene::EffectSet& effects, Preparation::Maker maker, const Settings& settings);
   // Ends or forgets what none of these effects needs.
   void keepOnly(const scene::EffectSet& effects);
 

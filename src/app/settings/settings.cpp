@@ -60,6 +60,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
                 "How fine and how far the land is drawn, and what it may cost.");
   visitor.group("render", settings.render, "Sun, air, cameras and exposure.");
   visitor.group("clouds", settings.clouds, "The cloud layers, and how exactly they are drawn.");
+  visitor.group("cloudPlanes", settings.cloudPlanes, "Clouds as flat layers that follow the eye.");
+  visitor.group("cloudDome", settings.cloudDome, "Clouds on a dome behind everything.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("view", settings.view, "How the game is looked at.");

@@ -11,6 +11,8 @@
 #include "app/input/gamepad.h"
 #include "app/settings/effect_switches.h"
 #include "skydrop/audio/audio_settings.h"
+#include "skydrop/clouds/cloud_dome_settings.h"
+#include "skydrop/clouds/cloud_planes_settings.h"
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/core/settings.h"
 #include "skydrop/core/settings_table.h"
@@ -54,6 +56,8 @@ struct Settings {
   terrain::TerrainStreamingSettings streaming;
   render::RenderSettings render;
   clouds::CloudSettings clouds;
+  clouds::CloudPlanesSettings cloudPlanes;
+  clouds::CloudDomeSettings cloudDome;
   core::WindSettings wind;
   audio::AudioSettings audio;
   ViewSettings view;

@@ -12,6 +12,8 @@
 #include "app/types/pose.h"
 #include "app/types/report_format.h"
 #include "app/types/size.h"
+#include "skydrop/noise/noise_generator.h"
+#include "skydrop/noise/noise_recipe.h"
 #include "skydrop/render/gl/backend.h"
 
 namespace skydrop::app {
@@ -22,8 +24,17 @@ inline constexpr const char* kDefaultScene = "fair";
 
 enum class NoiseFormat { dds, dx10, png };
 
+// A texture of gradient noise to be made; what the parser let through is in range.
+struct NoiseTextureRequest {
+  noise::NoiseRecipe recipe;
+  noise::NoiseSize size;
+  core::TexelFormat texels = core::TexelFormat::a8;
+};
+
 struct NoiseRequest {
   bool check = false;
+  std::optional<NoiseTextureRequest> texture;   // --generate
+  std::string file;                             // that it goes to: .dds or .png, or "-"
   std::vector<std::filesystem::path> files;     // to read instead of making
   std::optional<std::filesystem::path> folder;  // to export to
   NoiseFormat format = NoiseFormat::dx10;

@@ -135,7 +135,8 @@ void WindowGame::tellOfSoftware() {
 // Beside everything else.
 void WindowGame::beginPreparations() {
   using Maker = Preparation::Maker;
-  preparations_.begin(effectsOf(*run_), window_.context().isSoftware() ? Maker::processor : Maker::graphics);
+  preparations_.begin(effectsOf(*run_), window_.context().isSoftware() ? Maker::processor : Maker::graphics,
+                      run_->settings);
 }
 
 // Everything that the scene's effects call for, beside what there is. Without a sceneRenderer when the player

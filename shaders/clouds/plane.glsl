@@ -1,0 +1,70 @@
+// Light and opacity of a cloud plane at a pixel, multiplied together.
+#include "clouds/sheet_light.glsl"
+#include "shared/depth.glsl"
+
+layout(binding = 0) uniform sampler2D noise;
+layout(binding = 1) uniform sampler2D sceneDepth;
+uniform float cutoff;
+uniform float depthPerNoise;
+uniform float variation;   // how far the second copy shifts the cutoff
+uniform float noiseMean;
+uniform float detail;      // share of the fine copy
+uniform float fineScale;   // how much finer it is
+uniform float mostShift;   // of the cutoff
+uniform float texels;      // along a side of the texture
+uniform vec4 lost;         // standard deviation of the noise within a texel of the levels 2, 4, 6, 8
+uniform vec2 towardsSun;   // in texture coordinates: where the shade of a place comes from
+
+#ifdef CLOUD_TRANSMITTANCE
+layout(binding = 2) uniform sampler2D cloudLight;      // a: the share of light behind that comes through
+layout(binding = 3) uniform sampler2D cloudDistances;  // x: where the clouds are
+
+// What volumetric clouds leave of a sheet at a distance: all of it in front of them.
+float throughClouds(float distanceM) {
+  vec2 at = gl_FragCoord.xy * frame.viewport.zw;
+  float cloudM = texture(cloudDistances, at).x;
+  return mix(1.0, texture(cloudLight, at).a, smoothstep(0.9 * cloudM, 1.1 * cloudM, distanceM));
+}
+#else
+float throughClouds(float distanceM) { return 1.0; }
+#endif
+
+const float kNearFadeM = 120.0;   // closer than this to the eye a sheet thins out, instead of cutting the picture in two
+// Standard deviations of noise over which the cut is softened: of what is seen, and of the shade.
+const float kSoftCut = 0.011, kShadeBlur = 0.03;
+const float kSoftEdgeM = 90.0;  // so far before a surface that pierces it, likewise
+
+// Levels of the texture by which a pixel is wider than a texel.
+float footprintLevel(vec2 place) {
+  vec2 across = dFdx(place) * texels, up = dFdy(place) * texels;
+  return max(0.5 * log2(max(max(dot(across, across), dot(up, up)), 1e-12)), 0.0);
+}
+
+// Standard deviation of the noise within a texel of a level, between the levels that are known.
+float lostAt(float level) {
+  vec4 share = clamp(vec4(level) * 0.5 - vec4(0.0, 1.0, 2.0, 3.0), 0.0, 1.0);
+  return dot(share, lost - vec4(0.0, lost.xyz));
+}
+
+// All of a surface beyond the plane is left, none of one in front of it.
+float unhidden() {
+  float surfaceZ = viewZOfDepth(texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r, frame.eye.y);
+  return clamp((surfaceZ - viewZOfDepth(gl_FragCoord.z, frame.eye.y)) / kSoftEdgeM, 0.0, 1.0);
+}
+
+vec4 planeLight(vec3 relative, vec2 place, vec2 weatherPlace, vec2 finePlace, float rim) {
+  float level = max(footprintLevel(place) - 1.0, 0.0);
+  float spread = lostAt(level);
+  float shift = clamp(variation * (textureLod(noise, weatherPlace, max(level - 2.0, 1.0)).r - noiseMean), -mostShift, mostShift);
+  float cut = cutoff + shift;
+  float fine = detail * (textureLod(noise, finePlace, level + log2(fineScale)).r - noiseMean);
+  float here = textureLod(noise, place, level).r + fine;
+  SheetCover cover = sheetCover(here, max(spread, kSoftCut), cut, depthPerNoise);
+  float distanceM = length(relative);
+  vec3 direction = relative / max(distanceM, 1e-3);
+  float opacity = sheetCoverOpacity(cover, sheetPath(direction.y));
+  opacity *= smoothstep(0.0, 1.0, rim) * smoothstep(0.0, kNearFadeM, distanceM) * unhidden() * throughClouds(distanceM);
+  SheetCover sunward = sheetCover(textureLod(noise, place + towardsSun, max(level, 1.5)).r, max(spread, kShadeBlur), cut, depthPerNoise);
+  vec3 light = sheetLight(direction, cover.depth, sunward.share * sunward.depth, relative.y < 0.0 ? 1.0 : 0.0);
+  return vec4(applyAerialPerspective(light, relative), 1.0) * opacity;
+}
