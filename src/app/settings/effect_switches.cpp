@@ -27,6 +27,10 @@ std::string_view helpOf(Effect effect) {
       return "The sounds of engine and events.";
     case Effect::hud:
       return "Instruments, navigation bar and messages over the picture.";
+    case Effect::cloudPlanes:
+      return "Up to three flat layers of clouds that follow the eye.";
+    case Effect::cloudDome:
+      return "Clouds on a dome behind everything.";
     case Effect::count_:
       break;
   }
