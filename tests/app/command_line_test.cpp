@@ -152,7 +152,7 @@ TEST(CommandLine, generateTakesWhatItSays) {
 }
 
 TEST(CommandLine, badNoiseIsRefusedAtTheDoor) {
-  const auto refusal = [](std::vector<std::string> words, const std::string& kind = "2d") {
+  const auto refusal = [](std::vector<const char*> words, const char* kind = "2d") {
     words.insert(words.begin(), {"noise", "--generate", kind, "--out", "a.dds"});
     return refusalOf(words);
   };

@@ -257,20 +257,22 @@ StudyResult costOfSkies(const std::vector<SkyKind>& kinds, const CostEffort& eff
     const std::vector<double> source = {orNone(kind.sourceFps), orNone(kind.sourceDrop)};
     std::vector<double> values;
     if (&kind == &kinds.front()) {
-      values = {kNone, 0, 0, 0};
+      values = {1, 0, 0, 0};
     } else {
       MeasuredGame game(setupOfKind(kind));
       game.show(sight);
       const FrameComparison more = compareFrames(empty, game, effort.rounds);
       const auto drop = [](double ratio) { return 100 * (1 - 1 / ratio); };
       emptyMs.push_back(more.baseMs);
-      values = {1000 / more.otherMs, drop(more.ratio), drop(more.leastRatio), drop(more.mostRatio)};
+      values = {1 / more.ratio, drop(more.ratio), drop(more.leastRatio), drop(more.mostRatio)};
     }
     values.insert(values.end(), source.begin(), source.end());
     result.rows.push_back({kind.label, values, 0, ""});
     if (done) done();
   }
-  if (!emptyMs.empty()) result.rows.front().errors.front() = 1000 / core::quantileOf(emptyMs, 0.5);
+  // Rates by the drop from one and the same empty sky: what drifts between two rows must not count.
+  const double emptyRate = emptyMs.empty() ? kNone : 1000 / core::quantileOf(emptyMs, 0.5);
+  for (StudyRow& row : result.rows) row.errors.front() *= emptyRate;
   return result;
 }
 

@@ -34,7 +34,7 @@ std::string inText(double value, int digits) {
 // Counts and bytes whole, measured values to three digits.
 std::string shownNumber(double value) {
   constexpr double kDigitsEnd = 1000;
-  if (std::abs(value) < kDigitsEnd) return inText(value, kShownDigits);
+  if (!(std::abs(value) >= kDigitsEnd)) return inText(value, kShownDigits);
   return std::to_string(std::llround(value));
 }
 
