@@ -10,6 +10,7 @@
 #include "game/snapshot_blend.h"
 #include "game/state_digest.h"
 #include "game/steps.h"
+#include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/core/hash.h"
@@ -56,6 +57,9 @@ struct World::State {
   std::optional<glm::dvec3> predictedLanding;
   Snapshot now, before;
 
+  // Of the parts of a step; nothing else reads them.
+  core::CpuMeter aircraftCost, targetsCost;
+
   explicit State(const WorldSetup& s);
   State(const State&) = delete;  // its parts point at its setup
   State& operator=(const State&) = delete;
@@ -88,13 +92,15 @@ void World::State::advance(const Controls& wanted) {
   bool moved = false;  // otherwise than by flying
   if (aircraft) {
     const std::uint32_t spawned = aircraft->spawnCount();
-    aircraft->advance(quantised(wanted), steps);
-    if (setup.hasTargets && aircraft->dropPressed() && !aircraft->crashed())
-      deliveries.drop(aircraft->body());
+    aircraftCost.measure([&] { aircraft->advance(quantised(wanted), steps); });
     moved = spawned != aircraft->spawnCount() || aircraft->crashed();
   }
-  deliveries.step(aircraftPosition());
-  if (steps % kPredictionSteps == 0 || moved) predict();
+  targetsCost.measure([&] {
+    if (aircraft && setup.hasTargets && aircraft->dropPressed() && !aircraft->crashed())
+      deliveries.drop(aircraft->body());
+    deliveries.step(aircraftPosition());
+    if (steps % kPredictionSteps == 0 || moved) predict();
+  });
 }
 
 void World::State::predict() {
@@ -165,6 +171,13 @@ Snapshot World::interpolated(double alpha) const { return blended(state_->before
 std::vector<GameEvent> World::takeEvents() { return state_->eventLog.takeEvents(); }
 std::uint64_t World::stateHash() const { return state_->hash(); }
 std::uint64_t World::stepCount() const { return state_->steps; }
+
+void World::setMeasuring(bool measuring) {
+  state_->aircraftCost.setMeasuring(measuring);
+  state_->targetsCost.setMeasuring(measuring);
+}
+
+StepCosts World::costs() const { return {state_->aircraftCost.ms(), state_->targetsCost.ms()}; }
 
 void World::apply(const flight::AirplaneSettings& settings) {
   if (state_->aircraft) state_->aircraft->apply(settings);

@@ -79,6 +79,18 @@ TEST(CommandLine, theReportOfAccuracyHasThreeFormats) {
   EXPECT_EQ(refusalOf({"accuracy", "--format", "xml"}), "--format: 'xml' is not one of markdown json csv");
 }
 
+TEST(CommandLine, accuracyTakesScenesAndMayBeQuick) {
+  const CommandLine plain = parse({"accuracy"}).commandLine;
+  EXPECT_TRUE(plain.scenes.empty());
+  EXPECT_FALSE(plain.quick);
+  const CommandLine chosen =
+      parse({"accuracy", "cost", "--scene", "fair", "--quick", "--scene", "empty"}).commandLine;
+  EXPECT_EQ(chosen.studies, std::vector<std::string>{"cost"});
+  EXPECT_EQ(chosen.scenes, (std::vector<std::string>{"fair", "empty"}));
+  EXPECT_TRUE(chosen.quick);
+  EXPECT_EQ(refusalOf({"accuracy", "cost", "--scene", ""}), "--scene: the name is empty");
+}
+
 TEST(CommandLine, flagsOfTheHudStandForItsSetting) {
   EXPECT_EQ(parse({"render", "--no-hud"}).commandLine.set, std::vector<std::string>{"view.hud=false"});
   EXPECT_EQ(parse({"--no-hud"}).commandLine.set, std::vector<std::string>{"view.hud=false"});

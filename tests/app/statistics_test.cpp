@@ -34,6 +34,29 @@ TEST(Statistics, theFileHasTheMembersOfTheContract) {
   EXPECT_EQ(json["effects"][0], "sky");
 }
 
+TEST(Statistics, theBillHasARowOfEachEffectAndTheReasonWhereItIsIdle) {
+  core::FrameStatistics statistics;
+  core::EffectStatistics clouds;
+  clouds.name = "clouds";
+  clouds.on = true;
+  clouds.idle = "no ray meets the layer";
+  clouds.ms = 1.5, clouds.simulationMs = 2.5, clouds.updateMs = 0.5, clouds.startMs = 30;
+  clouds.draws = 2, clouds.dispatches = 3, clouds.objects = 4, clouds.threads = 5;
+  clouds.gpuBytes = std::int64_t{1} << 40, clouds.cpuBytes = 6;
+  core::EffectStatistics haze;
+  haze.name = "haze";
+  statistics.bill = {clouds, haze};
+  const auto json = nlohmann::json::parse(statisticsJson(statistics))["bill"];
+  const nlohmann::json expected = {
+      {"on", true},    {"ms", 1.5},       {"simulationMs", 2.5}, {"updateMs", 0.5},
+      {"draws", 2},    {"dispatches", 3}, {"objects", 4},        {"gpuBytes", std::int64_t{1} << 40},
+      {"cpuBytes", 6}, {"threads", 5},    {"startMs", 30.0},     {"idle", "no ray meets the layer"}};
+  EXPECT_EQ(json["clouds"], expected);
+  EXPECT_EQ(json["haze"]["on"], false);
+  EXPECT_FALSE(json["haze"].contains("idle"));
+  EXPECT_EQ(json.size(), 2u);
+}
+
 TEST(Statistics, quantilesAreNearestRanks) {
   FrameTimes times;
   EXPECT_EQ(times.quantile(0.5), 0);

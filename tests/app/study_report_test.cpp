@@ -74,6 +74,33 @@ TEST(StudyReport, csvHasALineARowAndMetricAndQuotesWhatNeedsIt) {
             "\"the \"\"default\"\"\"\r\n");
 }
 
+TEST(StudyReport, aTableWithoutATradeOffHasItsMetricsAndNoMore) {
+  // No cost, no Pareto-optimum; what there is no value for is empty, and null in JSON. A report may begin
+  // otherwise than that of accuracy.
+  StudyResult result = twoMetrics();
+  result.isTradeOff = false;
+  result.metrics[1].unit = "";
+  result.rows = {{"big", {1234567, std::numeric_limits<double>::quiet_NaN()}, 0, "off"}};
+  const ReportHeading heading = {"What it costs", "A table."};
+  EXPECT_EQ(studyReport({result}, ReportFormat::markdown, heading),
+            "# What it costs\n\nA table.\n\n## Knobs, turned\n\nA \"knob\" against itself.\n\n"
+            "Timed by wall clock on a machine.\n\n"
+            "| | position error, m | attitude error | |\n"
+            "|---|---|---|---|\n"
+            "| big | 1234567 |  | off |\n\n");
+  const auto json = nlohmann::json::parse(studyReport({result}, ReportFormat::json));
+  const auto& study = json["studies"].at(0);
+  EXPECT_EQ(study["clock"], "wall clock");
+  EXPECT_FALSE(study.contains("cost"));
+  EXPECT_EQ(study["rows"].at(0)["values"].at(0), 1234567);
+  EXPECT_TRUE(study["rows"].at(0)["values"].at(1).is_null());
+  EXPECT_FALSE(study["rows"].at(0).contains("paretoOptimal"));
+  EXPECT_EQ(studyReport({result}, ReportFormat::csv),
+            "study,label,metric,unit,error,cost,costUnit,clock,paretoOptimal,note\r\n"
+            "\"Knobs, turned\",big,position error,m,1234567,,ms a frame,wall clock,,off\r\n"
+            "\"Knobs, turned\",big,attitude error,,,,ms a frame,wall clock,,off\r\n");
+}
+
 TEST(StudyReport, everyStudyHasAnOwnNameAndADescription) {
   std::vector<std::string_view> names;
   for (const Study& study : studies()) {

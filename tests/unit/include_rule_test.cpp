@@ -43,8 +43,10 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
   session.insert("settings");
   Names outer = session;
   outer.insert("session");
-  Names cli = outer;
-  cli.insert({"window", "studies"});
+  Names studies = outer;  // they draw what a window does, its interface included
+  studies.insert("window");
+  Names cli = studies;
+  cli.insert("studies");
   const Names effect = {"gl", "frame"};
   Names shadows = effect;
   shadows.insert("models");
@@ -58,7 +60,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"settings", settings},
             {"session", session},
             {"window", outer},
-            {"studies", outer},
+            {"studies", studies},
             {"cli", cli}}},
           {"render",
            {{"gl", {}},

@@ -42,6 +42,8 @@ TEST(Program, usageErrorsExitWithTwoAndOneLine) {
       {"render", "--out", out, "--set", "clouds.tier=best"},
       {"simulate", "--seconds", "many"},
       {"accuracy", "nothing-of-this-name"},
+      {"accuracy", "integrators", "--scene", "fair"},
+      {"accuracy", "--quick"},
       {"noise", "--format", "bmp"},
       {"noise", "--check", "--noise", out},
       {"noise", "--generate", "2d", "--octaves", "0", "--out", dds},

@@ -30,8 +30,11 @@ struct EffectStatistics {
   bool on = false;
   // Why it does nothing in this frame, or what it waits for; empty: it works, or is off.
   std::string idle = {};
-  double ms = 0;            // of its passes in the last frame: the sum of their medians
-  double simulationMs = 0;  // CPU time of its part of a second of simulation, in ms
+  double ms = 0;  // of its passes in the last frame: the sum of their medians
+  // CPU time of the main thread, measured only while times are asked for.
+  double simulationMs =
+      0;                // of its part of a second of simulation (120 steps), mean of all that were measured
+  double updateMs = 0;  // outside of passes and steps, of a frame: sound, interface, streaming; mean
   std::int64_t draws = 0, dispatches = 0;
   std::int64_t objects = 0, gpuBytes = 0;  // GL
   std::int64_t cpuBytes = 0;               // of what it keeps in memory beside that; where it is counted
@@ -86,7 +89,8 @@ struct FrameStatistics {
   double medianMs = 0, p99Ms = 0, maxMs = 0;
   std::map<std::string, double> other;  // "settle", "readBack", "png" ...: total ms
 
-  std::string clock;  // what timed the passes: "timer query" or "wall clock between glFinish calls"
+  double beginMs = 0;  // of the passes' clock, median: what a frame has to do before and between its passes
+  std::string clock;   // what timed the passes: "timer query" or "wall clock between glFinish calls"
   std::string renderer;
   std::vector<std::pair<std::string, PassStatistics>> passes;  // in frame order
   GlStatistics gl;
@@ -94,8 +98,9 @@ struct FrameStatistics {
   GameStatistics game;
   WindowStatistics window;
   std::int64_t threads = 0;
-  std::vector<std::string> effects;            // that are on
-  std::vector<EffectStatistics> bill;          // of every effect of the program
+  std::vector<std::string> effects;  // that are on
+  // Of every effect of the program; last "frame", which is what belongs to none of them, and always on.
+  std::vector<EffectStatistics> bill;
   std::map<std::string, std::int64_t> guards;  // numerical guards that fired (guards.h)
   std::uint64_t stateHash = 0;
   std::uint64_t steps = 0;

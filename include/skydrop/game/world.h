@@ -54,6 +54,12 @@ struct WorldSetup {
   GameSettings game;
 };
 
+// CPU time of the steps that were measured (World::setMeasuring), on the thread that made them.
+struct StepCosts {
+  double aircraftMs = 0;  // flight and contact of the aircraft
+  double targetsMs = 0;   // targets, packages, prediction of their landing
+};
+
 class World {
  public:
   // Throws core::RangeError when the setup is unusable (no ground, values that are not finite, no mass).
@@ -78,6 +84,10 @@ class World {
   // Digest of everything that decides the future (not of what is derived from it).
   std::uint64_t stateHash() const;
   std::uint64_t stepCount() const;
+
+  // Measures what steps cost from the next one on, or no longer; no state depends on it.
+  void setMeasuring(bool measuring);
+  StepCosts costs() const;
 
   // Live changes, from the next step on. An input log records them too (input_log.h), or a replay would
   // differ. Each throws core::RangeError, and changes nothing, when a value is unusable.

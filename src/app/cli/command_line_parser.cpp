@@ -219,7 +219,20 @@ class Parser {
       verb->add_flag("--progress", line_.progress,
                      "tell how far it is, each second, where there is no terminal");
     }
-    accuracy->add_option("STUDY", line_.studies, "studies to run; none named: all");
+    accuracy->add_option("STUDY", line_.studies,
+                         "studies to run, and cost: what each effect costs; none named: all but cost");
+    accuracy
+        ->add_option_function<std::vector<std::string>>(
+            "--scene",
+            [this](const std::vector<std::string>& all) {
+              if (std::ranges::find(all, "") != all.end()) throw UsageError("--scene: the name is empty");
+              line_.scenes = all;
+            },
+            "a scene that cost measures, and no others (all); may stand several times")
+        ->type_name("NAME|FILE")
+        ->allow_extra_args(false)
+        ->expected(1, 1000);
+    accuracy->add_flag("--quick", line_.quick, "fewer repetitions: of cost 3 rounds instead of 5");
     text(*accuracy, "--out", "FILE|-", "the report; - is standard output",
          [this](const std::string& t) { line_.out = t; });
     text(*accuracy, "--format", "markdown|json|csv", "of the report (markdown)",

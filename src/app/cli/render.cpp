@@ -101,6 +101,7 @@ int render(const CommandLine& line) {
   SceneRenderer sceneRenderer(
       *context, {effects, simulation.ground(), workers, stats.has_value(), preparations.results(effects)},
       run->settings);
+  simulation.setMeasuring(stats.has_value());
   for (const std::string& message : preparations.takeMessages()) warn(message);
   if (line.pose) {
     placeCamera(sceneRenderer.camera(), *line.pose, *simulation.ground());
@@ -113,6 +114,7 @@ int render(const CommandLine& line) {
     overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()),
                                         ui::InterfaceScale{run->settings.view.interfaceScale});
     overlay->menuOpen = line.menu;
+    overlay->setMeasuring(stats.has_value());
     // A camera in the world sees another place than the aircraft that the HUD is about.
     overlay->hudShown = run->settings.view.hud && (!line.pose || sets(line, "view.hud"));
     sceneRenderer.addOverlay();
@@ -172,6 +174,7 @@ int render(const CommandLine& line) {
     times.writeTo(statistics);
     simulation.writeTo(statistics);
     sceneRenderer.writeTo(statistics);
+    if (overlay) overlay->writeTo(statistics);
     noteIdle(statistics, overlay.get());
     writeStatistics(*stats, statistics);
   }

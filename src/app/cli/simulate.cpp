@@ -34,6 +34,7 @@ int simulate(const CommandLine& line) {
   std::optional<FlightTrace> trace;
   if (line.trace) trace.emplace(*line.trace);
   Simulation simulation(run->setup, run->settings, run->table);
+  simulation.setMeasuring(stats.has_value());
   if (trace) trace->append(simulation.world().now());
 
   // Frames are only imitated: each asks for the steps that are due, as a window would.

@@ -20,6 +20,25 @@ ordered_json passJson(const core::PassStatistics& pass) {
   return json;
 }
 
+ordered_json billJson(const std::vector<core::EffectStatistics>& bill) {
+  ordered_json json = ordered_json::object();
+  for (const core::EffectStatistics& row : bill) {
+    json[row.name] = {{"on", row.on},
+                      {"ms", row.ms},
+                      {"simulationMs", row.simulationMs},
+                      {"updateMs", row.updateMs},
+                      {"draws", row.draws},
+                      {"dispatches", row.dispatches},
+                      {"objects", row.objects},
+                      {"gpuBytes", row.gpuBytes},
+                      {"cpuBytes", row.cpuBytes},
+                      {"threads", row.threads},
+                      {"startMs", row.startMs}};
+    if (!row.idle.empty()) json[row.name]["idle"] = row.idle;
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string statisticsJson(const core::FrameStatistics& s) {
@@ -41,6 +60,7 @@ std::string statisticsJson(const core::FrameStatistics& s) {
                      {"coarsened", s.terrain.coarsened}};
   json["threads"] = s.threads;
   json["effects"] = s.effects;
+  json["bill"] = billJson(s.bill);
   json["game"] = {{"score", s.game.score},       {"drops", s.game.drops},
                   {"misses", s.game.misses},     {"targets", s.game.targets},
                   {"position", s.game.position}, {"airspeed", s.game.airspeedMps},

@@ -11,7 +11,11 @@ namespace skydrop::app {
 inline constexpr int kStatisticsSchema = 1;
 
 // Members: schema, frame.ms {median, p99, max}, passes.<name> {ms, draws, dispatches, skipped}, gl, terrain,
-// threads, effects, game, window, guards, stateHash (sixteen hexadecimal digits), other {name: ms}.
+// threads, effects, bill.<effect> {on, ms, simulationMs, updateMs, draws, dispatches, objects, gpuBytes,
+// cpuBytes, threads, startMs, and idle where it does nothing, with the reason}, game, window, guards,
+// stateHash (sixteen hexadecimal digits), other {name: ms}. The bill has a row for every effect of the
+// program (of a simulation without graphics those that have a part in it) and "frame", what belongs to none;
+// core::EffectStatistics says what its members mean.
 std::string statisticsJson(const core::FrameStatistics& statistics);
 
 // Throws core::DataError when the file cannot be written.

@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <utility>
 
+#include "app/measure/bill.h"
 #include "app/measure/stopwatch.h"
 #include "skydrop/render/frame/tone_map_pass.h"
 #include "skydrop/render/models/model_layer.h"
@@ -32,6 +33,7 @@ std::string SceneRenderer::Part::name() const {
 
 SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings)
     : setup_(setup), settings_(&settings), renderer_(context, settings.render, setup.measuring) {
+  streamingCost_.setMeasuring(setup.measuring);
   camera_.setMode(settings.view.camera);
   renderer_.setLayer(std::make_unique<render::ModelLayer>());
   for (const Part& part : partsOf(setup_.effects)) addPart(part);
@@ -193,10 +195,22 @@ void SceneRenderer::freeCamera() {
   camera_.setMode(render::CameraMode::free);
 }
 
+// The interface is the HUD's, and the menu's where there is no HUD: then nobody owns it but the frame.
 void SceneRenderer::addOverlay() {
+  render::gl::GpuResourceTracker& resources = renderer_.context().resources();
+  const std::string owner(scene::nameOf(scene::Effect::hud));
+  renderer_.setGroup({owner, 0});
+  resources.setOwner(owner);
   auto pass = std::make_unique<render::ImGuiPass>(renderer_.context());
   overlay_ = pass.get();
   renderer_.add(std::move(pass));
+  renderer_.setGroup({});
+  resources.setOwner("");
+}
+
+void SceneRenderer::setMeasuring(bool measuring) {
+  renderer_.setMeasuring(measuring);
+  streamingCost_.setMeasuring(measuring);
 }
 
 void SceneRenderer::uploadFonts() { overlay_->uploadFonts(); }
@@ -217,7 +231,8 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
       land_->settle(view);
       settleMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     } else {
-      land_->update(view);
+      streamingCost_.measure([&] { land_->update(view); });
+      streamingCost_.endRound();
     }
   }
   renderer_.draw(render::gameFrame(snapshot, view, features()));
@@ -284,8 +299,48 @@ void SceneRenderer::writeTo(core::FrameStatistics& statistics, std::size_t frame
   renderer_.fillStatistics(statistics, frames);
   statistics.threads = 1;
   if (land_) land_->writeTo(statistics);
-  statistics.bill.clear();
-  for (const EffectDescriptor& row : *setup_.table) statistics.bill.push_back(billOf(row, statistics));
+  std::vector<core::EffectStatistics> bill;
+  for (const EffectDescriptor& row : *setup_.table) bill.push_back(billOf(row, statistics));
+  bill.push_back(billOfFrame(statistics));
+  for (core::EffectStatistics& row : bill) {  // what others have added already
+    const auto added = std::ranges::find(statistics.bill, row.name, &core::EffectStatistics::name);
+    if (added == statistics.bill.end()) continue;
+    row.simulationMs += added->simulationMs;
+    row.updateMs += added->updateMs;
+  }
+  statistics.bill = std::move(bill);
+}
+
+// Its own passes, and those that it has together with another effect; the map of the models' shadows is
+// shared by all that cast one, and counts for the first of them.
+bool SceneRenderer::owns(const EffectDescriptor& row, const std::string& part) const {
+  if (!setup_.effects.contains(row.effect)) return false;
+  if (part == kShadowGroup) return &row == firstCaster();
+  const std::string name(scene::nameOf(row.effect));
+  return part == name || part.starts_with(name + '+');
+}
+
+core::EffectStatistics SceneRenderer::billOfFrame(const core::FrameStatistics& frame) const {
+  core::EffectStatistics bill;
+  bill.name = kFrameRow;
+  bill.on = true;
+  bill.ms = frame.beginMs;
+  for (const auto& [name, pass] : frame.passes) {
+    const auto isOwner = [&, group = pass.group](const EffectDescriptor& row) { return owns(row, group); };
+    if (!pass.skipped.empty() || std::ranges::any_of(*setup_.table, isOwner)) continue;
+    bill.ms += pass.ms;
+    bill.draws += pass.draws;
+    bill.dispatches += pass.dispatches;
+  }
+  const auto add = [&](std::string_view owner) {
+    const render::gl::OwnedResources held = renderer_.context().resources().ownedBy(owner);
+    bill.objects += held.objects;
+    bill.gpuBytes += static_cast<std::int64_t>(held.bytes);
+  };
+  add("");
+  if (!setup_.effects.contains(scene::Effect::hud)) add(scene::nameOf(scene::Effect::hud));
+  bill.threads = 1;
+  return bill;
 }
 
 core::EffectStatistics SceneRenderer::billOf(const EffectDescriptor& row,
@@ -294,15 +349,9 @@ core::EffectStatistics SceneRenderer::billOf(const EffectDescriptor& row,
   bill.name = scene::nameOf(row.effect);
   bill.on = setup_.effects.contains(row.effect);
   if (!bill.on) return bill;
-  // Its own passes, and those that it has together with another effect; the map of the models' shadows is
-  // shared by all that cast one, and counts for the first of them.
-  const auto isOwn = [&](const std::string& part) {
-    if (part == kShadowGroup) return &row == firstCaster();
-    return part == bill.name || part.starts_with(bill.name + '+');
-  };
   bool works = false, hasPasses = false;
   for (const auto& [name, pass] : frame.passes) {
-    if (!isOwn(pass.group)) continue;
+    if (!owns(row, pass.group)) continue;
     hasPasses = true;
     if (!pass.skipped.empty()) {
       if (bill.idle.empty()) bill.idle = pass.skipped;
@@ -331,6 +380,12 @@ core::EffectStatistics SceneRenderer::billOf(const EffectDescriptor& row,
   if (row.effect == scene::Effect::terrain && land_) {
     bill.cpuBytes = frame.terrain.bytes;
     bill.threads = land_->workerCount();
+    bill.updateMs = streamingCost_.meanMs();
+  }
+  if (row.effect == scene::Effect::hud && overlay_) {
+    const render::gl::OwnedResources held = resources.ownedBy(bill.name);
+    bill.objects += held.objects;
+    bill.gpuBytes += static_cast<std::int64_t>(held.bytes);
   }
   return bill;
 }

@@ -15,6 +15,7 @@
 #include "app/settings/settings.h"
 #include "app/settings/settings_change.h"
 #include "app/types/size.h"
+#include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
 #include "skydrop/game/snapshot.h"
@@ -83,7 +84,7 @@ class SceneRenderer {
   void uploadFonts();  // after the interface changed its fonts
 
   // Asks for the times of the passes, or no longer: what Setup::measuring says at first.
-  void setMeasuring(bool measuring) { renderer_.setMeasuring(measuring); }
+  void setMeasuring(bool measuring);
 
   // From where the snapshot is seen.
   render::View view(const game::Snapshot& snapshot, Size size) const;
@@ -114,7 +115,7 @@ class SceneRenderer {
   std::string_view standingError() { return renderer_.shaders().standingError(); }
 
   // The passes' times are medians over the newest `frames`. The bill has a row for each effect of the table:
-  // what it draws and holds of the GPU; other parts of the program add theirs.
+  // what it draws and holds of the GPU. Other parts of the program add theirs, before or after (billRow).
   void writeTo(core::FrameStatistics& statistics, std::size_t frames = render::Renderer::kKeptTimes);
 
  private:
@@ -148,6 +149,8 @@ class SceneRenderer {
   render::FrameFeatures features() const;
   const EffectDescriptor* firstCaster() const;  // who pays for the map of shadows; null: nobody casts one
   core::EffectStatistics billOf(const EffectDescriptor& row, const core::FrameStatistics& frame) const;
+  core::EffectStatistics billOfFrame(const core::FrameStatistics& frame) const;
+  bool owns(const EffectDescriptor& row, const std::string& part) const;
 
   Setup setup_;
   const Settings* settings_;
@@ -161,6 +164,7 @@ class SceneRenderer {
   std::unique_ptr<LandStreaming> land_;    // with terrain only
   render::ImGuiPass* overlay_ = nullptr;   // the renderer's
   double settleMs_ = 0;
+  core::CpuMeter streamingCost_;
 };
 
 }  // namespace skydrop::app

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "app/measure/bill.h"
 #include "app/types/version.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/guards.h"
@@ -78,7 +79,17 @@ void Simulation::beginRecording() {
   setup_.recorder->begin(start, world_.stateHash());
 }
 
+void Simulation::setMeasuring(bool measuring) {
+  cost_.setMeasuring(measuring);
+  world_.setMeasuring(measuring);
+}
+
 void Simulation::step(const game::Controls& player) {
+  cost_.measure([&] { advance(player); });
+  cost_.endRound();
+}
+
+void Simulation::advance(const game::Controls& player) {
   game::Controls controls = player;
   if (autopilot_) controls = autopilot_->decide(world_.now());
   if (replay_) {
@@ -202,6 +213,19 @@ void Simulation::writeTo(core::FrameStatistics& statistics) const {
     if (const std::uint64_t count = core::guardCount(guard); count > 0) {
       statistics.guards[std::string(core::guardName(guard))] = static_cast<std::int64_t>(count);
     }
+  }
+  if (cost_.rounds() > 0) {
+    const double perSecond = core::FixedStep::kStepsPerSecond / static_cast<double>(cost_.rounds());
+    const game::StepCosts costs = world_.costs();
+    // What is off has no row of its own that could pay.
+    const auto bill = [&](Effect effect, double ms) {
+      const std::string_view name = effects_.contains(effect) ? scene::nameOf(effect) : kFrameRow;
+      billRow(statistics, name).simulationMs += ms * perSecond;
+    };
+    bill(Effect::aircraft, costs.aircraftMs);
+    bill(Effect::targets, costs.targetsMs);
+    const double rest = cost_.ms() - costs.aircraftMs - costs.targetsMs;
+    billRow(statistics, kFrameRow).simulationMs += std::max(0.0, rest) * perSecond;
   }
   statistics.steps = now.stepCount;
   statistics.stateHash = world_.stateHash();

@@ -12,6 +12,7 @@
 #include "app/session/flight_recorder.h"
 #include "app/settings/settings.h"
 #include "app/settings/settings_change.h"
+#include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/game/autopilot.h"
 #include "skydrop/game/input_log.h"
@@ -77,9 +78,14 @@ class Simulation {
   bool hasDiverged() const { return hasDiverged_; }
   std::optional<std::string> takeDivergence();
 
+  // Measures the CPU time of steps from the next one on, or no longer; no state depends on it.
+  void setMeasuring(bool measuring);
+
+  // Adds what its parts cost of a second of simulation to their rows of the bill.
   void writeTo(core::FrameStatistics& statistics) const;
 
  private:
+  void advance(const game::Controls& player);
   void applyToWorld();
   void applyEffects();
   void keepFlownValues();
@@ -97,6 +103,7 @@ class Simulation {
   std::vector<double> flownValues_;                         // of the table's fields
   std::optional<game::InputLog::Checkpoint> beforeChange_;  // the state that the last change of settings met
   SettingsChange loggedChange_;
+  core::CpuMeter cost_;  // of whole steps
   bool hasDiverged_ = false;
   std::optional<std::string> divergence_;
 };

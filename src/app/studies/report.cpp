@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -21,36 +22,47 @@ bool dominates(const StudyRow& other, const StudyRow& row) {
   return better;
 }
 
+// NaN: there is no such value.
 std::string inText(double value, int digits) {
+  if (std::isnan(value)) return "";
   std::ostringstream out;
   out.precision(digits);
   out << value;
   return out.str();
 }
 
+// Counts and bytes whole, measured values to three digits.
+std::string shownNumber(double value) {
+  constexpr double kDigitsEnd = 1000;
+  if (!(std::abs(value) >= kDigitsEnd)) return inText(value, kShownDigits);
+  return std::to_string(std::llround(value));
+}
+
 void writeMarkdown(std::ostream& out, const StudyResult& result) {
   out << "## " << result.title << "\n\n" << result.method << "\n\n";
   out << "Timed by " << result.cost.clock << " on " << result.machine << ".\n\n";
   out << "| |";
-  for (const StudyMetric& metric : result.metrics) out << " " << metric.name << ", " << metric.unit << " |";
-  out << " " << result.cost.unit << " | Pareto-optimal | |\n|---|";
+  for (const StudyMetric& metric : result.metrics)
+    out << " " << metric.name << (metric.unit.empty() ? "" : ", ") << metric.unit << " |";
+  if (result.isTradeOff) out << " " << result.cost.unit << " | Pareto-optimal |";
+  out << " |\n|---|";
   for (std::size_t i = 0; i < result.metrics.size(); ++i) out << "---|";
-  out << "---|---|---|\n";
+  out << (result.isTradeOff ? "---|---|---|\n" : "---|\n");
   for (const StudyRow& row : result.rows) {
     out << "| " << row.label << " |";
-    for (const double error : row.errors) out << " " << inText(error, kShownDigits) << " |";
-    out << " " << inText(row.cost, kShownDigits) << " | " << (isParetoOptimal(row, result.rows) ? "yes" : "")
-        << " | " << row.note << " |\n";
+    for (const double error : row.errors)
+      out << " " << (result.isTradeOff ? inText(error, kShownDigits) : shownNumber(error)) << " |";
+    if (result.isTradeOff)
+      out << " " << inText(row.cost, kShownDigits) << " | "
+          << (isParetoOptimal(row, result.rows) ? "yes" : "") << " |";
+    out << " " << row.note << " |\n";
   }
   out << "\n";
 }
 
-std::string markdown(const std::vector<StudyResult>& results) {
+std::string markdown(const std::vector<StudyResult>& results, const ReportHeading& heading) {
   std::ostringstream out;
-  out << "# What accuracy costs\n\n"
-         "Each table turns one parameter: its error against a converged reference, and its cost. A row is "
-         "Pareto-optimal\n"
-         "when no other row is both cheaper and more accurate. Made by `skydrop accuracy`.\n\n";
+  out << "# " << heading.title << "\n\n" << heading.introduction << "\n\n";
   for (const StudyResult& result : results) writeMarkdown(out, result);
   return out.str();
 }
@@ -63,18 +75,27 @@ std::string json(const std::vector<StudyResult>& results) {
       metrics.push_back({{"name", metric.name}, {"unit", metric.unit}});
     }
     for (const StudyRow& row : result.rows) {
+      if (!result.isTradeOff) {
+        rows.push_back({{"label", row.label}, {"values", row.errors}, {"note", row.note}});
+        continue;
+      }
       rows.push_back({{"label", row.label},
                       {"errors", row.errors},
                       {"cost", row.cost},
                       {"paretoOptimal", isParetoOptimal(row, result.rows)},
                       {"note", row.note}});
     }
-    studies.push_back({{"title", result.title},
-                       {"method", result.method},
-                       {"machine", result.machine},
-                       {"metrics", metrics},
-                       {"cost", {{"unit", result.cost.unit}, {"clock", result.cost.clock}}},
-                       {"rows", rows}});
+    nlohmann::ordered_json study = {{"title", result.title},
+                                    {"method", result.method},
+                                    {"machine", result.machine},
+                                    {"metrics", metrics}};
+    if (result.isTradeOff) {
+      study["cost"] = {{"unit", result.cost.unit}, {"clock", result.cost.clock}};
+    } else {
+      study["clock"] = result.cost.clock;
+    }
+    study["rows"] = rows;
+    studies.push_back(study);
   }
   return nlohmann::ordered_json{{"schema", kSchema}, {"studies", studies}}.dump(2) + "\n";
 }
@@ -95,9 +116,12 @@ std::string csv(const std::vector<StudyResult>& results) {
         const StudyMetric& metric = result.metrics[i];
         out += quoted(result.title) + "," + quoted(row.label) + "," + quoted(metric.name) + "," +
                quoted(metric.unit) + "," + inText(row.errors[i], kAllDigits) + "," +
-               inText(row.cost, kAllDigits) + "," + quoted(result.cost.unit) + "," +
-               quoted(result.cost.clock) + "," + (isParetoOptimal(row, result.rows) ? "yes" : "no") + "," +
-               quoted(row.note) + "\r\n";
+               (result.isTradeOff ? inText(row.cost, kAllDigits) : "") + "," + quoted(result.cost.unit) +
+               "," + quoted(result.cost.clock) + "," +
+               (!result.isTradeOff                  ? ""
+                : isParetoOptimal(row, result.rows) ? "yes"
+                                                    : "no") +
+               "," + quoted(row.note) + "\r\n";
       }
     }
   }
@@ -110,7 +134,13 @@ bool isParetoOptimal(const StudyRow& row, const std::vector<StudyRow>& rows) {
   return std::none_of(rows.begin(), rows.end(), [&](const StudyRow& other) { return dominates(other, row); });
 }
 
-std::string studyReport(const std::vector<StudyResult>& results, ReportFormat format) {
+const ReportHeading kAccuracyHeading = {
+    "What accuracy costs",
+    "Each table turns one parameter: its error against a converged reference, and its cost. A row is "
+    "Pareto-optimal\nwhen no other row is both cheaper and more accurate. Made by `skydrop accuracy`."};
+
+std::string studyReport(const std::vector<StudyResult>& results, ReportFormat format,
+                        const ReportHeading& heading) {
   switch (format) {
     case ReportFormat::json:
       return json(results);
@@ -119,7 +149,7 @@ std::string studyReport(const std::vector<StudyResult>& results, ReportFormat fo
     case ReportFormat::markdown:
       break;
   }
-  return markdown(results);
+  return markdown(results, heading);
 }
 
 }  // namespace skydrop::app

@@ -80,6 +80,8 @@ struct CommandLine {
 
   // accuracy
   std::vector<std::string> studies;
+  std::vector<std::string> scenes;  // for the studies that measure scenes; none named: all
+  bool quick = false;               // fewer repetitions
   ReportFormat reportFormat = ReportFormat::markdown;
 };
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/measure/bill.h"
 #include "app/session/effect_table.h"
 
 namespace skydrop::app {
@@ -24,6 +25,18 @@ void Overlay::showKeys(std::vector<ui::HelpRow> help, ui::HudKeys keys) {
 }
 
 OverlayResult Overlay::build(const OverlayFrame& frame) {
+  OverlayResult result;
+  cost_.measure([&] { result = buildMeasured(frame); });
+  cost_.endRound();
+  return result;
+}
+
+// The menu belongs to no effect.
+void Overlay::writeTo(core::FrameStatistics& statistics) const {
+  billRow(statistics, drawsHud_ ? scene::nameOf(scene::Effect::hud) : kFrameRow).updateMs += cost_.meanMs();
+}
+
+OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
   OverlayResult result;
   result.fontsChanged =
       interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds, frame.scale);

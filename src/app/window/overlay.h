@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/types/size.h"
+#include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/game/snapshot.h"
@@ -62,10 +63,17 @@ class Overlay {
   // returns.
   OverlayResult build(const OverlayFrame& frame);
 
+  // Measures the CPU time of build() from the next one on, or no longer; and adds it to the bill.
+  void setMeasuring(bool measuring) { cost_.setMeasuring(measuring); }
+  void writeTo(core::FrameStatistics& statistics) const;
+
   // The same with what is shown while the land is made. True if the fonts changed.
   bool buildLoading(Size size, const ui::LoadingProgress& progress, const ui::InterfaceScale& scale);
 
  private:
+  OverlayResult buildMeasured(const OverlayFrame& frame);
+
+  core::CpuMeter cost_;
   bool drawsHud_ = false;
   std::vector<ui::HelpRow> help_;
   ui::HudKeys keys_;

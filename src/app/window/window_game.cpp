@@ -9,6 +9,7 @@
 
 #include "app/console/message.h"
 #include "app/console/standard_output.h"
+#include "app/measure/bill.h"
 #include "app/measure/statistics_json.h"
 #include "app/measure/system_info.h"
 #include "app/session/start_camera.h"
@@ -379,10 +380,11 @@ void WindowGame::drawFrame(double seconds) {
   const Size size = window_.size();
   if (sound_) {
     audio_->setPaused(isPaused() || isFrozen());
-    sound_->update(snapshot, events_);
+    soundCost_.measure([&] { sound_->update(snapshot, events_); });
+    soundCost_.endRound();
   }
   events_.clear();
-  sceneRenderer_->setMeasuring(stats_.has_value() || overlay_->showsCosts());
+  measureIfAsked();
   renewCosts();
 
   const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen;
@@ -393,6 +395,15 @@ void WindowGame::drawFrame(double seconds) {
   if (screenshotWanted_) saveScreenshot();
   sceneRenderer_->renderer().present(size.width, size.height);
   serve(result);  // what the player did in this frame takes effect after it was drawn
+}
+
+// From the next step and frame on.
+void WindowGame::measureIfAsked() {
+  const bool asked = stats_.has_value() || overlay_->showsCosts();
+  sceneRenderer_->setMeasuring(asked);
+  simulation_->setMeasuring(asked);
+  overlay_->setMeasuring(asked);
+  soundCost_.setMeasuring(asked);
 }
 
 // A frame that cannot be drawn with what was chosen last is drawn with what was chosen before. What is broken
@@ -519,6 +530,8 @@ core::FrameStatistics WindowGame::statistics(std::size_t frames) {
   times_.writeTo(statistics);
   simulation_->writeTo(statistics);
   sceneRenderer_->writeTo(statistics, frames);
+  overlay_->writeTo(statistics);
+  if (sound_) billRow(statistics, scene::nameOf(Effect::sound)).updateMs += soundCost_.meanMs();
   window_.writeTo(statistics);
   if (core::EffectStatistics* bill = statistics.billOf(scene::nameOf(Effect::sound)); bill && sound_)
     bill->idle = isPaused() || isFrozen() ? "time is held" : sound_->skipReason().value_or("");

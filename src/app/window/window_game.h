@@ -32,6 +32,7 @@
 #include "app/window/screenshots.h"
 #include "skydrop/audio/audio_manager.h"
 #include "skydrop/audio/sound_scene.h"
+#include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/output_file.h"
 
@@ -94,6 +95,7 @@ class WindowGame {
   void tellOfRefusals(const std::vector<std::string>& reasons);
   void keepRecording();
   void saveScreenshot();
+  void measureIfAsked();
   void renewCosts();
   void report();
   void keepChoices();
@@ -118,6 +120,7 @@ class WindowGame {
   std::unique_ptr<SceneRenderer> sceneRenderer_;
   std::unique_ptr<audio::AudioManager> audio_;  // with sound only
   std::unique_ptr<audio::SoundScene> sound_;
+  core::CpuMeter soundCost_;  // of its updates
   std::unique_ptr<Clipboard> clipboard_;
   std::optional<ImGuiInput> imguiInput_;  // for the overlay's context
   std::optional<EventFeed> feed_;         // for imguiInput_

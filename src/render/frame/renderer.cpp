@@ -14,6 +14,9 @@ namespace {
 constexpr gl::FrameBufferFormat kSceneFormat{GL_RGBA16F, GL_DEPTH_COMPONENT32F};
 constexpr gl::FrameBufferFormat kOutputFormat{GL_RGBA8, 0};
 
+// What is timed beside the passes; no pass has such a name.
+constexpr std::string_view kBegin = "begin of the frame", kBeginLayer = "begin of the layer";
+
 // Of the newest `count`.
 double median(const std::vector<double>& all, std::size_t count) {
   return core::quantileOf(std::span(all).last(std::min(count, all.size())), 0.5);
@@ -88,7 +91,9 @@ bool Renderer::beginLayer(const FrameInput& input, Which which) {
     skipped_.insert_or_assign(std::string(layer_->name()), *reason);
     return false;
   }
+  timer_.begin(kBeginLayer);
   layer_->begin(context_, input.view, all);
+  timer_.end();
   return true;
 }
 
@@ -148,10 +153,12 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   resources.clearPasses();
   timer_.beginFrame();
   noteTimes();
+  timer_.begin(kBegin);
   uniforms_.writeValue(0, uniforms);
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kFrameUniformsBinding);
   targets_->scene.clear();
   targets_->output.clear();
+  timer_.end();
   FrameResources made;
   FrameContext frame{context_,
                      shaders_,
@@ -286,6 +293,13 @@ void Renderer::fillStatistics(core::FrameStatistics& statistics, std::size_t fra
     hasLayered = hasLayered || (layer_ && entry.pass->stage() == layer_->stage());
   }
   if (hasLayered) addRow(std::string(layer_->name()), "");
+  const auto medianOf = [&](std::string_view name) {
+    const auto times = times_.find(name);
+    return times == times_.end() ? 0 : median(times->second, frames);
+  };
+  statistics.beginMs = medianOf(kBegin);
+  const bool layered = hasLayered && !skipped_.contains(layer_->name());
+  if (layered) statistics.beginMs += medianOf(kBeginLayer);
   statistics.gl.textures = resources.live(gl::ObjectKind::texture);
   statistics.gl.buffers = resources.live(gl::ObjectKind::buffer);
   statistics.gl.programs = resources.live(gl::ObjectKind::program);
