@@ -22,7 +22,7 @@ std::string unmetNeed(const EffectSet& effects) {
 EffectSet effective(EffectSet effects) {
   const bool showsSomething = effects.contains(Effect::terrain) || effects.contains(Effect::clouds) ||
                               effects.contains(Effect::cloudPlanes) || effects.contains(Effect::cloudDome) ||
-                              effects.contains(Effect::aircraft);
+                              effects.contains(Effect::aircraft) || effects.contains(Effect::groundFog);
   if (!showsSomething) effects.erase(Effect::haze);
   return effects;
 }

@@ -108,6 +108,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using noise::PostProcess;
   using render::AtmosphereSettings;
   using render::CameraSettings;
+  using render::GroundFogSettings;
   using render::RenderSettings;
   using render::SunSettings;
   using terrain::TerrainSettings;
@@ -139,6 +140,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(CloudPlaneSettings),
       SKYDROP_STRUCT(CloudPlanesSettings),
       SKYDROP_STRUCT(CloudDomeSettings),
+      SKYDROP_STRUCT(GroundFogSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

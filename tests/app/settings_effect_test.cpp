@@ -400,6 +400,7 @@ constexpr std::string_view kElsewhere[] = {
     "clouds.",                 // tests/gl/settings_effect_test.cpp
     "cloudPlanes.",            // tests/gl/settings_effect_test.cpp
     "cloudDome.",              // tests/gl/settings_effect_test.cpp
+    "groundFog.",              // tests/gl/ground_fog_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -456,7 +457,7 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
                                    "clouds.",    "render.",  "wind."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
-constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome."};
+constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

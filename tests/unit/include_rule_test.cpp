@@ -69,6 +69,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"sky", effect},
             {"noise", {"gl"}},
             {"clouds", effect},
+            {"fog", effect},
             {"models", effect},
             {"overlay", effect},
             {"shadows", shadows},

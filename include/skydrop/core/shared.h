@@ -50,6 +50,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::lo
 #include "shared/cloud_light.glsl"
 #include "shared/cloud_march.glsl"
 #include "shared/cloud_sheet.glsl"
+#include "shared/ground_fog.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f32
@@ -88,6 +89,7 @@ using glm::abs, glm::clamp, glm::dot, glm::exp, glm::floor, glm::length, glm::lo
 #include "shared/cloud_light.glsl"
 #include "shared/cloud_march.glsl"
 #include "shared/cloud_sheet.glsl"
+#include "shared/ground_fog.glsl"
 // clang-format on
 
 }  // namespace skydrop::core::shared::f64

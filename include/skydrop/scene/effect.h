@@ -21,12 +21,14 @@ enum class Effect {
   hud,          // instruments, navigation bar, messages
   cloudPlanes,  // up to three flat layers of clouds that follow the eye
   cloudDome,    // clouds on a hemisphere behind everything
+  groundFog,    // fog on the ground, by height
   count_        // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
-inline constexpr auto kEffectNames = std::to_array<std::string_view>(
-    {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud", "cloudPlanes", "cloudDome"});
+inline constexpr auto kEffectNames =
+    std::to_array<std::string_view>({"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound",
+                                     "hud", "cloudPlanes", "cloudDome", "groundFog"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {

@@ -3,6 +3,7 @@
 #include "app/session/cloud_dome_effect.h"
 #include "app/session/cloud_effect.h"
 #include "app/session/cloud_planes_effect.h"
+#include "app/session/ground_fog_effect.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
@@ -87,6 +88,10 @@ const std::vector<EffectDescriptor>& effectTable() {
        .apply = applyCloudPlanes,
        .prepare = prepareCloudPlanes,
        .menuSections = {{"cloudPlanes", "Cloud planes", false, {"wind"}}}},
+      {.effect = Effect::groundFog,
+       .addPasses = addGroundFog,
+       .apply = applyGroundFog,
+       .menuSections = {{"groundFog", "Ground fog"}}},
       {.effect = Effect::terrain,
        .addPasses = addLand,
        .remove = removeLand,

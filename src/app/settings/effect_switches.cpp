@@ -31,6 +31,8 @@ std::string_view helpOf(Effect effect) {
       return "One to three flat layers of clouds that drift with the wind: cheap, and best from below.";
     case Effect::cloudDome:
       return "Clouds on a dome around the viewer, infinitely far away: the cheapest full sky.";
+    case Effect::groundFog:
+      return "Fog on the ground, denser the lower: it fills valleys and leaves hills free.";
     case Effect::count_:
       break;
   }

@@ -61,6 +61,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("clouds", settings.clouds, "The cloud layers, and how exactly they are drawn.");
   visitor.group("cloudPlanes", settings.cloudPlanes, "Clouds as flat layers that follow the eye.");
   visitor.group("cloudDome", settings.cloudDome, "Clouds on a dome behind everything.");
+  visitor.group("groundFog", settings.groundFog, "Fog that lies on the ground.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");

@@ -22,6 +22,7 @@
 #include "skydrop/game/autopilot.h"
 #include "skydrop/game/game_settings.h"
 #include "skydrop/game/input_log.h"
+#include "skydrop/render/fog/ground_fog_settings.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/scene/scene.h"
@@ -58,6 +59,7 @@ struct Settings {
   clouds::CloudSettings clouds;
   clouds::CloudPlanesSettings cloudPlanes;
   clouds::CloudDomeSettings cloudDome;
+  render::GroundFogSettings groundFog;
   core::WindSettings wind;
   audio::AudioSettings audio;
   ViewSettings view;

@@ -1,0 +1,56 @@
+#include "skydrop/render/fog/ground_fog_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "skydrop/render/frame/cloud_transmittance.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr GLuint kDepthUnit = 0, kCloudLightUnit = 1, kCloudDistancesUnit = 2;  // as in shaders/fog
+
+// Changes light by a fiftieth of a half float's step where fog is as bright as what is behind it.
+constexpr double kInvisibleDepth = 1e-5;
+
+// The least rise of a ray of the picture, a metre, where all rays rise; else not above 0. (Directions that
+// rise by more than that are a convex cone, so the corners of the picture bound all that is between them.)
+double leastRise(const View& view) {
+  double least = 1;
+  for (const double x : {0, view.width})
+    for (const double y : {0, view.height}) least = std::min(least, rayDirection(view, {x, y}).y);
+  return least;
+}
+
+}  // namespace
+
+std::optional<std::string> GroundFogPass::skipReason(const FrameInput& frame) const {
+  if (settings_.density <= 0) return "no density";
+  const double above = std::max(frame.view.position.y - settings_.baseM, 0.0) / settings_.scaleHeightM;
+  const double overhead = settings_.density * settings_.scaleHeightM * std::exp(-above);
+  if (overhead < kInvisibleDepth * leastRise(frame.view)) return "the view lies above the fog";
+  return std::nullopt;
+}
+
+void GroundFogPass::draw(FrameContext& context) {
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
+    defines.emplace_back("CLOUD_TRANSMITTANCE");
+    clouds->light->bind(kCloudLightUnit);
+    clouds->distances->bind(kCloudDistancesUnit);
+  }
+  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "fog/ground_fog.frag", defines);
+  shader.setFloat("eyeAboveBaseM", static_cast<float>(context.frame.view.position.y - settings_.baseM));
+  shader.setFloat("extinction", static_cast<float>(settings_.density));
+  shader.setFloat("scaleHeightM", static_cast<float>(settings_.scaleHeightM));
+  context.sceneDepth.bind(kDepthUnit);
+  const gl::Functions& gl = context.gl.api();
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  shader.use();
+  triangle_.draw();
+}
+
+}  // namespace skydrop::render
