@@ -13,7 +13,7 @@ namespace {
 
 TEST(Statistics, theFileHasTheMembersOfTheContract) {
   core::FrameStatistics statistics;
-  statistics.passes = {{"sky", {1.5, 1, 0, ""}}, {"clouds", {0, 0, 0, "no ray meets the layer"}}};
+  statistics.passes = {{"sky", {1.5, 1, 0}}, {"clouds", {0, 0, 0, "clouds", "no ray meets the layer"}}};
   statistics.effects = {"sky"};
   statistics.stateHash = 0xabc;
   const auto json = nlohmann::json::parse(statisticsJson(statistics));

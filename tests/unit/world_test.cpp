@@ -452,7 +452,6 @@ TEST(World, liveSettingsTakeEffectAndUnusableOnesChangeNothing) {
 TEST(World, windCarriesAircraftPackagesAndTheirPrediction) {
   // In 10 m/s from the west everything drifts east, and the predicted landing point knows it.
   WorldSetup setup = flatSetup();
-  setup.hasTargets = false;
   setup.wind = {10, 0, 0};
   World world(setup);
   const glm::dvec3 predicted = *world.now().predictedLanding;

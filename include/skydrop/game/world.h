@@ -9,7 +9,7 @@
 //    is when the drop text shows: then the next target is drawn at once.
 //  - any other drop is "elsewhere" and keeps the target. Should it land inside after all, it scores and the
 //    next target is drawn at the landing, so that no target scores twice from drops made in turn.
-//  - without a target in reach packages fall, and nothing scores.
+//  - without a target packages fall, and nothing scores.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,7 @@ struct WorldSetup {
   std::shared_ptr<const terrain::HeightSource> ground;  // never null; the surface is max(its height, 0 = sea)
   std::uint64_t seed = 1;                               // of the targets
   bool hasAircraft = true;                              // without: only the clock runs
-  bool hasTargets = true;  // without: nothing can be dropped, and no landing is predicted
+  bool hasTargets = true;  // without: packages drop, nothing scores, no landing is predicted
   StartPose start;
   glm::dvec3 wind{0};  // velocity of the air, m/s, world axes; everywhere the same (core::flownWind)
   flight::AirplaneSettings airplane;

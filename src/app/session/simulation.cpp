@@ -105,6 +105,7 @@ void Simulation::advance(const game::Controls& player) {
     }
     controls = replay_->next();
   }
+  if (!effects_.contains(Effect::targets)) controls.drop = false;  // packages come with the targets
   if (setup_.recorder) setup_.recorder->step(controls);
   world_.step(controls);
   if (setup_.recorder && setup_.recorder->checkpointIsDue()) setup_.recorder->checkpoint(world_.stateHash());
