@@ -96,8 +96,7 @@ void World::State::advance(const Controls& wanted) {
     moved = spawned != aircraft->spawnCount() || aircraft->crashed();
   }
   targetsCost.measure([&] {
-    if (aircraft && setup.hasTargets && aircraft->dropPressed() && !aircraft->crashed())
-      deliveries.drop(aircraft->body());
+    if (aircraft && aircraft->dropPressed() && !aircraft->crashed()) deliveries.drop(aircraft->body());
     deliveries.step(aircraftPosition());
     if (steps % kPredictionSteps == 0 || moved) predict();
   });
