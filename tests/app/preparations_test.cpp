@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/settings/settings.h"
+
 namespace skydrop::app {
 namespace {
 
