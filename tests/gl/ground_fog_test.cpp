@@ -68,13 +68,18 @@ class GroundFogGLTest : public test::FrameTest {
 
 TEST_F(GroundFogGLTest, transmittanceIsThatOfTheFormulaInDouble) {
   // What comes through from a plain at sea level, as the difference of a white and a black one, in each pixel
-  // that sees it: within 2e-3, four roundings to half floats. From within the fog, above it, and from 1e6 m.
+  // that sees it: within 2e-3, four roundings to half floats. From within the fog, above it, and from 1e6 m;
+  // with its base above the plain and below it.
   features_.haze = false;
   fog_ = {.density = 0.01, .baseM = 100, .scaleHeightM = 60};
   int tried = 0;
   double least = 1, most = 0;
-  for (const View& view :
-       {small(30, 40, -5), small(150, 200, -20), small(3000, 10, -60), small(1e6, 0, -90)}) {
+  for (const auto& [baseM, view] : {std::pair{100.0, small(30, 40, -5)},
+                                    {100.0, small(150, 200, -20)},
+                                    {-40.0, small(150, 200, -20)},
+                                    {-40.0, small(3000, 10, -60)},
+                                    {100.0, small(1e6, 0, -90)}}) {
+    fog_.baseM = baseM;
     plains_ = {{0, glm::vec3(1)}};
     const Light white = frame(view);
     plains_ = {{0, glm::vec3(0)}};
