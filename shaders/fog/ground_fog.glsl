@@ -21,7 +21,7 @@ float throughClouds(float distanceM) {
 float throughClouds(float distanceM) { return 1.0; }
 #endif
 
-const float kFogAlbedo = 0.62;      // of a thick layer that is lit from above
+const float kFogAlbedo = 0.8;       // of a thick layer that is lit from above
 const float kFogForward = 0.8;      // anisotropy of light that droplets scatter once
 const float kFogOnceShare = 0.05;   // of that in what leaves the fog
 const float kFarthestFogM = 1e7;    // its square is a float

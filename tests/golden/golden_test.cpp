@@ -101,7 +101,7 @@ const std::vector<Golden>& goldens() {
       {"domeAt72", clouded("dome", "0,400,0,40,20,0", "40", "220", {"cloudDome.cutoff=0.72"})},
       {"domeAt61", clouded("dome", "0,400,0,40,20,0", "40", "220", {"cloudDome.cutoff=0.61"})},
       {"domeAtDusk", clouded("dome", "0,400,0,220,12,0", "-1", "250")},
-      {"valleyFog", withoutHud({"--scene", "valleyFog", "--pose=6500,1000,-1800,340,-6,0"})},
+      {"valleyFog", withoutHud({"--scene", "valleyFog", "--pose=8000,1150,-7500,210,-11,0"})},
   };
   return all;
 }

@@ -65,7 +65,7 @@ TEST(Stability, C32_groundFogHoldsForLevelAndEndlessRaysAndFromAnyHeight) {
     }
   }
   // Level: the same from either side, within 1e-5 of the path, down to rises that are no normal floats.
-  for (const double from : {-30.0, 1.0, 90.0}) {
+  for (const double from : {-30.0, 0.0, 1.0, 90.0}) {
     const double exact = 5000 * std::exp(-std::max(from, 0.0) / 40);
     for (const double rise : {0.0, 1e-40, -1e-40, 1e-20, -1e-20, 1e-4, -1e-4})
       EXPECT_NEAR(static_cast<double>(pathInFloat(from, rise, 5000, 40)) / exact, 1, 1e-5) << from << rise;
