@@ -126,12 +126,14 @@ TEST(GroundFog, distanceIsFiniteFromAnywhere) {
       for (const float extinction : {1e-6f, 0.2f}) {
         for (const float scaleHeight : {5.0f, 2000.0f}) {
           const float distance = f32::groundFogDistance(from, slope, 1e-6f, extinction, scaleHeight);
-          EXPECT_TRUE(distance >= 0) << from << ' ' << slope << ' ' << distance;
+          EXPECT_TRUE(distance >= 0 && std::isfinite(distance)) << from << ' ' << slope << ' ' << distance;
         }
       }
     }
   }
   EXPECT_NEAR(static_cast<double>(f32::groundFogDistance(1e6f, -1, 1, 0.01f, 40)), 1e6, 200);
+  // Nearly level, in float as on a level ray: 50 m at 0.02 / m.
+  EXPECT_NEAR(static_cast<double>(f32::groundFogDistance(0, -1e-6f, 1, 0.02f, 50)), 50, 0.01);
 }
 
 }  // namespace
