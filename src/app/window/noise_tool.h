@@ -51,7 +51,7 @@ class NoiseTool {
 
   // Whether it tells how long a texture took; a picture that is to be the same each time does not.
   bool showsTimes = true;
-  // Where the sky takes a texture: shows the button "Use in the sky" when it is set.
+  // Takes what is shown into the sky: there is a button "Use in the sky" when it is set.
   std::function<void(const noise::NoiseRecipe& recipe, bool isVolume)> useInSky;
 
  private:

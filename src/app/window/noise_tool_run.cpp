@@ -1,6 +1,7 @@
 #include "app/window/noise_tool_run.h"
 
 #include <chrono>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -11,7 +12,9 @@
 #include "app/input/input_code.h"
 #include "app/session/open_context.h"
 #include "app/window/game_window.h"
+#include "app/window/noise_sky.h"
 #include "app/window/noise_tool.h"
+#include "app/window/window_game.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::app {
@@ -32,6 +35,12 @@ class WindowClipboard final : public Clipboard {
   render::gl::WindowContext& window_;
 };
 
+// What is to be seen in the sky.
+struct SkyRequest {
+  noise::NoiseRecipe recipe;
+  bool isVolume = false;
+};
+
 void prepare(NoiseTool& tool, const NoiseRequest& request) {
   takeRecipe(tool.settings(), request.texture->recipe);
   tool.settings().kind = request.texture->size.isVolume() ? NoiseKind::volume : NoiseKind::plane;
@@ -44,22 +53,27 @@ bool closesTool(const WindowEvent& event) {
          !ImGuiInput::wantsText();
 }
 
-}  // namespace
-
-void runNoiseTool(const CommandLine& line) {
+// Until it is closed, or what it shows is wanted in the sky. `kept`: its settings, from the last time and for
+// the next; nullopt at first.
+std::optional<SkyRequest> useTool(const CommandLine& line, std::optional<NoiseToolSettings>& kept) {
   GameWindow window(line);
   for (const std::string& warning : window.show(kUsualSize, std::nullopt)) warn(warning);
   ViewSettings pace;
   pace.frameCapHz = kFramesASecond;
   window.apply(pace);
   NoiseTool tool(window.context(), window.size(), window.interfaceScale());
-  prepare(tool, line.noise);
+  if (kept)
+    tool.settings() = *kept;
+  else
+    prepare(tool, line.noise);
+  std::optional<SkyRequest> wanted;
+  tool.useInSky = [&](const noise::NoiseRecipe& recipe, bool isVolume) { wanted = {recipe, isVolume}; };
   WindowClipboard clipboard(window.context());
   ImGuiInput input(&clipboard);
   EventFeed feed(input);
   const auto begun = [&feed] { feed.frameBuilt(); };
   auto lastFrame = std::chrono::steady_clock::now();
-  while (!window.context().shouldClose()) {
+  while (!window.context().shouldClose() && !wanted) {
     for (const WindowEvent& event : window.pollEvents()) feed.add(event, window.context().pixelsPerUnit());
     feed.deliver({[&](const WindowEvent& event) {
                     if (closesTool(event)) window.context().setShouldClose(true);
@@ -75,6 +89,18 @@ void runNoiseTool(const CommandLine& line) {
     tool.renderer().present(size.width, size.height);
     window.swap();
     window.waitForNextFrame();
+  }
+  kept = tool.settings();
+  return wanted;
+}
+
+}  // namespace
+
+void runNoiseTool(const CommandLine& line) {
+  std::optional<NoiseToolSettings> kept;
+  while (const std::optional<SkyRequest> wanted = useTool(line, kept)) {
+    WindowGame(flightUnder(wanted->recipe, wanted->isVolume, line)).run();
+    if (WindowGame::wasAskedToEnd()) return;
   }
 }
 

@@ -5,7 +5,8 @@
 
 namespace skydrop::app {
 
-// Until the window is closed. Throws core::GraphicsUnavailable.
+// Until the window is closed. "Use in the sky" flies under what it shows, and comes back when the flight
+// ends. Throws core::GraphicsUnavailable, and in a flight what WindowGame throws.
 void runNoiseTool(const CommandLine& line);
 
 // A frame with the finished texture, to the file that the command line names.

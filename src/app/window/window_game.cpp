@@ -251,6 +251,8 @@ void WindowGame::fly() {
   }
 }
 
+bool WindowGame::wasAskedToEnd() { return endRequested != 0; }
+
 bool WindowGame::ends() { return window_.context().shouldClose() || endRequested; }
 
 void WindowGame::handleEvents() {

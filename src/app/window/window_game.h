@@ -49,6 +49,9 @@ class WindowGame {
   // flight early. The exit code: 1 where the recording is incomplete.
   int run();
 
+  // Whether a signal has asked this process to end.
+  static bool wasAskedToEnd();
+
  private:
   void tellOfSoftware();
   // What is made again for another scene or another land.
