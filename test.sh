@@ -50,12 +50,15 @@ skipped_tests() {
        END {if (pending) print pending}' "$1"
 }
 
-# One whole frame under the address sanitizer. Leaks are not looked for: the software renderer keeps its own.
+# One whole frame under the address sanitizer, and effects that come and go. Leaks are not looked for: the software
+# renderer keeps its own.
 gl_smoke() {
   local picture
   picture=$(mktemp --suffix=.png)
-  ASAN_OPTIONS=detect_leaks=0 build/dev/skydrop render --size 160x90 --time 1 --out "$picture"
+  export ASAN_OPTIONS=detect_leaks=0 SKYDROP_TEST_CACHE="$PWD/build/ci/tests/cache"
+  build/dev/skydrop render --size 160x90 --time 1 --out "$picture"
   rm -f "$picture"
+  build/dev/tests/gl_tests --gtest_brief=1 --gtest_filter='EffectSetGLTest.*'
 }
 
 phase "install" ./install_dependencies.sh
@@ -64,7 +67,7 @@ phase "test" run_tests ci
 if [ "$quick" != "--quick" ]; then
   phase "build with address and undefined-behaviour sanitizers" build dev all
   phase "test with address and undefined-behaviour sanitizers" cpu_suites dev
-  phase "one frame with address and undefined-behaviour sanitizers" gl_smoke
+  phase "frames and effects with address and undefined-behaviour sanitizers" gl_smoke
   phase "build with the thread sanitizer" build tsan unit_tests stability_tests
   phase "test with the thread sanitizer" cpu_suites tsan
 fi

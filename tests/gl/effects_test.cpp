@@ -19,6 +19,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/render/frame/tone_map_pass.h"
 #include "support/gl_test.h"
+#include "support/instrumented.h"
 #include "support/process_memory.h"
 #include "support/shared_noise.h"
 #include "support/soak.h"
@@ -31,8 +32,10 @@ using scene::Effect;
 using scene::EffectSet;
 
 constexpr Size kSize{64, 36};
-// What Mesa 22.3 keeps of the programs of one effect that comes and goes.
-constexpr double kDriversBytesARound = 512 * 1024;
+// Memory that may stay resident: what allocator and driver take at first, and of each round what Mesa 22.3
+// keeps of programs (17 KiB a round of land, nothing of clouds, over 97 rounds). A texture or a noise is
+// larger.
+constexpr double kFirstBytes = 8 << 20, kBytesARound = 64 << 10;
 
 std::vector<Effect> allEffects() {
   std::vector<Effect> effects;
@@ -254,6 +257,7 @@ TEST_P(EffectGLTest, switchedManyTimesItLeavesNothingBehind) {
   const EffectSet all = everything(), less = without(all, GetParam());
   const int rounds = test::soaking() ? 100 : 6;
   Flight flight(context(), all);
+  flight.show(flight.snapshot());  // targets that come again are elsewhere
   const auto round = [&] { flight.switchTo(less), flight.switchTo(all); };
   for (int i = 0; i < 3; ++i) round();
   const Ledger before = flight.ledger();
@@ -262,14 +266,14 @@ TEST_P(EffectGLTest, switchedManyTimesItLeavesNothingBehind) {
   EXPECT_EQ(flight.ledger(), before);
   const double grown = static_cast<double>(test::residentBytes()) - static_cast<double>(memoryBefore);
   RecordProperty("kibibytesARound", std::to_string(grown / (rounds - 3) / 1024));
-  EXPECT_LE(grown / (rounds - 3), kDriversBytesARound);
+  EXPECT_LE(grown, kFirstBytes + kBytesARound * (rounds - 3));
 }
 
 class EffectSetGLTest : public EffectGLTestBase {};
 
 TEST_F(EffectSetGLTest, anySetOfEffectsStartsFliesAndEnds) {
   // All pairs, and 20 sets at random (200 when soaking), each from the one before it as while flying: flies
-  // two seconds and draws a picture.
+  // two seconds and draws a picture. Under a sanitizer every sixth of them.
   std::vector<EffectSet> sets;
   const std::vector<Effect> effects = allEffects();
   for (std::size_t a = 0; a < effects.size(); ++a) {
@@ -288,8 +292,8 @@ TEST_F(EffectSetGLTest, anySetOfEffectsStartsFliesAndEnds) {
     sets.push_back(set);
   }
   Flight flight(context(), scene::effective(scene::withNeeds(sets.front())));
-  for (const EffectSet& asked : sets) {
-    const EffectSet set = scene::effective(scene::withNeeds(asked));
+  for (std::size_t i = 0; i < sets.size(); i += test::kInstrumented ? 6 : 1) {
+    const EffectSet set = scene::effective(scene::withNeeds(sets[i]));
     flight.switchTo(set);
     flight.fly(2);
     const std::vector<glm::vec4> light = flight.light();
