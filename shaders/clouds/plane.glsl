@@ -1,4 +1,5 @@
 // Light and opacity of a cloud plane at a pixel, multiplied together.
+#include "cloud_transmittance.glsl"
 #include "clouds/sheet_light.glsl"
 #include "shared/depth.glsl"
 
@@ -13,20 +14,6 @@ uniform float mostShift;   // of the cutoff
 uniform float texels;      // along a side of the texture
 uniform vec4 lost;         // standard deviation of the noise within a texel of the levels 2, 4, 6, 8
 uniform vec2 towardsSun;   // in texture coordinates: where the shade of a place comes from
-
-#ifdef CLOUD_TRANSMITTANCE
-layout(binding = 2) uniform sampler2D cloudLight;      // a: the share of light behind that comes through
-layout(binding = 3) uniform sampler2D cloudDistances;  // x: where the clouds are
-
-// What volumetric clouds leave of a sheet at a distance: all of it in front of them.
-float throughClouds(float distanceM) {
-  vec2 at = gl_FragCoord.xy * frame.viewport.zw;
-  float cloudM = texture(cloudDistances, at).x;
-  return mix(1.0, texture(cloudLight, at).a, smoothstep(0.9 * cloudM, 1.1 * cloudM, distanceM));
-}
-#else
-float throughClouds(float distanceM) { return 1.0; }
-#endif
 
 const float kNearFadeM = 250.0;   // closer than this to the eye a sheet thins out, instead of cutting the picture in two
 // Standard deviations of noise over which the cut is softened: of what is seen, and of the shade.

@@ -1,4 +1,5 @@
 // Light and opacity of ground fog between the eye and what a pixel shows, multiplied together.
+#include "cloud_transmittance.glsl"
 #include "frame.glsl"
 #include "shared/ground_fog.glsl"
 
@@ -6,20 +7,6 @@ layout(binding = 0) uniform sampler2D sceneDepth;
 uniform float eyeAboveBaseM;
 uniform float extinction;     // up to the base, 1/m
 uniform float scaleHeightM;
-
-#ifdef CLOUD_TRANSMITTANCE
-layout(binding = 1) uniform sampler2D cloudLight;      // a: the share of light behind that comes through
-layout(binding = 2) uniform sampler2D cloudDistances;  // x: where the clouds are
-
-// What clouds leave of fog at a distance: all of it in front of them.
-float throughClouds(float distanceM) {
-  vec2 at = gl_FragCoord.xy * frame.viewport.zw;
-  float cloudM = texture(cloudDistances, at).x;
-  return mix(1.0, texture(cloudLight, at).a, smoothstep(0.9 * cloudM, 1.1 * cloudM, distanceM));
-}
-#else
-float throughClouds(float distanceM) { return 1.0; }
-#endif
 
 const float kFogAlbedo = 0.8;       // of a thick layer that is lit from above
 const float kFogForward = 0.8;      // anisotropy of light that droplets scatter once

@@ -1,4 +1,5 @@
 // Light and opacity of a target's mark at a pixel, multiplied together.
+#include "cloud_transmittance.glsl"
 #include "frame.glsl"
 #include "shared/marker.glsl"
 
@@ -7,20 +8,6 @@ uniform vec3 foot;            // the target, relative to the eye (m)
 uniform float ringRadius;     // m
 uniform float beamRadiusNow;  // m: one for the whole beam in a frame
 uniform vec3 light;           // radiance as it reaches the eye: one for the whole part
-
-#ifdef CLOUD_TRANSMITTANCE
-layout(binding = 1) uniform sampler2D cloudLight;      // a: the share of light behind that comes through
-layout(binding = 2) uniform sampler2D cloudDistances;  // x: where the clouds are
-
-// What clouds leave of a mark at a distance: all of it in front of them, what they let through behind.
-float throughClouds(float distanceM) {
-  vec2 at = gl_FragCoord.xy * frame.viewport.zw;
-  float cloudM = texture(cloudDistances, at).x;
-  return mix(1.0, texture(cloudLight, at).a, smoothstep(0.9 * cloudM, 1.1 * cloudM, distanceM));
-}
-#else
-float throughClouds(float distanceM) { return 1.0; }
-#endif
 
 // Stands for the distance of the sky where positions are subtracted: far beyond a ring, and its square is a float.
 const float kRingFarthest = 1e6;

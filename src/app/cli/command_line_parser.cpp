@@ -2,18 +2,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "app/cli/flag_values.h"
+#include "app/cli/noise_words.h"
 #include "app/types/version.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/message.h"
 #include "skydrop/core/nearest_names.h"
-#include "skydrop/render/frame/camera.h"
 #include "skydrop/scene/scene.h"
 
 namespace skydrop::app {
@@ -22,156 +21,9 @@ namespace {
 using core::UsageError;
 
 constexpr double kMaxSeconds = 1e6;  // more is a slip of the hand
-constexpr double kFarthestM = 1e12;  // where doubles still resolve a tenth of a millimetre
 constexpr const char* kExitCodes =
     "Exit codes: 0 ok, 1 failed, 2 usage, 3 no OpenGL 4.5 or no display, "
     "141 nobody reads standard output.";
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
-template <class Number>
-std::optional<Number> wholeText(const std::string& text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-double number(const std::string& flag, const std::string& text, double least, double most) {
-  const std::optional<double> value = wholeText<double>(text);
-  if (!value || !std::isfinite(*value)) throw UsageError(flag + ": '" + text + "' is not a finite number");
-  if (*value < least || *value > most) {
-    throw UsageError(flag + ": " + text + " is out of range " + CLI::detail::to_string(least) + " to " +
-                     CLI::detail::to_string(most));
-  }
-  return *value;
-}
-
-int integer(const std::string& flag, const std::string& text, int least, int most) {
-  const std::optional<int> value = wholeText<int>(text);
-  if (!value) throw UsageError(flag + ": '" + text + "' is not a whole number");
-  return static_cast<int>(number(flag, text, least, most));
-}
-
-Size parseSize(const std::string& text) {
-  const std::vector<std::string> parts = split(text, 'x');
-  if (parts.size() != 2) throw UsageError("--size: '" + text + "' is not of the form WIDTHxHEIGHT");
-  return {integer("--size", parts[0], 1, kMaxSide), integer("--size", parts[1], 1, kMaxSide)};
-}
-
-glm::dvec3 cameraPosition(const std::string& flag, const std::vector<std::string>& parts) {
-  return {number(flag, parts[0], -kFarthestM, kFarthestM),
-          number(flag, parts[1], -kFarthestM, render::kHighestCameraM),
-          number(flag, parts[2], -kFarthestM, kFarthestM)};
-}
-
-Pose parsePose(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 6) throw UsageError("--pose: '" + text + "' is not of the form X,Y,Z,YAW,PITCH,ROLL");
-  const auto degrees = [&](std::size_t i) { return number("--pose", parts[i], -360, 360); };
-  return {cameraPosition("--pose", parts), degrees(3), degrees(4), degrees(5)};
-}
-
-glm::dvec3 parseCamera(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 3) throw UsageError("--camera: '" + text + "' is not of the form X,Y,Z");
-  return cameraPosition("--camera", parts);
-}
-
-render::gl::Backend parseBackend(const std::string& text) {
-  using render::gl::Backend;
-  static const std::map<std::string, Backend> names = {
-      {"egl", Backend::egl}, {"osmesa", Backend::osmesa}, {"window", Backend::window}};
-  const auto found = names.find(text);
-  if (found == names.end()) throw UsageError("--backend: '" + text + "' is not one of egl osmesa window");
-  return found->second;
-}
-
-NoiseFormat parseNoiseFormat(const std::string& text) {
-  static const std::map<std::string, NoiseFormat> names = {
-      {"dds", NoiseFormat::dds}, {"dx10", NoiseFormat::dx10}, {"png", NoiseFormat::png}};
-  const auto found = names.find(text);
-  if (found == names.end()) throw UsageError("--format: '" + text + "' is not one of dds dx10 png");
-  return found->second;
-}
-
-ReportFormat parseReportFormat(const std::string& text) {
-  static const std::map<std::string, ReportFormat> names = {
-      {"markdown", ReportFormat::markdown}, {"json", ReportFormat::json}, {"csv", ReportFormat::csv}};
-  const auto found = names.find(text);
-  if (found == names.end()) throw UsageError("--format: '" + text + "' is not one of markdown json csv");
-  return found->second;
-}
-
-// The words of --generate as they were given; judged together in noiseTexture().
-struct NoiseWords {
-  std::optional<bool> volume;  // --generate
-  std::optional<int> octaves, frequency, width, height, slices;
-  std::optional<double> amplitude, persistence, cutoff, density;
-  std::optional<bool> alpha;
-  std::optional<int> bits;
-  std::vector<std::string> flags;  // that belong to --generate
-};
-
-core::TexelFormat noiseTexels(bool alpha, int bits) {
-  using core::TexelFormat;
-  if (alpha && bits != 8) {
-    throw UsageError("--bits " + std::to_string(bits) +
-                     ": DDS has alpha alone in 8 bits only; --channel luminance has 16 and 32");
-  }
-  switch (bits) {
-    case 8:
-      return alpha ? TexelFormat::a8 : TexelFormat::r8;
-    case 16:
-      return TexelFormat::r16;
-    case 32:
-      return TexelFormat::r32f;
-    default:
-      throw UsageError("--bits: " + std::to_string(bits) + " is not one of 8 16 32");
-  }
-}
-
-// Settings, size and texels, with the defaults of what was not given: 512 x 512, or 128 x 128 x 128; sides
-// that follow the width.
-NoiseTextureRequest noiseTexture(const NoiseWords& words, std::uint64_t seed) {
-  NoiseTextureRequest request;
-  noise::NoiseSettings& settings = request.recipe.settings;
-  settings.octaves = words.octaves.value_or(static_cast<int>(settings.octaves));
-  settings.frequency = words.frequency.value_or(static_cast<int>(settings.frequency));
-  settings.amplitude = words.amplitude.value_or(settings.amplitude);
-  settings.persistence = words.persistence.value_or(settings.persistence);
-  settings.seed = static_cast<std::uint32_t>(seed);
-  if (words.cutoff || words.density) {
-    noise::PostProcess cut;
-    cut.cutoff = words.cutoff.value_or(cut.cutoff);
-    cut.density = words.density.value_or(cut.density);
-    request.recipe.postProcess = cut;
-  }
-  const bool volume = words.volume.value_or(false);
-  if (!volume && words.slices) throw UsageError("--slices belongs to --generate 3d");
-  request.size.width = words.width.value_or(volume ? 128 : 512);
-  request.size.height = words.height.value_or(request.size.width);
-  if (volume) request.size.slices = words.slices.value_or(request.size.width);
-  request.texels = noiseTexels(words.alpha.value_or(words.bits.value_or(8) == 8), words.bits.value_or(8));
-  try {
-    noise::requireSettings(settings);
-    if (request.recipe.postProcess) noise::requirePostProcess(*request.recipe.postProcess);
-    if (volume && request.size.slices == 0) throw core::RangeError("slices: 0 layers make no volume");
-    noise::requireTexture(request.size, request.texels);
-  } catch (const core::RangeError& refusal) {
-    throw UsageError(std::string("--") + refusal.what());
-  }
-  return request;
-}
 
 // Where the file's name begins in a path.
 std::size_t nameAt(const std::string& path) { return path.rfind('/') + 1; }

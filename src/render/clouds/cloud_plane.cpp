@@ -17,7 +17,7 @@ namespace {
 
 namespace shared = core::shared::f64;
 
-constexpr GLuint kNoiseUnit = 0, kDepthUnit = 1, kCloudLightUnit = 2, kCloudDistancesUnit = 3;
+constexpr GLuint kNoiseUnit = 0, kDepthUnit = 1;
 
 // The copy that varies cover: turned by an angle that fits no lattice, and as much wider. Together the two
 // repeat after hundreds of kilometres.
@@ -177,8 +177,7 @@ void CloudPlanes::drawPlane(FrameContext& context, CloudPlane& plane) {
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
     defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->light->bind(kCloudLightUnit);
-    clouds->distances->bind(kCloudDistancesUnit);
+    clouds->bind();
   }
   plane.texture().bind(kNoiseUnit);
   gl::Shader& shader = context.shaders.shader("clouds/plane.vert", "clouds/plane.frag", defines);

@@ -10,7 +10,7 @@
 namespace skydrop::render {
 namespace {
 
-constexpr GLuint kDepthUnit = 0, kCloudLightUnit = 1, kCloudDistancesUnit = 2;  // as in shaders/fog
+constexpr GLuint kDepthUnit = 0;  // as in shaders/fog
 
 // Changes light by a fiftieth of a half float's step where fog is as bright as what is behind it.
 constexpr double kInvisibleDepth = 1e-5;
@@ -38,8 +38,7 @@ void GroundFogPass::draw(FrameContext& context) {
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
     defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->light->bind(kCloudLightUnit);
-    clouds->distances->bind(kCloudDistancesUnit);
+    clouds->bind();
   }
   gl::Shader& shader = context.shaders.shader("fullscreen.vert", "fog/ground_fog.frag", defines);
   shader.setFloat("eyeAboveBaseM", static_cast<float>(context.frame.view.position.y - settings_.baseM));

@@ -19,8 +19,6 @@ namespace {
 
 namespace shared = core::shared::f64;
 
-constexpr GLuint kCloudLightUnit = 1, kCloudDistancesUnit = 2;  // as in shaders/marker
-
 // Linear sRGB. Little blue: the sea, the sky, snow and shadow have plenty.
 constexpr glm::dvec3 kSignalOrange(1.0, 0.30, 0.01);
 // Of a white sheet's radiance: brighter, and the tone map would bleach the orange on its way to white.
@@ -109,8 +107,7 @@ void MarkerPass::draw(FrameContext& context) {
   std::vector<std::string> defines;
   if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
     defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->light->bind(kCloudLightUnit);
-    clouds->distances->bind(kCloudDistancesUnit);
+    clouds->bind();
   }
   const auto drawPart = [&](const char* fragment, const Box& box, const glm::dvec3& radiance) {
     if (!isPotentiallyVisible(context.frame.view, box)) return;

@@ -13,6 +13,9 @@ namespace skydrop::render {
 // them in the next frame. Where a ray met no cloud, and where an opaque surface hides the clouds,
 // transmittance is 1.
 struct CloudTransmittance {
+  // Texture units of shaders/cloud_transmittance.glsl.
+  static constexpr GLuint kLightUnit = 2, kDistancesUnit = 3;
+
   // Neither is null once this is published.
   // RGBA16F. rgb: the clouds' own light, linear after exposure; a: share of the light behind them that comes
   // through, [0, 1].
@@ -21,6 +24,12 @@ struct CloudTransmittance {
   // shaders/shared/half_float.glsl) where there is none; y: of the surface behind, at most kFarDistance, and
   // 0 where no ray was marched.
   const gl::Texture* distances = nullptr;
+
+  // For programs that include that file.
+  void bind() const {
+    light->bind(kLightUnit);
+    distances->bind(kDistancesUnit);
+  }
 };
 
 }  // namespace skydrop::render
