@@ -1,4 +1,5 @@
 #include "clouds/plane.glsl"
+#include "clouds/plane_visible.glsl"
 
 in vec3 relative;
 in vec2 texturePlace;
@@ -8,4 +9,4 @@ in float rim;
 in vec3 airLeft;
 out vec4 color;
 
-void main() { color = planeLight(relative, texturePlace, weatherPlace, finePlace, rim, airLeft); }
+void main() { color = visibleLight(planeLight(relative, texturePlace, weatherPlace, finePlace, rim, airLeft), relative); }

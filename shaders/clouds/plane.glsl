@@ -1,10 +1,7 @@
-// Light and opacity of a cloud plane at a pixel, multiplied together.
-#include "cloud_transmittance.glsl"
+// Light and opacity of a cloud plane at a place, multiplied together, as if nothing stood before it.
 #include "clouds/sheet_light.glsl"
-#include "shared/depth.glsl"
 
 layout(binding = 0) uniform sampler2D noise;
-layout(binding = 1) uniform sampler2D sceneDepth;
 uniform float cutoff;
 uniform float variation;   // how far the second copy shifts the cutoff
 uniform float noiseMean;
@@ -18,7 +15,6 @@ uniform vec2 towardsSun;   // in texture coordinates: where the shade of a place
 const float kNearFadeM = 250.0;   // closer than this to the eye a sheet thins out, instead of cutting the picture in two
 // Standard deviations of noise over which the cut is softened: of what is seen, and of the shade.
 const float kSoftCut = 0.011, kShadeBlur = 0.03;
-const float kSoftEdgeM = 90.0;  // so far before a surface that pierces it, likewise
 
 // Levels of the texture by which a pixel is wider than a texel.
 float footprintLevel(vec2 place) {
@@ -32,12 +28,6 @@ float lostAt(float level) {
   return dot(share, lost - vec4(0.0, lost.xyz));
 }
 
-// All of a surface beyond the plane is left, none of one in front of it.
-float unhidden() {
-  float surfaceZ = viewZOfDepth(texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r, frame.eye.y);
-  return clamp((surfaceZ - viewZOfDepth(gl_FragCoord.z, frame.eye.y)) / kSoftEdgeM, 0.0, 1.0);
-}
-
 vec4 planeLight(vec3 relative, vec2 place, vec2 weatherPlace, vec2 finePlace, float rim, vec3 airLeft) {
   float level = max(footprintLevel(place) - 1.0, 0.0);
   float spread = lostAt(level);
@@ -49,7 +39,7 @@ vec4 planeLight(vec3 relative, vec2 place, vec2 weatherPlace, vec2 finePlace, fl
   float distanceM = length(relative);
   vec3 direction = relative / max(distanceM, 1e-3);
   float opacity = sheetCoverOpacity(cover, sheetPath(direction.y));
-  opacity *= smoothstep(0.0, 1.0, rim) * smoothstep(0.0, kNearFadeM, distanceM) * unhidden() * throughClouds(distanceM);
+  opacity *= smoothstep(0.0, 1.0, rim) * smoothstep(0.0, kNearFadeM, distanceM);
   float shade = meanDepth(textureLod(noise, place + towardsSun, max(level, 1.5)).r - cut, max(spread, kShadeBlur));
   vec3 light = sheetLight(direction, cover.depth, shade, relative.y < 0.0 ? 1.0 : 0.0);
   return vec4(throughAir(light, direction, airLeft), 1.0) * opacity;

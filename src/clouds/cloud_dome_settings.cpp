@@ -83,6 +83,7 @@ void describe(core::SettingsVisitor& visitor, CloudDomeSettings& s) {
   colour("red", s.red);
   colour("green", s.green);
   colour("blue", s.blue);
+  describeResolution(visitor, s.resolution);
   visitor.integer("octaves", s.octaves,
                   {.unit = "1",
                    .min = 1,

@@ -133,6 +133,7 @@ void describe(core::SettingsVisitor& visitor, CloudPlanesSettings& s) {
                   .logarithmic = true,
                   .slider = Range{20000, 120000},
                   .aliases = "distance, rim"});
+  describeResolution(visitor, s.resolution);
   visitor.group("layers", s.layers, "A layer: what it is made of, and where it is.");
 }
 

@@ -150,6 +150,55 @@ TEST_F(CloudDomeGLTest, aViewDoesNotShowItsNoiseTwice) {
   EXPECT_LT(worst, 0.6);
 }
 
+TEST_F(CloudDomeGLTest, fewerPixelsShowTheSameCloudsSofter) {
+  // Half the resolution changes the picture by less than a tenth of what the clouds do in the mean, a quarter
+  // by less than a fifth.
+  dome_.cutoff = 0.5;
+  const View view = pose({0, 300, 0}, 40, 40, 0, 320, 180);
+  const auto meanDifference = [](const Light& a, const Light& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      sum += static_cast<double>(glm::length(shown(a[i]) - shown(b[i])));
+    return sum / static_cast<double>(a.size());
+  };
+  const Light full = frame(view);
+  const double clouds = meanDifference(full, sky(view));
+  double before = 0;
+  for (const auto& [resolution, most] :
+       {std::pair(clouds::SheetResolution::half, 0.1), std::pair(clouds::SheetResolution::quarter, 0.2)}) {
+    dome_.resolution = resolution;
+    const double off = meanDifference(frame(view), full) / clouds;
+    RecordProperty(std::string(clouds::kSheetResolutionNames[static_cast<std::size_t>(resolution)]),
+                   std::to_string(off));
+    EXPECT_GT(off, before);
+    EXPECT_LT(off, most);
+    before = off;
+  }
+}
+
+TEST_F(CloudDomeGLTest, landCutsItAtEveryPixelInAnyResolution) {
+  // A plain below the eye, banked: each pixel that it fills is to the last bit that of a frame without the
+  // dome.
+  dome_.cutoff = 0.2;
+  addPlains();
+  plains_ = {{200, glm::vec3(0.1f)}};
+  const View view = pose({0, 300, 0}, 40, 3, 33, 65, 37);
+  for (const auto resolution :
+       {clouds::SheetResolution::full, clouds::SheetResolution::half, clouds::SheetResolution::quarter}) {
+    dome_.resolution = resolution;
+    const Light with = frame(view), without = sky(view);
+    for (int y = 0; y < 37; ++y) {
+      for (int x = 0; x < 65; ++x) {
+        const std::size_t i = static_cast<std::size_t>(y * 65 + x);
+        if (rayDirection(view, {x + 0.5, y + 0.5}).y < 0) {
+          EXPECT_EQ(with[i], without[i]) << x << ", " << y;
+        }
+      }
+    }
+    EXPECT_GT(difference(with, without), 10);
+  }
+}
+
 TEST_F(CloudDomeGLTest, newNoiseReplacesTheOldWhenItIsReady) {
   // Drawing never waits: until the noise of a changed row is there the picture is the one before, exactly.
   const View view = small({0, 300, 0}, 40, 40);

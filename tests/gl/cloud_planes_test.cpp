@@ -231,6 +231,114 @@ TEST_F(CloudPlanesGLTest, mountainsHideWhatIsBehindAndPierceWhatIsNot) {
   EXPECT_GT(meanDifference(frame(view), sky(view)), 3);
 }
 
+// What is left of a picture in blocks of so many pixels along a side: their means, with the four around a
+// pixel mixed. No picture of so few values that is mixed like this is nearer to it by much.
+Light inBlocks(const Light& picture, int width, int height, int pixels) {
+  const int across = width / pixels, up = height / pixels;
+  Light means(static_cast<std::size_t>(across * up));
+  for (int y = 0; y < up * pixels; ++y) {
+    for (int x = 0; x < across * pixels; ++x) {
+      means[static_cast<std::size_t>(y / pixels * across + x / pixels)] +=
+          picture[static_cast<std::size_t>(y * width + x)] / static_cast<float>(pixels * pixels);
+    }
+  }
+  const auto at = [&](int x, int y) {
+    return means[static_cast<std::size_t>(std::clamp(y, 0, up - 1) * across + std::clamp(x, 0, across - 1))];
+  };
+  Light mixed(picture.size());
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double u = (x + 0.5) / pixels - 0.5, v = (y + 0.5) / pixels - 0.5;
+      const int left = static_cast<int>(std::floor(u)), low = static_cast<int>(std::floor(v));
+      const auto s = static_cast<float>(u - left), t = static_cast<float>(v - low);
+      mixed[static_cast<std::size_t>(y * width + x)] =
+          glm::mix(glm::mix(at(left, low), at(left + 1, low), s),
+                   glm::mix(at(left, low + 1), at(left + 1, low + 1), s), t);
+    }
+  }
+  return mixed;
+}
+
+TEST_F(CloudPlanesGLTest, fewerPixelsShowTheSameCloudsSofter) {
+  // The picture of half and of a quarter of the resolution is at most half again as far from the full one as
+  // the best picture of so few values (one sample stands for a block here, its mean there); the mean
+  // brightness of what is shown stays within 1 %.
+  planes_.count = 1;
+  planes_.layers[0].textureSide = 512;
+  addPlanes();
+  const View view = pose({0, 300, 0}, 220, 20, 0, 320, 180);
+  const Light full = frame(view);
+  const auto brightness = [](const Light& light) {
+    double sum = 0;
+    for (const glm::vec4& pixel : light) sum += static_cast<double>(glm::dot(shown(pixel), glm::vec3(1)));
+    return sum;
+  };
+  const double clouds = meanDifference(full, sky(view));
+  double before = 0;
+  for (const auto resolution : {clouds::SheetResolution::half, clouds::SheetResolution::quarter}) {
+    planes_.resolution = resolution;
+    const Light fewer = frame(view);
+    const double off = meanDifference(fewer, full);
+    RecordProperty(std::string(clouds::kSheetResolutionNames[static_cast<std::size_t>(resolution)]),
+                   std::to_string(off / clouds));
+    EXPECT_GT(off, before);
+    EXPECT_LT(off, 1.5 * meanDifference(inBlocks(full, 320, 180, clouds::pixelsAlong(resolution)), full));
+    EXPECT_NEAR(brightness(fewer) / brightness(full), 1, 0.01);
+    before = off;
+  }
+}
+
+TEST_F(CloudPlanesGLTest, surfacesCutTheirCloudsAtEveryPixelInAnyResolution) {
+  // The eye between a plain below it and the layer above it, banked: each pixel that the plain fills is to
+  // the last bit that of a frame without clouds. No odd row or column is lost.
+  planes_.count = 1;
+  planes_.variation = 0;
+  planes_.layers[0].cutoff = 0.2;
+  planes_.layers[0].height = 3000;
+  addPlains();
+  plains_ = {{2000, glm::vec3(0.1f)}};
+  addPlanes();
+  const View view = pose({0, 2500, 0}, 40, 3, 33, 65, 37);
+  for (const auto resolution :
+       {clouds::SheetResolution::full, clouds::SheetResolution::half, clouds::SheetResolution::quarter}) {
+    planes_.resolution = resolution;
+    const Light with = frame(view), without = sky(view);
+    int covered = 0, clouded = 0;
+    for (int y = 0; y < 37; ++y) {
+      for (int x = 0; x < 65; ++x) {
+        const std::size_t i = static_cast<std::size_t>(y * 65 + x);
+        const double sine = rayDirection(view, {x + 0.5, y + 0.5}).y;
+        if (sine < 0) {
+          EXPECT_EQ(with[i], without[i]) << x << ", " << y;
+          ++covered;
+        } else if (sine > 0.1) {
+          clouded += with[i] != without[i];
+        }
+      }
+    }
+    EXPECT_GT(covered, 500);
+    EXPECT_GT(clouded, 500);
+  }
+}
+
+TEST_F(CloudPlanesGLTest, onlyFewerPixelsHoldALayerOfTheirOwn) {
+  planes_.count = 1;
+  addPlanes();
+  const View view = small({0, 300, 0}, 40, 20);
+  frame(view);
+  const auto held = [&] {
+    return std::pair(context().resources().live(gl::ObjectKind::texture),
+                     context().resources().live(gl::ObjectKind::frameBuffer));
+  };
+  const auto full = held();
+  planes_.resolution = clouds::SheetResolution::half;
+  frame(view);
+  EXPECT_EQ(held(), std::pair(full.first + 1, full.second + 1));
+  planes_.resolution = clouds::SheetResolution::full;
+  frame(view);
+  EXPECT_EQ(held(), full);
+}
+
 TEST_F(CloudPlanesGLTest, newNoiseReplacesTheOldWhenItIsReady) {
   // Drawing never waits: until the noise of a changed row is there the picture is the one before, exactly.
   planes_.count = 1;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "skydrop/clouds/sheet_resolution.h"
 #include "skydrop/core/settings.h"
 
 namespace skydrop::clouds {
@@ -19,12 +20,13 @@ struct CloudDomeSettings {
   double flatness = 1;      // 0: the noise lies on a hemisphere, 1: on a level sheet seen from below, [0, 1]
   double selfShadow = 1.5;  // optical depth towards the sun as a multiple of that seen, [0, 8]
   double red = 1, green = 1, blue = 1;  // colour of the clouds, linear, [0, 1]
-  std::int64_t octaves = 6;             // of the noise, [1, 8]
-  std::int64_t frequency = 6;           // lattice cells across the volume of the first octave, [1, 32]
-  double amplitude = 0.7;               // of the first octave, [0.1, 2]
-  double persistence = 0.5;             // amplitude of an octave as a share of the one before, [0.1, 0.9]
-  std::int64_t textureSide = 128;       // texels of the volume, a power of two, [32, 256]
-  std::int64_t seed = 4;                // of the noise, [0, 65535]
+  SheetResolution resolution = SheetResolution::full;
+  std::int64_t octaves = 6;        // of the noise, [1, 8]
+  std::int64_t frequency = 6;      // lattice cells across the volume of the first octave, [1, 32]
+  double amplitude = 0.7;          // of the first octave, [0.1, 2]
+  double persistence = 0.5;        // amplitude of an octave as a share of the one before, [0.1, 0.9]
+  std::int64_t textureSide = 128;  // texels of the volume, a power of two, [32, 256]
+  std::int64_t seed = 4;           // of the noise, [0, 65535]
 
   bool operator==(const CloudDomeSettings&) const = default;
 };

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "skydrop/clouds/sheet_resolution.h"
 #include "skydrop/core/settings.h"
 
 namespace skydrop::clouds {
@@ -34,6 +35,7 @@ struct CloudPlanesSettings {
   double variation = 0.7;   // how much cover changes from place to place, [0, 2]; 0: everywhere the same
   double detail = 0.3;      // share of a finer copy of the noise that frays edges, [0, 1]; 0: none
   double selfShadow = 2.5;  // optical depth towards the sun as a multiple of that seen, [0, 8]
+  SheetResolution resolution = SheetResolution::full;
   std::array<CloudPlaneSettings, kCloudPlanes> layers = {{
       {.octaves = 10,
        .cutoff = 0.6,

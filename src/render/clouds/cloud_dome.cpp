@@ -4,6 +4,7 @@
 #include <glm/mat3x3.hpp>
 #include <span>
 
+#include "render/clouds/sheet_layer.h"
 #include "render/clouds/sheet_sun.h"
 #include "render/clouds/sheet_view.h"
 #include "skydrop/core/shared.h"
@@ -14,7 +15,7 @@ namespace {
 
 namespace shared = core::shared::f64;
 
-constexpr GLuint kNoiseUnit = 0;
+constexpr GLuint kNoiseUnit = 0, kLayerUnit = 0;
 
 double wrapped(double x) {
   const double share = x - std::floor(x);
@@ -32,6 +33,7 @@ CloudDome::CloudDome(gl::Context& context, const PreparedDomeNoise* prepared,
     : context_(context),
       settings_(settings),
       asked_(prepared ? prepared->settings : settings),
+      layer_(std::make_unique<SheetLayer>(context, "cloud dome layer")),
       job_([](const clouds::CloudDomeSettings& of, std::stop_token stop) {
         return Made{of, std::make_shared<const SheetNoise>(makeSheetNoise(of, std::move(stop)))};
       }) {
@@ -91,10 +93,30 @@ void CloudDome::draw(FrameContext& context) {
   upload();
   const gl::Functions& gl = context.gl.api();
   gl.DepthMask(GL_FALSE);
-  gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  mesh_.bind();
+  gl::Shader& light = context.shaders.shader("clouds/dome.vert", "clouds/dome.frag", context.defines);
+  if (settings_.resolution == clouds::SheetResolution::full) {
+    layer_->release();
+    gl.Enable(GL_BLEND);
+    drawLight(context, light);
+    return;
+  }
+  layer_->begin(context.frame.view, settings_.resolution);
+  gl.Disable(GL_BLEND);
+  drawLight(context, light);
+  layer_->end(kLayerUnit);
+  gl.Enable(GL_BLEND);
+  drawMesh(context, context.shaders.shader("clouds/dome_compose.vert", "clouds/dome_compose.frag"));
+}
+
+void CloudDome::drawMesh(FrameContext& context, gl::Shader& shader) {
+  shader.use();
+  context.gl.drawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_SHORT);
+}
+
+void CloudDome::drawLight(FrameContext& context, gl::Shader& shader) {
   texture_.bind(kNoiseUnit);
-  gl::Shader& shader = context.shaders.shader("clouds/dome.vert", "clouds/dome.frag", context.defines);
   const auto set = [&shader](const char* name, double value) {
     shader.setFloat(name, static_cast<float>(value));
   };
@@ -108,9 +130,7 @@ void CloudDome::draw(FrameContext& context) {
   shader.setVec3("cloudColor", glm::vec3(glm::dvec3(settings_.red, settings_.green, settings_.blue)));
   shader.setVec3("sheetSun", glm::vec3(sunOnSheet(context.light, shared::kDomeHeightM)));
   set("selfShadow", settings_.selfShadow);
-  shader.use();
-  mesh_.bind();
-  context.gl.drawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_SHORT);
+  drawMesh(context, shader);
 }
 
 }  // namespace skydrop::render

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "render/clouds/sheet_layer.h"
 #include "render/clouds/sheet_sun.h"
 #include "render/clouds/sheet_view.h"
 #include "skydrop/core/shared.h"
@@ -17,7 +18,7 @@ namespace {
 
 namespace shared = core::shared::f64;
 
-constexpr GLuint kNoiseUnit = 0, kDepthUnit = 1;
+constexpr GLuint kNoiseUnit = 0, kLayerUnit = 0, kDepthUnit = 1;
 
 // The copy that varies cover: turned by an angle that fits no lattice, and as much wider. Together the two
 // repeat after hundreds of kilometres.
@@ -102,7 +103,7 @@ const gl::Texture& CloudPlane::texture() {
 
 CloudPlanes::CloudPlanes(gl::Context& context, const PreparedPlaneNoise* prepared,
                          const clouds::CloudPlanesSettings& settings, const core::WindSettings& wind)
-    : context_(context) {
+    : context_(context), layer_(std::make_unique<SheetLayer>(context, "cloud plane layer")) {
   const CloudPlaneMesh mesh = makeCloudPlaneMesh();
   vertices_ = gl::Buffer::of(context, std::span(mesh.vertices), gl::Buffer::Use::fixed, "cloud plane");
   indices_ = gl::Buffer::of(context, std::span(mesh.indices), gl::Buffer::Use::fixed, "cloud plane");
@@ -171,22 +172,49 @@ void CloudPlanes::draw(FrameContext& context) {
 }
 
 void CloudPlanes::drawPlane(FrameContext& context, CloudPlane& plane) {
+  const std::vector<std::string> light(context.defines.begin(), context.defines.end());
+  std::vector<std::string> visible = light;
+  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
+    visible.emplace_back("CLOUD_TRANSMITTANCE");
+    clouds->bind();
+  }
+  gl::ShaderCache& shaders = context.shaders;
+  if (settings_.resolution == clouds::SheetResolution::full) {
+    layer_->release();
+    drawLight(context, plane, shaders.shader("clouds/plane.vert", "clouds/plane.frag", visible));
+    return;
+  }
+  const gl::Functions& gl = context.gl.api();
+  layer_->begin(context.frame.view, settings_.resolution);
+  gl.Disable(GL_BLEND);
+  drawLight(context, plane, shaders.shader("clouds/plane.vert", "clouds/plane_layer.frag", light));
+  gl.Enable(GL_BLEND);
+  layer_->end(kLayerUnit);
+  gl::Shader& compose = shaders.shader("clouds/plane_compose.vert", "clouds/plane_compose.frag", visible);
+  setPlace(compose, context.frame.view, plane);
+  drawMesh(context, compose);
+}
+
+void CloudPlanes::setPlace(gl::Shader& shader, const View& view, const CloudPlane& plane) const {
+  shader.setFloat("radiusM", static_cast<float>(settings_.radiusM));
+  shader.setFloat("riseM", static_cast<float>(plane.settings().height - view.position.y));
+}
+
+void CloudPlanes::drawMesh(FrameContext& context, gl::Shader& shader) {
+  shader.use();
+  context.gl.drawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_SHORT);
+}
+
+void CloudPlanes::drawLight(FrameContext& context, CloudPlane& plane, gl::Shader& shader) {
   const View& view = context.frame.view;
   const clouds::CloudPlaneSettings& layer = plane.settings();
   const SheetNoise& noise = *plane.noise();
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
-    defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->bind();
-  }
   plane.texture().bind(kNoiseUnit);
-  gl::Shader& shader = context.shaders.shader("clouds/plane.vert", "clouds/plane.frag", defines);
+  setPlace(shader, view, plane);
   const auto set = [&shader](const char* name, double value) {
     shader.setFloat(name, static_cast<float>(value));
   };
   const PlaneAnchor anchor = planeAnchor(layer, wind_, view.position, context.frame.simulatedSeconds);
-  set("radiusM", settings_.radiusM);
-  set("riseM", layer.height - view.position.y);
   set("texturesPerM", 1 / layer.period);
   shader.setVec2("textureAnchor", glm::vec2(anchor.texture));
   shader.setVec2("weatherAnchor", glm::vec2(anchor.weather));
@@ -211,8 +239,7 @@ void CloudPlanes::drawPlane(FrameContext& context, CloudPlane& plane) {
   shader.setVec2("towardsSun", glm::vec2(glm::dvec2(sun.x, sun.z) / level * (shadeM / layer.period)));
   shader.setVec3("sheetSun", glm::vec3(sunOnSheet(context.light, layer.height)));
   set("selfShadow", settings_.selfShadow);
-  shader.use();
-  context.gl.drawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_SHORT);
+  drawMesh(context, shader);
 }
 
 }  // namespace skydrop::render

@@ -20,6 +20,8 @@ namespace skydrop::render {
 // in double, so it is exact after months. seconds: simulated.
 glm::dvec3 domeOffset(const clouds::CloudDomeSettings& settings, double seconds);
 
+class SheetLayer;
+
 class CloudDome final : public Pass {
  public:
   // prepared: null, or of other settings: what is missing is made beside the first frames.
@@ -46,6 +48,9 @@ class CloudDome final : public Pass {
 
   void take(std::shared_ptr<const SheetNoise> noise);
   void upload();
+  // The dome's light by this program, into the target that is bound.
+  void drawLight(FrameContext& context, gl::Shader& shader);
+  void drawMesh(FrameContext& context, gl::Shader& shader);
 
   gl::Context& context_;
   clouds::CloudDomeSettings settings_;
@@ -53,6 +58,7 @@ class CloudDome final : public Pass {
   std::shared_ptr<const SheetNoise> noise_;  // null until it has been made once
   bool isUploaded_ = false;
   gl::Texture texture_;
+  std::unique_ptr<SheetLayer> layer_;
   gl::Buffer vertices_, indices_;
   gl::VertexArray mesh_;
   GLsizei indexCount_ = 0;

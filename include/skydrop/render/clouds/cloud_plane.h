@@ -65,6 +65,8 @@ class CloudPlane {
   core::LatestJob<clouds::CloudPlaneSettings, Made> job_;
 };
 
+class SheetLayer;
+
 // The pass of all layers, far to near. Holds textures of the layers that are drawn only.
 class CloudPlanes final : public Pass {
  public:
@@ -87,12 +89,17 @@ class CloudPlanes final : public Pass {
   // Why a layer does not touch the frame; null: it does.
   const char* idleReason(const FrameInput& frame, const CloudPlane& plane) const;
   void drawPlane(FrameContext& context, CloudPlane& plane);
+  // The plane's light by this program, into the target that is bound.
+  void drawLight(FrameContext& context, CloudPlane& plane, gl::Shader& shader);
+  void drawMesh(FrameContext& context, gl::Shader& shader);
+  void setPlace(gl::Shader& shader, const View& view, const CloudPlane& plane) const;
   std::size_t count() const { return static_cast<std::size_t>(settings_.count); }
 
   gl::Context& context_;
   clouds::CloudPlanesSettings settings_;
   core::WindSettings wind_;
   std::array<std::unique_ptr<CloudPlane>, clouds::kCloudPlanes> planes_;
+  std::unique_ptr<SheetLayer> layer_;  // of whichever plane is being drawn
   gl::Buffer vertices_, indices_;
   gl::VertexArray mesh_;
   GLsizei indexCount_ = 0;
