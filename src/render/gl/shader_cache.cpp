@@ -66,6 +66,17 @@ ShaderCache::Reloaded ShaderCache::reloadChanged() {
   return result;
 }
 
+std::vector<const ShaderProgram*> ShaderCache::programs() const {
+  std::vector<const ShaderProgram*> programs;
+  const auto addFrom = [&programs](const auto& entries) {
+    for (const auto& [key, entry] : entries)
+      if (entry.program) programs.push_back(entry.program.get());
+  };
+  addFrom(shaders_);
+  addFrom(computeShaders_);
+  return programs;
+}
+
 void ShaderCache::deleteUnused() {
   const auto eraseFrom = [this](auto& entries) {
     std::erase_if(entries, [this](const auto& entry) {

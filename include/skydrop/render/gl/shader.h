@@ -61,12 +61,15 @@ class ShaderProgram {
   // Whether a file of this program was written since it was last compiled (or tried).
   bool isStale() const;
 
- protected:
+  // What it is compiled from.
   struct File {
-    GLenum type = 0;
-    std::string name;
+    GLenum type = 0;   // of the stage
+    std::string name;  // the entry file
   };
+  std::span<const File> files() const { return files_; }
+  std::span<const std::string> defines() const { return defines_; }
 
+ protected:
   ShaderProgram() = default;
   ShaderProgram(Context& context, std::vector<File> files, std::span<const std::string> defines);
 

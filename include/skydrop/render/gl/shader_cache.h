@@ -40,6 +40,8 @@ class ShaderCache {
     return stale_.empty() ? std::string_view() : std::string_view(stale_.begin()->second);
   }
 
+  // Every program that there is, until the next call that may compile or delete one.
+  std::vector<const ShaderProgram*> programs() const;
   std::size_t size() const { return shaders_.size() + computeShaders_.size(); }
 
   // Thrown by shader() and computeShader() in place of compiling a program beyond the limit: whoever set it

@@ -1,0 +1,91 @@
+// Every shader variant that the program draws with, judged by the reference compiler: what one driver lets
+// pass, another may not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/session/run_config.h"
+#include "app/session/scene_renderer.h"
+#include "skydrop/core/assets.h"
+#include "skydrop/render/gl/shader_source.h"
+#include "support/gl_test.h"
+#include "support/process.h"
+#include "support/shared_noise.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::app {
+namespace {
+
+class ShaderVariantsGLTest : public test::GLTest {
+ protected:
+  // Draws what warms a flight up, and keeps the stages of the programs that it needed.
+  void draw(const std::string& scene, const std::vector<std::string>& set) {
+    CommandLine line;
+    line.verb = Verb::render;
+    line.scene = scene;
+    line.set = set;
+    const auto run = prepareRun(line);
+    Simulation simulation(run->setup, run->settings, run->table);
+    SceneRenderer sceneRenderer(
+        context(),
+        {simulation.effects(), simulation.ground(), 1, false, PreparedResources(test::sharedNoise())},
+        run->settings);
+    sceneRenderer.warmUp(simulation.world().now(), {64, 36});
+    for (const render::gl::ShaderProgram* program : sceneRenderer.renderer().shaders().programs()) {
+      for (const render::gl::ShaderProgram::File& file : program->files())
+        note(file.name, program->defines());
+    }
+  }
+
+  void note(const std::string& entry, std::span<const std::string> defines) {
+    seen_.insert(entry);
+    texts_.emplace(render::gl::ShaderSource(entry, defines).text(), entry);
+  }
+
+  std::map<std::string, std::string> texts_;  // to the entry file
+  std::set<std::string> seen_;
+};
+
+// Entry files that no scene draws with.
+constexpr const char* kOfTools[] = {"clouds/noise.comp", "imgui/imgui.frag", "imgui/imgui.vert",
+                                    "noise/gradient_noise.comp", "noise/volume.comp"};
+
+TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
+  // Of the scene with everything, in each tier and quality, and of those that lack what the others rest on.
+  // Each entry file must have been among them.
+  draw("stress", {});
+  draw("stress", {"quality=low"});
+  draw("stress", {"clouds.tier=reference", "effects.haze=false", "effects.terrain=false",
+                  "effects.targets=false", "render.picture.smoothModels=false"});
+  draw("plane3", {"effects.haze=false", "cloudPlanes.resolution=quarter"});
+  draw("fair", {"render.land.terrainNormals=true", "render.land.wireframe=true",
+                "clouds.march.lightGrid=true", "clouds.march.detail=false"});
+  for (const char* entry : kOfTools) note(entry, {});
+  for (const auto& file : std::filesystem::recursive_directory_iterator(core::shaderPath(""))) {
+    const std::string name = std::filesystem::relative(file.path(), core::shaderPath("")).generic_string();
+    if (file.is_regular_file() && file.path().extension() != ".glsl" &&
+        file.path().filename() != ".gitkeep") {
+      EXPECT_TRUE(seen_.contains(name)) << name;
+    }
+  }
+  const test::TemporaryFolder folder;
+  std::vector<std::string> words = {"/usr/bin/env", "glslangValidator"};
+  int number = 0;
+  for (const auto& [text, entry] : texts_) {
+    std::string name = entry;
+    std::ranges::replace(name, '/', '_');
+    words.push_back((folder.path() / (std::to_string(++number) + '_' + name)).string());
+    folder.write(words.back(), text);
+  }
+  const test::ProcessResult result = test::runProcess(words);
+  EXPECT_EQ(result.exitCode, 0) << result.out << result.err;
+}
+
+}  // namespace
+}  // namespace skydrop::app
