@@ -2,27 +2,9 @@
 
 #include <algorithm>
 
-#if defined(__linux__)
-#include <sys/resource.h>
-#elif defined(_WIN32)
-#include <windows.h>
-#endif
+#include "skydrop/core/thread_priority.h"
 
 namespace skydrop::core {
-namespace {
-
-// So that a busy queue does not take the processor from the thread that draws. Best effort.
-void lowerOwnPriority() {
-#if defined(__linux__)
-  constexpr int kNice = 3;  // with 10, a drawing software renderer held a chunk up for five frames
-  setpriority(PRIO_PROCESS, 0, kNice);  // on Linux 0 means the calling thread, not the process
-#elif defined(_WIN32)
-  SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL);
-#endif
-}
-
-}  // namespace
-
 int JobPool::defaultWorkerCount() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
 }
@@ -101,7 +83,7 @@ JobStatistics JobPool::statistics() const {
 }
 
 void JobPool::work(std::stop_token quit) {
-  lowerOwnPriority();
+  lowerThreadPriority();
   std::unique_lock lock(mutex_);
   while (true) {
     if (!wake_.wait(lock, quit, [this] { return !waiting_.empty(); }) || quit.stop_requested()) return;

@@ -31,8 +31,11 @@ BenchGame::BenchGame(const Setup& setup)
       context_(app::openContext(std::nullopt, kFrameSize)),
       simulation_(run_->setup, run_->settings, run_->table),
       sceneRenderer_(*context_,
-                     {simulation_.effects(), simulation_.ground(), std::nullopt, setup.measuring,
-                      preparedFor(simulation_.effects())},
+                     {.effects = simulation_.effects(),
+                      .ground = simulation_.ground(),
+                      .measuring = setup.measuring,
+                      .prepared = preparedFor(simulation_.effects()),
+                      .compilesAhead = true},
                      run_->settings),
       overlay_(simulation_.effects(), kFrameSize, app::helpRows(app::Bindings())) {
   sceneRenderer_.addOverlay();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "app/session/run_config.h"
 #include "skydrop/render/clouds/cloud_dome.h"
 #include "skydrop/render/clouds/cloud_plane.h"
@@ -12,12 +14,12 @@ namespace skydrop::app {
 namespace {
 
 // The scene that the game starts with, and one without clouds.
-class SceneRendererGLTest : public test::GLTest, public testing::WithParamInterface<const char*> {
+class SceneRendererGLTest : public test::GLTest {
  protected:
-  static std::unique_ptr<app::RunConfig> prepared() {
+  static std::unique_ptr<app::RunConfig> preparedOf(const char* scene) {
     CommandLine line;
     line.verb = Verb::render;
-    line.scene = GetParam();
+    line.scene = scene;
     return prepareRun(line);
   }
 
@@ -28,10 +30,15 @@ class SceneRendererGLTest : public test::GLTest, public testing::WithParamInterf
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(, SceneRendererGLTest, testing::Values(kDefaultScene, "terrain"),
+class AnySceneRendererGLTest : public SceneRendererGLTest, public testing::WithParamInterface<const char*> {
+ protected:
+  static std::unique_ptr<app::RunConfig> prepared() { return preparedOf(GetParam()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(, AnySceneRendererGLTest, testing::Values(kDefaultScene, "terrain"),
                          [](const auto& scene) { return std::string(scene.param); });
 
-TEST_P(SceneRendererGLTest, afterWarmingUpNoFrameCompilesAShader) {
+TEST_P(AnySceneRendererGLTest, afterWarmingUpNoFrameCompilesAShader) {
   // Warmed up: the first frames with the aircraft ahead, with a package in the air and with a target in sight
   // use programs that are there already.
   const auto run = prepared();
@@ -68,7 +75,7 @@ TEST_P(SceneRendererGLTest, afterWarmingUpNoFrameCompilesAShader) {
   EXPECT_EQ(context().resources().live(render::gl::ObjectKind::program), warm);
 }
 
-TEST_P(SceneRendererGLTest, theGpusMemoryIsWithinItsBudget) {
+TEST_P(AnySceneRendererGLTest, theGpusMemoryIsWithinItsBudget) {
   // All textures and buffers at 640 x 360, those of the land's chunks above all: at most 128 MiB.
   const auto run = prepared();
   Simulation simulation(run->setup, run->settings, run->table);
@@ -80,7 +87,7 @@ TEST_P(SceneRendererGLTest, theGpusMemoryIsWithinItsBudget) {
   EXPECT_LE(statistics.gl.bytes, 128 << 20);
 }
 
-TEST_P(SceneRendererGLTest, cloudSheetsCostNothingWhereNoSceneCallsForThem) {
+TEST_P(AnySceneRendererGLTest, cloudSheetsCostNothingWhereNoSceneCallsForThem) {
   // Without the effects: no pass, no row in the statistics. With them, on the same scene: two passes, and
   // programs, textures and draws that the frame did not have.
   const auto run = prepared();
@@ -109,6 +116,48 @@ TEST_P(SceneRendererGLTest, cloudSheetsCostNothingWhereNoSceneCallsForThem) {
   const auto with = frame(setup, true);
   EXPECT_EQ(with.programs, without.programs + 2);
   EXPECT_EQ(with.textures, without.textures + 4);
+}
+
+TEST_F(SceneRendererGLTest, whatComesIsCompiledElsewhereFirst) {
+  // The first rounds of a switch add nothing to the flight's context; afterwards the picture is that of a
+  // switch without it. A second switch does not wait for what the first one had begun.
+  const auto run = preparedOf("empty");
+  Simulation simulation(run->setup, run->settings, run->table);
+  const scene::EffectSet before = simulation.effects();
+  scene::EffectSet after = before;
+  after.insert(scene::Effect::sky);
+  const Size size{80, 45};
+  const auto pictureAfter = [&](bool compilesAhead, int& roundsBefore) {
+    SceneRenderer::Setup setup = setupOf(simulation);
+    setup.compilesAhead = compilesAhead;
+    SceneRenderer renderer(context(), setup, run->settings);
+    const game::Snapshot& shown = simulation.world().now();
+    renderer.warmUp(shown, size);
+    const std::int64_t programs = context().resources().live(render::gl::ObjectKind::program);
+    renderer.beginSwitch(after, simulation.ground());
+    const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    for (int round = 0; renderer.isSwitching(); ++round) {
+      if (std::chrono::steady_clock::now() > until) {
+        ADD_FAILURE() << "the switch has no end";
+        break;
+      }
+      renderer.continueSwitch({}, shown, 10);
+      if (context().resources().live(render::gl::ObjectKind::program) == programs) roundsBefore = round;
+      if (compilesAhead && round == 0) {  // given up at once, and asked for again
+        const auto begin = std::chrono::steady_clock::now();
+        renderer.beginSwitch(before, simulation.ground());
+        renderer.beginSwitch(after, simulation.ground());
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(200));
+      }
+      renderer.draw(shown, size, Streaming::asItComes);
+    }
+    renderer.draw(shown, size, Streaming::settled);
+    return renderer.renderer().readBack();
+  };
+  int roundsAhead = 0, rounds = 0;
+  const core::Image ahead = pictureAfter(true, roundsAhead), alone = pictureAfter(false, rounds);
+  EXPECT_EQ(ahead.rgba, alone.rgba);
+  EXPECT_GT(roundsAhead, rounds);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "app/measure/bill.h"
 #include "app/measure/stopwatch.h"
+#include "app/session/compile_ahead.h"
 #include "skydrop/render/frame/tone_map_pass.h"
 #include "skydrop/render/models/model_layer.h"
 #include "skydrop/render/shadows/shadow_pass.h"
@@ -120,6 +121,10 @@ void SceneRenderer::beginSwitch(const scene::EffectSet& effects,
   if (parts_ != present) renderer_.setLayer(std::make_unique<render::ModelLayer>());
   if (before == effects && !switch_) return;
   renderer_.endWarmUp();
+  if (switch_ && switch_->ahead) {
+    switch_->ahead->giveUp();
+    givenUp_.push_back(switch_->ahead);
+  }
   switch_ = Switch{.drawnFeatures = drawn};
 }
 
@@ -127,6 +132,7 @@ void SceneRenderer::continueSwitch(const PreparedResources& prepared, const game
                                    double budgetMs) {
   if (!switch_) return;
   setup_.prepared = prepared;
+  if (!isCompiledAhead(snapshot)) return;
   for (const Part& part : partsOf(setup_.effects)) {
     if (std::ranges::find(parts_, part) != parts_.end()) continue;
     renderer_.holdAdded();
@@ -145,6 +151,17 @@ void SceneRenderer::continueSwitch(const PreparedResources& prepared, const game
   renderer_.endWarmUp();
   setup_.prepared = {};
   switch_.reset();
+}
+
+bool SceneRenderer::isCompiledAhead(const game::Snapshot& snapshot) {
+  if (!setup_.compilesAhead) return true;
+  std::erase_if(givenUp_, [](const auto& ahead) { return ahead->isDone(); });
+  if (!switch_->ahead) {
+    if (!givenUp_.empty()) return false;
+    switch_->ahead = std::make_shared<CompileAhead>(renderer_.context(), setup_, *settings_, snapshot,
+                                                    unseenSize(drawnSize_));
+  }
+  return switch_->ahead->isDone();
 }
 
 // A part of the frames to warm up with; true when all have been drawn.
@@ -270,8 +287,9 @@ std::vector<SceneRenderer::WarmUpFrame> SceneRenderer::warmUpFrames(const game::
   return frames;
 }
 
-void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size) {
+void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size, const std::stop_token& stop) {
   for (const WarmUpFrame& frame : warmUpFrames(snapshot, size)) {
+    if (stop.stop_requested()) return;
     if (land_) land_->update(frame.view);
     renderer_.draw(render::gameFrame(frame.snapshot, frame.view, features()));
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@
 
 namespace skydrop::app {
 
+class CompileAhead;
+
 // How a frame treats land that is not there yet: draw what there is, or wait until all of it is.
 enum class Streaming { asItComes, settled };
 
@@ -35,10 +38,12 @@ class SceneRenderer {
   struct Setup {
     scene::EffectSet effects;
     std::shared_ptr<const terrain::HeightSource> ground;
-    std::optional<int> workers;
+    std::optional<int> workers = std::nullopt;
     bool measuring = false;           // times are asked for: a software renderer may be slowed down for them
     PreparedResources prepared = {};  // what the effects prepared (Preparations::results)
     const std::vector<EffectDescriptor>* table = &effectTable();  // what effects are made of; outlives it
+    // While effects come, what they draw with is compiled on another thread first (compile_ahead.h).
+    bool compilesAhead = false;
   };
 
   // Adds the passes of the effects (effect_table.h). Context and settings must outlive it. Throws
@@ -94,8 +99,8 @@ class SceneRenderer {
 
   // Draws frames around this place into the output with an aircraft, a package and a target in them, with and
   // without clouds in view, from outside and from the cockpit: so that no later frame has to wait until a
-  // shader is compiled for something that it shows for the first time.
-  void warmUp(const game::Snapshot& snapshot, Size size);
+  // shader is compiled for something that it shows for the first time. Ends early between frames.
+  void warmUp(const game::Snapshot& snapshot, Size size, const std::stop_token& stop = {});
 
   // One round of making the land that this frame will show, without drawing.
   struct LandProgress {
@@ -133,16 +138,19 @@ class SceneRenderer {
     bool smoothModels = true;
   };
   struct Switch {
-    render::FrameFeatures drawnFeatures;  // until all is ready
-    std::size_t frame = 0;                // of the frames to warm up with
-    std::size_t passesDrawn = 0;          // of it
-    bool isReady = false;                 // what came is drawn; what is not used any more is looked for
+    render::FrameFeatures drawnFeatures;            // until all is ready
+    std::shared_ptr<CompileAhead> ahead = nullptr;  // null before it begins
+    std::size_t frame = 0;                          // of the frames to warm up with
+    std::size_t passesDrawn = 0;                    // of it
+    bool isReady = false;  // what came is drawn; what is not used any more is looked for
   };
 
   std::vector<Part> partsOf(const scene::EffectSet& effects) const;
   void addPart(const Part& part);
   void removePart(const Part& part);
   std::vector<WarmUpFrame> warmUpFrames(const game::Snapshot& snapshot, Size size) const;
+  // Whether what comes may be compiled here. Begins to have it compiled elsewhere at the first call.
+  bool isCompiledAhead(const game::Snapshot& snapshot);
   bool warmUpInPart(const game::Snapshot& snapshot, double budgetMs);
   // Draws on with the frame; true when all of it was drawn.
   bool drawUnseen(const WarmUpFrame& frame, const render::FrameFeatures& features, double budgetMs);
@@ -160,9 +168,10 @@ class SceneRenderer {
   Size drawnSize_{1, 1};     // of the last frame
   std::vector<Part> parts_;  // that are there, in the order of adding
   std::optional<Switch> switch_;
-  std::map<std::string, double> startMs_;  // what each effect took to be made, on this thread
-  std::unique_ptr<LandStreaming> land_;    // with terrain only
-  render::ImGuiPass* overlay_ = nullptr;   // the renderer's
+  std::vector<std::shared_ptr<CompileAhead>> givenUp_;  // of earlier switches, until they have ended
+  std::map<std::string, double> startMs_;               // what each effect took to be made, on this thread
+  std::unique_ptr<LandStreaming> land_;                 // with terrain only
+  render::ImGuiPass* overlay_ = nullptr;                // the renderer's
   double settleMs_ = 0;
   core::CpuMeter streamingCost_;
 };

@@ -138,8 +138,12 @@ WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
   for (const std::string& message : preparations_.takeMessages()) warn(message);
   next.simulation = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
   const scene::EffectSet& effects = next.simulation->effects();
-  const SceneRenderer::Setup setup{effects, next.simulation->ground(), line_.workers, stats_.has_value(),
-                                   preparations_.results(effects)};
+  const SceneRenderer::Setup setup{.effects = effects,
+                                   .ground = next.simulation->ground(),
+                                   .workers = line_.workers,
+                                   .measuring = stats_.has_value(),
+                                   .prepared = preparations_.results(effects),
+                                   .compilesAhead = true};
   next.sceneRenderer = std::make_unique<SceneRenderer>(window_.context(), setup, run_->settings);
   if (sceneRenderer_) {
     next.sceneRenderer->camera() = sceneRenderer_->camera();
