@@ -22,6 +22,15 @@ namespace {
 // fall on the other side: rare large differences, a tiny mean.
 constexpr ImageLimits kSoftwareRounding{48, 0.02};
 
+// On another renderer edges fall elsewhere and functions round otherwise; what is broken shows in the mean
+// (SKYDROP_GOLDEN_LIMITS=loose, tests/device).
+constexpr ImageLimits kOtherRenderer{255, 2};
+
+ImageLimits limitsOr(const ImageLimits& strict) {
+  const char* wish = std::getenv("SKYDROP_GOLDEN_LIMITS");
+  return wish && std::string_view(wish) == "loose" ? kOtherRenderer : strict;
+}
+
 struct Golden {
   const char* name;
   std::vector<std::string> words;  // after `skydrop render`; the scene `terrain` unless they name another
@@ -127,7 +136,7 @@ TEST_P(GoldenFrame, isThePictureThatWasBlessed) {
   const core::Image actual = core::readPng(picture);
   const std::filesystem::path reference =
       std::filesystem::path(test::sourceDir()) / "tests/golden" / (std::string(golden.name) + ".png");
-  EXPECT_TRUE(matchesReference(actual, reference, golden.limits));
+  EXPECT_TRUE(matchesReference(actual, reference, limitsOr(golden.limits)));
   const bool seesShift = !within(compareImages(shiftedByOnePixel(actual), actual), golden.limits);
   const bool seesBrightness = !within(compareImages(brightened(actual, 1.02), actual), golden.limits);
   if (golden.flatBecause) {

@@ -16,8 +16,9 @@
 
 namespace skydrop::test {
 
-// Opens a headless back-end on the software renderer, so that pictures do not depend on the machine's GPU.
-// Null, and the reason in `why`, where there is none.
+// Opens a headless back-end on the software renderer, so that pictures do not depend on the machine's GPU; on
+// whatever there is with SKYDROP_TEST_DRIVER=any (tests/device). Null, and the reason in `why`, where there
+// is none.
 std::unique_ptr<render::gl::Context> openForTest(render::gl::Backend backend, std::string& why);
 render::gl::Backend backendFromEnvironment();
 

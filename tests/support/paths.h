@@ -1,5 +1,5 @@
 // Where the tests find things. Defined in one file, so that compiled tests do not depend on where the sources
-// lie and several clones share a compiler cache.
+// lie and several clones share a compiler cache. In a bundle all of them lie in $SKYDROP_TEST_BUNDLE.
 #pragma once
 
 #include <string>
