@@ -239,7 +239,7 @@ TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference
       {"clouds.march.stepGrowth", {"clouds.march.stepM=4"}},
       {"clouds.march.sunMarchDistanceM", {"clouds.march.lightGrid=true"}},
       {"clouds.march.lightCellM", {"clouds.march.lightGrid=true"}},
-      {"render.sun.utc", {"sky.sun=clock"}},
+      {"render.sun.utc", {"sky.sun=clock", "sky.longitude=180"}},  // its steps are at midnight UTC
       {"render.sun.shiftDays", {"sky.sun=clock"}},
       // So far north that it is never night in June.
       {"render.sun.shiftHours", {"sky.sun=clock", "sky.latitude=60"}},
