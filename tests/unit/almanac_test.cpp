@@ -128,6 +128,17 @@ TEST(Almanac, theWorldsAxesAreEastUpAndSouth) {
   EXPECT_NEAR(sunAt(daysOf("2026-03-20T06:07"), greenwich).horizontal.azimuthDegrees, 90, 2);
 }
 
+TEST(Almanac, theObserverStandsOnTheEllipsoid) {
+  // WGS 84: two observers see the moon from places that are the earth's axis apart, 12 713.504 km, and at the
+  // equator its diameter, 12 756.274 km. To 10 m.
+  const auto moonFrom = [](const Place& place) {
+    const Body moon = moonAt(daysOf("2026-06-21T12:00"), place);
+    return equatorialDirection(moon.rightAscensionDegrees, moon.declinationDegrees) * moon.distanceKm;
+  };
+  EXPECT_NEAR(glm::length(moonFrom({90, 0}) - moonFrom({-90, 0})), 12713.504, 0.01);
+  EXPECT_NEAR(glm::length(moonFrom({0, 20}) - moonFrom({0, -160})), 12756.274, 0.01);
+}
+
 TEST(Almanac, siderealTimeIsThatOfMeeus) {
   // Examples 12.a and 12.b: mean 13h 10m 46.3668s, apparent 46.1351s; 8h 34m 57.0896s mean (apparent within
   // the equation of the equinoxes, 1.2 s). The nutation by four terms: 0.03 s = 1.2e-4 degrees.
@@ -203,6 +214,7 @@ TEST(Refraction, isThatOfTheTablesNearTheHorizon) {
     EXPECT_NEAR((apparent - geometricElevation(apparent)) * 60, bennett(apparent), 0.1) << apparent;
   EXPECT_NEAR(refraction(90), 0, 1e-5);
   EXPECT_EQ(refraction(-90), 0);
+  EXPECT_NEAR(refraction(-45), refraction(-1) * 45 / 89, 1e-12) << "in proportion";
 }
 
 TEST(Refraction, neverLetsAThingJumpOrOvertakeAnother) {

@@ -94,23 +94,26 @@ TEST(RiseAndSet, theFirstOfTheYearAtAPoleIsTheOnlyOne) {
 }
 
 TEST(RiseAndSet, aSunThatGrazesTheHorizonIsFoundBetweenTheSteps) {
-  // Where the sun shows itself at noon for less than a step of ten minutes: every latitude between has an
-  // answer, and the longest of these days that has none is shorter than the shortest of those that have one.
-  double shortest = 1;
-  bool found = false;
-  for (double latitude = 67.2; latitude < 67.6; latitude += 0.002) {
-    const Events noon = sunEvents(daysOf("2026-12-21T06:00"), {latitude, 0});
-    if (!noon.rise) {
-      EXPECT_FALSE(noon.set) << latitude;
+  // Towards the latitude where the winter sun stays below the horizon its day shrinks to nothing, far below a
+  // step of ten minutes: halving finds days of less than a minute, and each has a rise and a set.
+  const auto noonAt = [](double latitude) { return sunEvents(daysOf("2026-12-21T06:00"), {latitude, 0}); };
+  const auto lengthOf = [](const Events& noon) { return *noon.set - *noon.rise; };
+  double sunny = 66.5, dark = 68;
+  double shortest = lengthOf(noonAt(sunny));
+  for (int i = 0; i < 22; ++i) {
+    const double latitude = (sunny + dark) / 2;
+    const Events noon = noonAt(latitude);
+    ASSERT_EQ(noon.rise.has_value(), noon.set.has_value()) << latitude;
+    if (!noon.rise || *noon.rise > daysOf("2026-12-21T18:00")) {  // the sun of the next noon stands higher
+      dark = latitude;
       continue;
     }
-    found = true;
-    ASSERT_TRUE(noon.set) << latitude;
-    EXPECT_LT(*noon.set - *noon.rise, 0.2);
-    shortest = std::min(shortest, *noon.set - *noon.rise);
+    sunny = latitude;
+    ASSERT_GE(lengthOf(noon), 0) << latitude;
+    ASSERT_LE(lengthOf(noon), shortest + 2 * kEventToleranceDays) << latitude;
+    shortest = lengthOf(noon);
   }
-  EXPECT_TRUE(found);
-  EXPECT_LT(shortest, 20.0 / 1440) << "shorter than two steps";
+  EXPECT_LT(shortest, 1.0 / 1440);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 namespace skydrop::sky {
 
 // What is added to a geometric elevation, [-90, 90], to see where it appears: 0.48 at the horizon, 0 at
-// zenith and nadir. Saemundsson's formula (1986; Meeus, chapter 16), within 0.07 minutes of arc of Bennett's
-// (1982) down to -0.5. Below -1 nobody can see and no formula holds: it goes to 0 at the nadir in proportion,
-// so that appearances neither jump nor overtake each other.
+// zenith and nadir. Saemundsson's formula (1986; Meeus, chapter 16), within 0.1 minutes of arc of Bennett's
+// (1982) above the horizon. Below -1 nobody can see and no formula holds: it goes to 0 at the nadir in
+// proportion, so that appearances neither jump nor overtake each other.
 double refraction(double geometricElevationDegrees);
 
 // Where a thing at this geometric place appears.
