@@ -93,6 +93,7 @@ class TableBuilder final : public SettingsVisitor {
     field.powersOfTwo = info.powersOfTwo;
     field.aliases = info.aliases;
     field.note = info.note;
+    field.written = info.written;
     return fields_.emplace_back(std::move(field));
   }
 
@@ -109,11 +110,15 @@ std::string numberText(double value) {
   return {text, end};
 }
 
+std::string valueText(const Field& field, double value) {
+  return field.written && std::isfinite(value) ? field.written->write(value) : numberText(value);
+}
+
 // Why the field cannot take the value; empty when it can.
 std::string refusal(const Field& field, double value) {
   if (!std::isfinite(value)) return "is not a finite number";
   if (value < field.min || value > field.max) {
-    return "is out of range " + numberText(field.min) + " to " + numberText(field.max) +
+    return "is out of range " + valueText(field, field.min) + " to " + valueText(field, field.max) +
            (field.unit.empty() || field.unit == "1" ? "" : " " + field.unit);
   }
   if (field.kind != FieldKind::number && value != std::floor(value)) return "is not a whole number";
@@ -136,6 +141,10 @@ std::string parseValue(const Field& field, std::string_view text, double& value)
     }
     value = static_cast<double>(found - field.names.begin());
     return "";
+  }
+  if (field.written) {
+    const std::string reason = field.written->read(text, value);
+    return reason.empty() ? refusal(field, value) : reason;
   }
   if (text.starts_with('+')) text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -186,7 +195,10 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
     switch (field->kind) {
       case FieldKind::number:
       case FieldKind::integer:
-        if (!value.is_number()) {
+        if (field->written) {
+          reason = value.is_string() ? parseValue(*field, value.get<std::string>(), number)
+                                     : "is not a text in quotes";
+        } else if (!value.is_number()) {
           reason = "is not a number";
         } else {
           number = value.get<double>();
@@ -216,6 +228,7 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
 
 nlohmann::json valueJson(const Field& field) {
   const double value = field.get();
+  if (field.written) return field.written->write(value);
   switch (field.kind) {
     case FieldKind::integer:
       return static_cast<std::int64_t>(value);
@@ -310,8 +323,13 @@ void setField(const SettingsTable& table, std::string_view assignment) {
   setField(table.at(assignment.substr(0, equals)), assignment.substr(equals + 1));
 }
 
+std::string writtenText(const Field& field, double value) {
+  return field.written ? field.written->write(value) : "";
+}
+
 std::string fieldText(const Field& field) {
   const double value = field.get();
+  if (field.written) return field.written->write(value);
   switch (field.kind) {
     case FieldKind::flag:
       return value != 0 ? "true" : "false";

@@ -29,6 +29,7 @@ std::string valueText(const Field& field, double value) {
     const auto index = static_cast<std::size_t>(value);
     return index < field.names.size() ? field.names[index] : "";
   }
+  if (field.written) return core::writtenText(field, value);
   return numberText(value);
 }
 
@@ -66,7 +67,7 @@ std::string describedText(const Field& field, const std::string& note) {
   const std::string unit = hasUnit(field) ? " " + raisedPowers(field.unit) : "";
   if (field.kind == FieldKind::number || field.kind == FieldKind::integer) {
     const auto range = [&](double low, double high) {
-      return numberText(low) + " to " + numberText(high) + unit;
+      return valueText(field, low) + " to " + valueText(field, high) + unit;
     };
     const bool isPart = field.sliderMin != field.min || field.sliderMax != field.max;
     if (isPart) text += "\nSlider " + range(field.sliderMin, field.sliderMax) + ".";

@@ -101,10 +101,27 @@ TEST(CommandLine, flagsOfTheHudStandForItsSetting) {
 }
 
 TEST(CommandLine, helpOfEveryVerbNamesTheExitCodes) {
-  for (const char* verb : {"render", "simulate", "accuracy", "noise", "info", "--help"}) {
+  for (const char* verb : {"render", "simulate", "accuracy", "noise", "sky", "info", "--help"}) {
     EXPECT_NE(parse({verb, "--help"}).answer->find("0 ok, 1 failed, 2 usage, 3 no OpenGL"), std::string::npos)
         << verb;
   }
+}
+
+TEST(CommandLine, skyTakesATimeAndAPlace) {
+  const CommandLine line =
+      parse({"sky", "--utc", "2026-06-21T12:00Z", "--lat", "-33.9", "--lon=-70"}).commandLine;
+  EXPECT_EQ(line.verb, Verb::sky);
+  EXPECT_EQ(line.utc, sky::parseInstant("2026-06-21T12:00:00Z"));
+  EXPECT_EQ(line.place.latitudeDegrees, -33.9);
+  EXPECT_EQ(line.place.longitudeDegrees, -70);
+  const auto refused = [](const char* utc, const char* lat, const char* lon) {
+    return refusalOf({"sky", "--utc", utc, "--lat", lat, "--lon", lon});
+  };
+  EXPECT_EQ(refused("2023-02-30", "0", "0"), "--utc: '2023-02-30' has day 30, but February 2023 has 28 days");
+  EXPECT_EQ(refused("2026-01-01", "90.001", "0"), "--lat: 90.001 is out of range -90 to 90");
+  EXPECT_EQ(refused("2026-01-01", "nan", "0"), "--lat: 'nan' is not a finite number");
+  EXPECT_EQ(refused("2026-01-01", "0", "361"), "--lon: 361 is out of range -360 to 360");
+  EXPECT_EQ(refusalOf({"sky", "--lat", "1", "--lon", "1"}), "--utc is required");
 }
 
 TEST(CommandLine, questionsAreAnsweredInsteadOfRun) {

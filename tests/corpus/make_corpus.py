@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes tests/corpus/models and tests/corpus/sounds: small files that are good (good*), or wrong in one way
+"""Writes tests/corpus/models, sounds and stars: small files that are good (good*), or wrong in one way
 each that their name says (bad*). The tests read each, and damaged copies of each.
 
     make_corpus.py [FOLDER]     beside this script unless told
@@ -285,9 +285,50 @@ def sounds():
     }
 
 
+# --- Stars --------------------------------------------------------------------------------------------------
+
+STARS = [(32349, 1012872, -167161, -1440, 9), (11767, 379546, 892641, 1970, 636), (88, 2691, -488099, 5710, 911)]
+
+
+def star_file(rows=STARS, count=None, magic=b"SKYSTAR1", more=b""):
+    packed = b"".join(struct.pack("<Iiihh", *row) for row in rows)
+    return magic + struct.pack("<I", len(rows) if count is None else count) + packed + more
+
+
+def with_star(index, value):
+    """The last star with one number set."""
+    row = list(STARS[-1])
+    row[index] = value
+    return star_file(STARS[:-1] + [tuple(row)])
+
+
+def stars():
+    whole = star_file()
+    return {
+        "goodThree.bin": whole,
+        "goodOne.bin": star_file(STARS[:1]),
+        "badEmpty.bin": b"",
+        "badHeaderAlone.bin": whole[:12],
+        "badTruncatedHeader.bin": whole[:11],
+        "badTruncatedStar.bin": whole[:-1],
+        "badTrailingByte.bin": star_file(more=b"\0"),
+        "badMagic.bin": star_file(magic=b"SKYSTAR2"),
+        "badNone.bin": star_file([]),
+        "badCountBeyondTheFile.bin": star_file(count=4),
+        "badHugeCount.bin": star_file(count=0xFFFFFFFF),
+        "badCountThatOverflows.bin": star_file(count=0x10000003),
+        "badAscension360.bin": with_star(1, 3600000),
+        "badAscensionNegative.bin": with_star(1, -1),
+        "badDeclinationBeyondThePole.bin": with_star(2, 900001),
+        "badMagnitude.bin": with_star(3, 8001),
+        "badColour.bin": with_star(4, -1001),
+        "badOrder.bin": with_star(3, 1969),
+    }
+
+
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent
-    for name, files in (("models", models()), ("sounds", sounds())):
+    for name, files in (("models", models()), ("sounds", sounds()), ("stars", stars())):
         (folder / name).mkdir(parents=True, exist_ok=True)
         for file, content in files.items():
             (folder / name / file).write_bytes(content)

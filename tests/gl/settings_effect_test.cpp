@@ -203,6 +203,7 @@ class PictureRowsEffectGLTest : public test::GLTest {
     render::Camera& camera = sceneRenderer_->camera();
     camera.setPose(eye, glm::radians(yaw), glm::radians(pitch), 0);
     game::Snapshot shown = simulation_->world().now();
+    shown.simulatedSeconds = 100;
     shown.aircraft.position = eye + 20.0 * camera.direction() + glm::dvec3(0, 1, 0);
     sceneRenderer_->draw(shown, size, Streaming::settled);
     for (const glm::vec4& texel : light_)
@@ -238,6 +239,13 @@ TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference
       {"clouds.march.stepGrowth", {"clouds.march.stepM=4"}},
       {"clouds.march.sunMarchDistanceM", {"clouds.march.lightGrid=true"}},
       {"clouds.march.lightCellM", {"clouds.march.lightGrid=true"}},
+      {"render.sun.utc", {"sky.sun=clock", "sky.longitude=180"}},  // its steps are at midnight UTC
+      {"render.sun.shiftDays", {"sky.sun=clock"}},
+      // So far north that it is never night in June.
+      {"render.sun.shiftHours", {"sky.sun=clock", "sky.latitude=60"}},
+      {"render.sun.timeScale", {"sky.sun=clock", "sky.latitude=60"}},
+      {"render.sun.latitudeDegrees", {"sky.sun=clock"}},
+      {"render.sun.longitudeDegrees", {"sky.sun=clock", "sky.latitude=60"}},
   };
   int rows = 0;
   for (const core::Field& field : run_->table.fields()) {

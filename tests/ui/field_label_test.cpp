@@ -52,6 +52,22 @@ TEST(FieldLabel, theTooltipHasOtherNamesBothRangesAndTheNote) {
       "\nDefault 0 m.\nTakes effect at once.\nclouds.scale");
 }
 
+TEST(FieldLabel, theTooltipWritesValuesInTheFieldsOwnForm) {
+  static constexpr core::WrittenForm kDay = {
+      .write = [](double value) { return "day " + std::to_string(static_cast<int>(value)); },
+      .read = nullptr};
+  core::Field field;
+  field.kind = core::FieldKind::integer;
+  field.path = "a.day";
+  field.help = "When.";
+  field.unit = "1";
+  field.min = field.sliderMin = 1;
+  field.max = field.sliderMax = 9;
+  field.defaultValue = 3;
+  field.written = &kDay;
+  EXPECT_EQ(tooltipText(field), "When.\nRange day 1 to day 9.\nDefault day 3.\nTakes effect at once.\na.day");
+}
+
 TEST(FieldLabel, theTooltipSaysWhenAChangeTakesEffectAndWhatItRebuilds) {
   core::Field field;
   using core::TakesEffect;

@@ -4,6 +4,8 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 
 #include "skydrop/core/error.h"
 #include "support/refusal.h"
@@ -34,6 +36,51 @@ void describe(SettingsVisitor& visitor, Sample& sample) {
   visitor.flag("on", sample.on, {"A switch."});
   visitor.choice("mode", sample.mode, kModeNames, {"A choice."});
   visitor.group("layers", sample.layers, "The layers.");
+}
+
+// A number that is written as hours and minutes.
+struct Meeting {
+  std::int64_t minutes = 90;
+};
+constexpr WrittenForm kClock = {
+    .write =
+        [](double value) {
+          const int minutes = static_cast<int>(value);
+          return std::to_string(minutes / 60) + "h" + std::to_string(minutes % 60);
+        },
+    .read =
+        [](std::string_view text, double& value) {
+          const std::size_t h = text.find('h');
+          if (h == std::string_view::npos) return std::string("is not such as 1h30");
+          value = std::stoi(std::string(text.substr(0, h))) * 60 + std::stoi(std::string(text.substr(h + 1)));
+          return std::string();
+        }};
+void describe(SettingsVisitor& visitor, Meeting& meeting) {
+  visitor.integer("minutes", meeting.minutes,
+                  {.unit = "1", .min = 0, .max = 600, .help = "When it begins.", .written = &kClock});
+}
+
+TEST(SettingsTable, aFieldWithAFormOfItsOwnIsReadAndWrittenInIt) {
+  // By --set, in files and in refusals alike; in JSON it is a text, and a bare number is none.
+  Meeting meeting;
+  const SettingsTable table(meeting);
+  setField(table, "minutes=2h5");
+  EXPECT_EQ(meeting.minutes, 125);
+  EXPECT_EQ(fieldText(table.at("minutes")), "2h5");
+  EXPECT_EQ(toJson(table).dump(), R"({"minutes":"2h5"})");
+  applyJson(table, nlohmann::json::parse(R"({"minutes": "3h0"})"), "a.json");
+  EXPECT_EQ(meeting.minutes, 180);
+  EXPECT_EQ(test::refusalOf<RangeError>([&] { setField(table, "minutes=180"); }),
+            "minutes: '180' is not such as 1h30");
+  EXPECT_EQ(test::refusalOf<RangeError>([&] { setField(table, "minutes=11h0"); }),
+            "minutes: '11h0' is out of range 0h0 to 10h0");
+  const auto json = [&](const char* text) {
+    return test::refusalOf<DataError>([&] { applyJson(table, nlohmann::json::parse(text), "a.json"); });
+  };
+  EXPECT_EQ(json(R"({"minutes": 180})"), "a.json: minutes: 180 is not a text in quotes");
+  EXPECT_EQ(json(R"({"minutes": "noon"})"), "a.json: minutes: \"noon\" is not such as 1h30");
+  EXPECT_EQ(json(R"({"minutes": "99h0"})"), "a.json: minutes: \"99h0\" is out of range 0h0 to 10h0");
+  EXPECT_EQ(meeting.minutes, 180);
 }
 
 TEST(SettingsTable, listsEveryFieldWithPathAndDefault) {

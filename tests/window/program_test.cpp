@@ -44,6 +44,11 @@ TEST(Program, usageErrorsExitWithTwoAndOneLine) {
       {"accuracy", "nothing-of-this-name"},
       {"accuracy", "integrators", "--scene", "fair"},
       {"accuracy", "--quick"},
+      {"sky", "--utc", "2023-02-30", "--lat", "0", "--lon", "0"},
+      {"sky", "--utc", "2026-01-01", "--lat", "-90.5", "--lon", "0"},
+      {"sky", "--utc", "2026-01-01", "--lat", "0"},
+      {"render", "--out", out, "--set", "sky.utc=2023-02-30"},
+      {"render", "--out", out, "--set", "sky.latitude=nan"},
       {"noise", "--format", "bmp"},
       {"noise", "--check", "--noise", out},
       {"noise", "--generate", "2d", "--octaves", "0", "--out", dds},
@@ -66,9 +71,12 @@ TEST(Program, badDataExitsWithOneAndNamesTheFile) {
   const std::string broken = folder.write("broken.json", "{\"schema\": 1, ");
   const std::string wrongSetting =
       folder.write("setting.json", R"({"schema": 1, "settings": {"aircraft": {"rollFactor": -7}}})");
+  const std::string wrongDate =
+      folder.write("date.json", R"({"schema": 1, "settings": {"sky": {"utc": "2023-02-30"}}})");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
       {{"simulate", "--scene", broken}, broken},
       {{"simulate", "--scene", wrongSetting}, "aircraft.rollFactor"},
+      {{"simulate", "--scene", wrongDate}, "has day 30, but February 2023 has 28 days"},
       {{"simulate", "--scene", "nowhere"}, "nowhere"},
       {{"simulate", "--scene", "/nowhere/a.json"}, "/nowhere/a.json"},
       {{"simulate", "--replay", broken}, broken},
@@ -84,6 +92,30 @@ TEST(Program, badDataExitsWithOneAndNamesTheFile) {
     EXPECT_TRUE(isOneLine(result)) << named;
     EXPECT_NE(result.err.find(named), std::string::npos) << result.err;
   }
+}
+
+TEST(Program, skyPrintsWhereSunAndMoonStand) {
+  // One JSON object on standard output and nothing else, but for the note of a year that is less sure.
+  const ProcessResult noon =
+      runSkydrop({"sky", "--utc", "2026-06-21T12:02:00Z", "--lat", "51.5", "--lon", "0"});
+  ASSERT_EQ(noon.exitCode, 0) << noon.err;
+  EXPECT_EQ(noon.err, "");
+  const nlohmann::json sky = nlohmann::json::parse(noon.out);
+  EXPECT_NEAR(sky["sun"]["azimuthDegrees"].get<double>(), 180, 1);
+  EXPECT_NEAR(sky["sun"]["elevationDegrees"].get<double>(), 61.94, 0.02);
+  EXPECT_EQ(sky["twilight"], "day");
+  EXPECT_EQ(sky["moon"]["phaseName"], "first quarter");
+  for (const char* name : {"phase", "illuminatedFraction", "brightLimbDegrees", "brightLimbTiltDegrees"})
+    EXPECT_TRUE(sky["moon"][name].is_number()) << name;
+  for (const char* name : {"rise", "set", "transit"}) EXPECT_TRUE(sky["sun"][name].is_string()) << name;
+  EXPECT_FALSE(sky.contains("note"));
+  const ProcessResult polar = runSkydrop({"sky", "--utc", "1949-06-21", "--lat", "90", "--lon", "0"});
+  ASSERT_EQ(polar.exitCode, 0) << polar.err;
+  EXPECT_TRUE(isOneLine(polar)) << "the note";
+  const nlohmann::json pole = nlohmann::json::parse(polar.out);
+  EXPECT_TRUE(pole["sun"]["rise"].is_null() && pole["sun"]["set"].is_null());
+  EXPECT_EQ(pole["sun"]["horizon"], "staysAbove");
+  EXPECT_TRUE(pole.contains("note"));
 }
 
 // A shell's view of the program: redirections and pipes.

@@ -42,6 +42,13 @@ inline FieldNote noteWhile(std::function<bool()> holds, std::string sentence) {
   return [holds = std::move(holds), sentence = std::move(sentence)] { return holds() ? sentence : ""; };
 }
 
+// A number that people write in another way: an instant as "2026-06-21T12:00:00Z". JSON has it in quotes.
+struct WrittenForm {
+  std::string (*write)(double value);  // of any value within the field's range
+  // Sets the value and returns nothing, or returns why the text cannot be read ("has month 13").
+  std::string (*read)(std::string_view text, double& value);
+};
+
 struct NumberInfo {
   std::string_view unit;  // SI, "1" for a pure number
   // What typing, --set and files may set.
@@ -56,6 +63,7 @@ struct NumberInfo {
   std::optional<Range> slider = std::nullopt;
   std::string_view aliases = {};  // "HG, g": what else people call it; for search and suggestions alone
   FieldNote note = {};
+  const WrittenForm* written = nullptr;  // digits; else outlives every table
 };
 
 struct ChoiceInfo {
@@ -81,6 +89,7 @@ class SettingsVisitor {
   // A field of this group, or below it ("layers.0.base"), that earlier versions called `formerly`: files,
   // logs and --set that have the old name still mean it. Where a file has both, the new name counts. A field
   // that moved to another group is renamed by the group that holds both ("clouds.windSpeed", "wind.speed").
+  // A shorter name that a field has besides its path is given to it in the same way.
   virtual void renamed(std::string_view formerly, std::string_view now) {
     static_cast<void>(formerly), static_cast<void>(now);
   }

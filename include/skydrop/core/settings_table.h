@@ -29,10 +29,11 @@ struct Field {
   double defaultValue = 0;
   TakesEffect takesEffect = TakesEffect::live;
   bool logarithmic = false;
-  bool powersOfTwo = false;        // what a slider stops at
-  std::vector<std::string> names;  // of a choice
-  std::string aliases;             // "HG, g", or empty
-  FieldNote note;                  // may be empty
+  bool powersOfTwo = false;              // what a slider stops at
+  std::vector<std::string> names;        // of a choice
+  std::string aliases;                   // "HG, g", or empty
+  FieldNote note;                        // may be empty
+  const WrittenForm* written = nullptr;  // of a number that is not written in digits
 
   // Every kind as a double: a flag is 0 or 1, a choice its index. set() does no check: see setField().
   std::function<double()> get;
@@ -89,13 +90,16 @@ class SettingsTable {
 // in range and (integer, choice, flag) whole.
 void setField(const Field& field, double value);
 
-// From text as it stands after --set PATH=: a number, true or false, or a choice's name.
+// From text as it stands after --set PATH=: a number, true or false, a choice's name, or the field's own
+// written form.
 void setField(const Field& field, std::string_view text);
 // "aircraft.rollFactor=.8"
 void setField(const SettingsTable& table, std::string_view assignment);
 
 // The value as setField(text) reads it; numbers with the fewest digits that read back to the same bits.
 std::string fieldText(const Field& field);
+// A value of the field in its written form, or nothing where it has none.
+std::string writtenText(const Field& field, double value);
 
 // Nested JSON of all fields, or of those that differ from their defaults.
 nlohmann::json toJson(const SettingsTable& table, bool onlyChanged = false);

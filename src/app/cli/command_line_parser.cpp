@@ -58,15 +58,17 @@ class Parser {
     CLI::App* accuracy = app_.add_subcommand("accuracy", "measure error against time, write the report");
     CLI::App* noise = app_.add_subcommand(
         "noise", "make, check, export and read noise: the clouds' own, and textures of any settings");
+    CLI::App* sky = app_.add_subcommand("sky", "where sun and moon stand at a place and time, as JSON");
     CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
-    for (CLI::App* verb : {render, simulate, accuracy, noise, info})
+    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, info})
       verb->set_help_flag("--help", "print this help");
-    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, info}) verb->footer(kExitCodes);
+    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, info}) verb->footer(kExitCodes);
     addCommon(*render);
     addRender(*render);
     addCommon(*simulate);
     addSimulate(*simulate);
     addNoise(*noise);
+    addSky(*sky);
     for (CLI::App* verb : {render, simulate, accuracy, noise}) {
       verb->add_flag("--progress", line_.progress,
                      "tell how far it is, each second, where there is no terminal");
@@ -97,6 +99,7 @@ class Parser {
     simulate->callback([this] { line_.verb = Verb::simulate; });
     accuracy->callback([this] { line_.verb = Verb::accuracy; });
     noise->callback([this] { line_.verb = Verb::noise; });
+    sky->callback([this] { line_.verb = Verb::sky; });
     info->callback([this] { line_.verb = Verb::info; });
   }
 
@@ -364,6 +367,16 @@ class Parser {
          [this](const std::string& t) { line_.seconds = number("--seconds", t, 0, kMaxSeconds); });
     text(verb, "--fps", "N", "the drawing rate that is imitated (60)",
          [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
+  }
+
+  void addSky(CLI::App& verb) {
+    text(verb, "--utc", "TIME", "ISO 8601, such as 2026-06-21T12:00:00Z, in the years 1000 to 3000",
+         [this](const std::string& t) { line_.utc = parseUtc(t); });
+    text(verb, "--lat", "DEGREES", "latitude, north, -90 to 90",
+         [this](const std::string& t) { line_.place.latitudeDegrees = number("--lat", t, -90, 90); });
+    text(verb, "--lon", "DEGREES", "longitude, east, -360 to 360",
+         [this](const std::string& t) { line_.place.longitudeDegrees = number("--lon", t, -360, 360); });
+    for (const char* flag : {"--utc", "--lat", "--lon"}) verb.get_option(flag)->required();
   }
 
   // Standard input can be read once, and two exports of one name would be one.

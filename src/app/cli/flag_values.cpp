@@ -85,6 +85,13 @@ NoiseFormat parseNoiseFormat(const std::string& text) {
   return found->second;
 }
 
+sky::Instant parseUtc(const std::string& text) {
+  sky::Instant instant;
+  const std::string reason = sky::readInstant(text, instant);
+  if (!reason.empty()) throw UsageError("--utc: '" + text + "' " + reason);
+  return instant;
+}
+
 ReportFormat parseReportFormat(const std::string& text) {
   static const std::map<std::string, ReportFormat> names = {
       {"markdown", ReportFormat::markdown}, {"json", ReportFormat::json}, {"csv", ReportFormat::csv}};

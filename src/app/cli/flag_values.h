@@ -31,5 +31,6 @@ glm::dvec3 parseCamera(const std::string& text);
 render::gl::Backend parseBackend(const std::string& text);
 NoiseFormat parseNoiseFormat(const std::string& text);
 ReportFormat parseReportFormat(const std::string& text);
+sky::Instant parseUtc(const std::string& text);
 
 }  // namespace skydrop::app

@@ -25,6 +25,8 @@ int runVerb(const CommandLine& line) {
       return accuracy(line);
     case Verb::noise:
       return noise(line);
+    case Verb::sky:
+      return sky(line);
     case Verb::info:
       return info(line);
   }

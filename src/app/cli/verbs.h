@@ -11,6 +11,7 @@ int simulate(const CommandLine& line);
 int accuracy(const CommandLine& line);
 int noise(const CommandLine& line);
 int generateNoise(const CommandLine& line);  // noise --generate
+int sky(const CommandLine& line);
 int info(const CommandLine& line);
 
 // The whole program: parses, runs, and turns errors into one line on stderr and an exit code.

@@ -74,6 +74,14 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
        .aliases = "graphics preset, performance"});
   visitor.renamed("clouds.windSpeed", "wind.speed");
   visitor.renamed("clouds.windDirection", "wind.direction");
+  // The short names of the clock that moves the sun.
+  visitor.renamed("sky.sun", "render.sun.source");
+  visitor.renamed("sky.utc", "render.sun.utc");
+  visitor.renamed("sky.shiftDays", "render.sun.shiftDays");
+  visitor.renamed("sky.shiftHours", "render.sun.shiftHours");
+  visitor.renamed("sky.timeScale", "render.sun.timeScale");
+  visitor.renamed("sky.latitude", "render.sun.latitudeDegrees");
+  visitor.renamed("sky.longitude", "render.sun.longitudeDegrees");
 }
 
 void applyScene(const core::SettingsTable& table, const scene::Scene& scene) {

@@ -15,10 +15,11 @@
 #include "skydrop/noise/noise_generator.h"
 #include "skydrop/noise/noise_recipe.h"
 #include "skydrop/render/gl/backend.h"
+#include "skydrop/sky/almanac.h"
 
 namespace skydrop::app {
 
-enum class Verb { fly, render, simulate, accuracy, noise, info };
+enum class Verb { fly, render, simulate, accuracy, noise, sky, info };
 
 inline constexpr const char* kDefaultScene = "fair";
 
@@ -77,6 +78,10 @@ struct CommandLine {
   std::optional<std::filesystem::path> trace;
 
   NoiseRequest noise;
+
+  // sky
+  sky::Instant utc;
+  sky::Place place;
 
   // accuracy
   std::vector<std::string> studies;

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "skydrop/sky/instant.h"
+
 namespace skydrop::render {
 
 void describe(core::SettingsVisitor& visitor, CameraSettings& s) {
@@ -35,6 +37,10 @@ void describe(core::SettingsVisitor& visitor, CameraSettings& s) {
 }
 
 void describe(core::SettingsVisitor& visitor, SunSettings& s) {
+  const core::FieldNote unlessManual = core::noteWhile([&s] { return s.source != SunSource::manual; },
+                                                       "Does nothing while the clock moves the sun.");
+  const core::FieldNote unlessClock = core::noteWhile([&s] { return s.source != SunSource::clock; },
+                                                      "Does nothing unless the clock moves the sun.");
   visitor.number(
       "elevationDegrees", s.elevationDegrees,
       {.unit = "deg",
@@ -42,13 +48,61 @@ void describe(core::SettingsVisitor& visitor, SunSettings& s) {
        .max = 90,
        .help = "Height of the sun above the horizon; below 0 it has set, and from -15 on it is night.",
        .slider = core::Range{-15, 90},
-       .aliases = "altitude, height, time of day, night"});
+       .aliases = "altitude, height, time of day, night",
+       .note = unlessManual});
   visitor.number("azimuthDegrees", s.azimuthDegrees,
                  {.unit = "deg",
                   .min = 0,
                   .max = 360,
                   .help = "Compass direction of the sun: 90 is east, 180 south.",
-                  .aliases = "heading, direction, bearing, time of day"});
+                  .aliases = "heading, direction, bearing, time of day",
+                  .note = unlessManual});
+  visitor.choice("source", s.source, kSunSourceNames,
+                 {.help = "Manual takes the two angles; clock moves the sun as it moves at a place and time.",
+                  .aliases = "almanac, time of day, real sun"});
+  visitor.integer("utc", s.utcMs,
+                  {.unit = "1",
+                   .min = static_cast<double>(sky::kFirstInstant.utcMs),
+                   .max = static_cast<double>(sky::kLastInstant.utcMs),
+                   .help = "Date and time (UTC, ISO 8601) that the flight begins at.",
+                   .slider = core::Range{-631152000000, 2556143999000},  // 1950 to 2050
+                   .aliases = "date, clock, time of day, season, year",
+                   .note =
+                       [&s, unlessClock] {
+                         if (std::string idle = unlessClock(); !idle.empty()) return idle;
+                         return std::string(sky::isAccurate({s.utcMs})
+                                                ? ""
+                                                : "Sun and moon are exact from 1950 to 2050 only.");
+                       },
+                   .written = &sky::kInstantForm});
+  const auto ofClock = [&](std::string_view name, double& value, std::string_view unit, double most,
+                           std::string_view help, std::string_view aliases,
+                           std::optional<core::Range> slider) {
+    visitor.number(name, value,
+                   {.unit = unit,
+                    .min = -most,
+                    .max = most,
+                    .help = help,
+                    .slider = slider,
+                    .aliases = aliases,
+                    .note = unlessClock});
+  };
+  ofClock("shiftDays", s.shiftDays, "d", 366, "Days added to the clock: goes through the seasons.",
+          "date, season, scrub", core::Range{-183, 183});
+  ofClock("shiftHours", s.shiftHours, "h", 24, "Hours added to the clock: goes through the day.",
+          "time of day, scrub", core::Range{-12, 12});
+  visitor.number(
+      "timeScale", s.timeScale,
+      {.unit = "1",
+       .min = 0,
+       .max = 3600,
+       .help = "How fast the clock runs; 0 holds it, 3600 passes an hour in each second of flight.",
+       .aliases = "speed of time, time lapse",
+       .note = unlessClock});
+  ofClock("latitudeDegrees", s.latitudeDegrees, "deg", 90, "Place on the earth, north of the equator.",
+          "place, position, north", std::nullopt);
+  ofClock("longitudeDegrees", s.longitudeDegrees, "deg", 360, "Place on the earth, east of Greenwich.",
+          "place, position, east", core::Range{-180, 180});
 }
 
 void describe(core::SettingsVisitor& visitor, AtmosphereSettings& s) {

@@ -143,7 +143,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   requireValid(asked.view);
   context_.makeCurrent();
   resize(asked.view.width, asked.view.height);
-  const SkyLight light = skyLight(settings_, asked.view.position.y);
+  const SkyLight light = skyLight(settings_, asked.view.position.y, asked.simulatedSeconds);
   FrameInput input = asked;
   input.toSun = light.toSun;
   const FrameUniforms uniforms = frameUniforms(input.view, light, input.simulatedSeconds);

@@ -5,6 +5,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "skydrop/sky/almanac.h"
+#include "skydrop/sky/refraction.h"
+
 namespace skydrop::render {
 namespace {
 
@@ -19,7 +22,15 @@ double luminance(const glm::dvec3& light) { return glm::dot(light, glm::dvec3(0.
 
 }  // namespace
 
-glm::dvec3 directionToSun(const SunSettings& sun) {
+glm::dvec3 directionToSun(const SunSettings& sun, double simulatedSeconds) {
+  if (sun.source == SunSource::clock) {
+    const double seconds = sun.shiftDays * 86400 + sun.shiftHours * 3600 + simulatedSeconds * sun.timeScale;
+    const double days = sky::daysSinceJ2000({sun.utcMs}, seconds);
+    const sky::Horizontal place =
+        sky::sunAt(days, {.latitudeDegrees = sun.latitudeDegrees, .longitudeDegrees = sun.longitudeDegrees})
+            .horizontal;
+    return sky::worldDirection(sky::refracted(place));
+  }
   return sky::directionToSun(sun.elevationDegrees, sun.azimuthDegrees);
 }
 
@@ -27,8 +38,9 @@ sky::Atmosphere atmosphereOf(const AtmosphereSettings& settings) {
   return sky::makeAtmosphere(settings.visibilityM, settings.hazeHeightM, settings.hazeAnisotropy);
 }
 
-SkyLight skyLight(const RenderSettings& settings, double eyeHeight) {
-  SkyLight light{sky::skyLight(atmosphereOf(settings.atmosphere), directionToSun(settings.sun), eyeHeight)};
+SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds) {
+  SkyLight light{sky::skyLight(atmosphereOf(settings.atmosphere),
+                               directionToSun(settings.sun, simulatedSeconds), eyeHeight)};
   const glm::dvec3 level = light.sun * std::max(light.toSun.y, 0.0) + light.sky;
   // A low sun lights the horizon more than the land, and the horizon is what fills the picture.
   const double seen = luminance(level + std::numbers::pi * meanHorizonRadiance(light));

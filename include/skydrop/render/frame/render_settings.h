@@ -2,6 +2,10 @@
 // at every entry (files, --set, the menu). Renderer::apply takes a change over for the next frame.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 #include "skydrop/core/settings.h"
 
 namespace skydrop::render {
@@ -18,9 +22,24 @@ struct CameraSettings {
   double cockpitHeight = 0.72;   // m above it, -1 .. 3
 };
 
+// Who decides where the sun stands.
+enum class SunSource {
+  manual,  // two angles
+  clock    // place and time: the almanac (skydrop/sky/almanac.h)
+};
+inline constexpr std::array<std::string_view, 2> kSunSourceNames = {"manual", "clock"};
+
 struct SunSettings {
   double elevationDegrees = 40;  // above the horizon, -30 .. 90; negative: night
   double azimuthDegrees = 135;   // compass, 0 .. 360
+  SunSource source = SunSource::manual;
+  // Of the clock: the time is utcMs + shiftDays + shiftHours + simulated seconds * timeScale.
+  std::int64_t utcMs = 1782036000000;  // ms since 1970 (sky::Instant): 2026-06-21T10:00:00Z
+  double shiftDays = 0;                // d, -366 .. 366
+  double shiftHours = 0;               // h, -24 .. 24
+  double timeScale = 1;                // 0 .. 3600
+  double latitudeDegrees = 47.5;       // north, -90 .. 90
+  double longitudeDegrees = 11;        // east, -360 .. 360
 };
 
 struct AtmosphereSettings {
