@@ -37,7 +37,10 @@ class DeviceCheck {
   bool run() {
     describeMachine();
     for (const app::Size size : sizes()) passes(size);
-    suite("gl_tests", "-*EffectGLTest.*:EffectSetGLTest.*:ShaderVariantsGLTest.*:CostStudyGLTest.*", 120);
+    suite("gl_tests",
+          quick_ ? "GLTest.*:TerrainGLTest.T02*"
+                 : "-*EffectGLTest.*:EffectSetGLTest.*:ShaderVariantsGLTest.*:CostStudyGLTest.*",
+          120);
     suite("golden_tests", quick_ ? "*GoldenFrame*empty" : "*GoldenFrame*", 90);
     accuracy();
     keep();
