@@ -28,9 +28,9 @@ std::map<std::string, Names> allowedIncludes() {
   Names outer = game;
   outer.insert("game");
   Names app = outer;
-  app.insert({"render", "audio", "ui"});
+  app.insert({"render", "audio", "ui", "accuracy"});
   return {{"core", {}},      {"terrain", core}, {"noise", core},  {"clouds", core},
-          {"flight", core},  {"sky", core},     {"scene", scene}, {"game", game},
+          {"accuracy", core}, {"flight", core},  {"sky", core},     {"scene", scene}, {"game", game},
           {"render", outer}, {"audio", outer},  {"ui", outer},    {"app", app}};
 }
 
