@@ -16,6 +16,11 @@ const shown = value => {
   const size = Math.abs(value);
   return size >= 1e-3 && size < 1e5 ? String(Number(value.toPrecision(3))) : value.toExponential(2);
 };
+const tickText = value => {
+  const decade = Math.round(Math.log10(value));
+  const isDecade = Math.abs(value / 10 ** decade - 1) < 1e-9;
+  return isDecade && Math.abs(decade) > 3 ? '1e' + decade : shown(value);
+};
 const titled = metric => metric.title + (metric.unit && metric.unit !== '1' ? ', ' + metric.unit : '');
 const isMeasured = point => point.errors.length > 0 && point.ms.repeats.length > 0;
 
@@ -55,12 +60,12 @@ function plot(of, metric, choose) {
   for (const tick of x.ticks) {
     const at = x.at(tick);
     svg.append(make('line', {x1: at, x2: at, y1: top, y2: bottom, class: 'grid'}),
-               make('text', {x: at, y: bottom + 17, 'text-anchor': 'middle', class: 'tick'}, shown(tick)));
+               make('text', {x: at, y: bottom + 17, 'text-anchor': 'middle', class: 'tick'}, tickText(tick)));
   }
   for (const tick of y.ticks) {
     const at = y.at(tick);
     svg.append(make('line', {x1: left, x2: right, y1: at, y2: at, class: 'grid'}),
-               make('text', {x: left - 7, y: at + 4, 'text-anchor': 'end', class: 'tick'}, shown(tick)));
+               make('text', {x: left - 7, y: at + 4, 'text-anchor': 'end', class: 'tick'}, tickText(tick)));
   }
   svg.append(make('line', {x1: left, x2: right, y1: bottom, y2: bottom, class: 'axis'}),
              make('line', {x1: left, x2: left, y1: top, y2: bottom, class: 'axis'}),
@@ -95,8 +100,8 @@ function plot(of, metric, choose) {
 function table(of, choose) {
   const columns = [
     {title: 'setting', key: point => point.label, words: true},
-    ...of.metrics.map((metric, m) => ({title: titled(metric), key: point => point.errors[m], error: true})),
     {title: of.timeUnit, key: point => point.ms.median, time: true},
+    ...of.metrics.map((metric, m) => ({title: titled(metric), key: point => point.errors[m], error: true})),
     {title: 'front', key: point => point.onFront[0] ? 0 : 1},
     {title: 'shipped', key: point => point.shipped.join(', '), words: true},
   ];
@@ -138,10 +143,7 @@ function table(of, choose) {
 // Frame over reference with a slider between them; the error map beside.
 function pictures(of, point) {
   const reference = of.references[point.reference].picture;
-  if (!point.picture || !reference) {
-    const why = 'picture' in point ? 'The pictures of this point are beside this page, in the folder pictures.' : '';
-    return make('p', {class: 'faint'}, why);
-  }
+  if (!point.picture || !reference) return make('div');
   const over = make('img', {src: point.picture, class: 'over', alt: `frame with ${point.label}`});
   const divider = make('div', {class: 'divider'});
   const slider = make('input', {type: 'range', min: 0, max: 100, value: 50, 'aria-label': 'frame against reference'});
@@ -198,7 +200,7 @@ function caseView(of) {
                      `Doubling the reference changes ${of.metrics[0].title} by ${shown(Math.max(...changes))} at most.`));
   view.append(make('div', {class: 'pair'}, holder, make('div', {class: 'scroll'}, table(of, choose))), viewer);
   draw();
-  const first = of.points.findIndex(point => point.picture && isMeasured(point));
+  const first = of.points.findIndex(point => point.picture && point.onFront[0]);
   if (first >= 0) choose(first);
   return view;
 }

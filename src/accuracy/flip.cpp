@@ -24,7 +24,8 @@ struct Plane {
   int width = 0, height = 0;
   std::vector<double> values;
 
-  Plane(int w, int h) : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  Plane(int w, int h)
+      : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(std::clamp(y, 0, height - 1)) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(std::clamp(x, 0, width - 1));
@@ -60,17 +61,15 @@ double total(const Kernel& kernel) {
 
 // Linear sRGB to XYZ.
 const glm::dmat3& toXyz() {
-  static const glm::dmat3 matrix = glm::transpose(
-      glm::dmat3(10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794, 2613072.0 / 12288897,
-                 8788810.0 / 12288897, 887015.0 / 12288897, 1425312.0 / 73733382, 8788810.0 / 73733382,
-                 70074185.0 / 73733382));
+  static const glm::dmat3 matrix =
+      glm::transpose(glm::dmat3(10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794,
+                                2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897,
+                                1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382));
   return matrix;
 }
 dvec3 whiteXyz() { return toXyz() * dvec3(1); }
 
-double linearOf(double s) {
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
+double linearOf(double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); }
 
 dvec3 yCxCzOf(const dvec3& linear) {
   const dvec3 v = toXyz() * linear / whiteXyz();
@@ -150,8 +149,7 @@ Seen seen(const SeenPicture& image, double pixelsPerDegree) {
   for (std::size_t k = 0; k < 3; ++k) channels[k] = sensed(channels[k], kSensitivities[k], pixelsPerDegree);
   std::vector<dvec3> lab(count);
   for (std::size_t i = 0; i < count; ++i) {
-    lab[i] =
-        huntLab(linearOfYCxCz({channels[0].values[i], channels[1].values[i], channels[2].values[i]}));
+    lab[i] = huntLab(linearOfYCxCz({channels[0].values[i], channels[1].values[i], channels[2].values[i]}));
   }
   return {std::move(lab), std::move(lightness)};
 }
@@ -182,8 +180,7 @@ std::vector<double> strength(const Plane& lightness, Feature feature, double pix
 
 // A colour difference to [0, 1]: linear to the knee, compressed beyond it.
 double redistributed(double difference) {
-  static const double largest =
-      std::pow(hyab(huntLab({0, 1, 0}), huntLab({0, 0, 1})), kColorExponent);
+  static const double largest = std::pow(hyab(huntLab({0, 1, 0}), huntLab({0, 0, 1})), kColorExponent);
   const double knee = kKneeShare * largest;
   if (difference < knee) return kKneeValue / knee * difference;
   return kKneeValue + (difference - knee) / (largest - knee) * (1 - kKneeValue);

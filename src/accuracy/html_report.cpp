@@ -44,7 +44,7 @@ std::string asset(const char* name) { return core::readTextFile(core::assetPath(
 
 std::string htmlReport(const Results& results, const std::filesystem::path& folder) {
   const auto embedded = [&](const std::string& file, bool isShown) {
-    if (!isShown) return std::string();
+    if (!isShown) return file;
     return "data:image/png;base64," + base64(core::readFile(folder / file));
   };
   std::string page = asset("report/page.html");

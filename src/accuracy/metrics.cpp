@@ -37,8 +37,7 @@ double rootMeanSquare(const Observation& a, const Observation& r) {
 
 double quantileOfDifference(const Observation& a, const Observation& r, double quantile) {
   Values differences(a.values.size());
-  for (std::size_t i = 0; i < differences.size(); ++i)
-    differences[i] = std::abs(a.values[i] - r.values[i]);
+  for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::abs(a.values[i] - r.values[i]);
   return core::quantileOf(differences, quantile);
 }
 
@@ -109,7 +108,9 @@ const std::vector<Metric>& metrics() {
       {"worst", "largest error", "", "values",
        [](const Observation& a, const Observation& r) { return quantileOfDifference(a, r, 1); }},
       {"flip", "FLIP", "1", "picture",
-       [](const Observation& a, const Observation& r) { return flip({a.width, a.height, a.seen}, {r.width, r.height, r.seen}); }},
+       [](const Observation& a, const Observation& r) {
+         return flip({a.width, a.height, a.seen}, {r.width, r.height, r.seen});
+       }},
       {"metres", "distance", "m", "positions", largestDistance},
       {"degrees", "angle", "degrees", "attitudes", largestAngle},
       {"directionDegrees", "angle, RMS", "degrees", "directions", meanAngle},

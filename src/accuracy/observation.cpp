@@ -13,8 +13,8 @@ std::string notFiniteAt(const Observation& o) {
     const auto index = found - o.values.begin();
     if (!o.isPicture()) return "value " + std::to_string(index) + " is not finite";
     const auto pixel = index / 3;
-    return "the value of pixel (" + std::to_string(pixel % o.width) + ", " +
-           std::to_string(pixel / o.width) + ") is not finite";
+    return "the value of pixel (" + std::to_string(pixel % o.width) + ", " + std::to_string(pixel / o.width) +
+           ") is not finite";
   }
   const auto badVector = [](const glm::dvec3& v) { return !core::isFinite(v); };
   const auto badAttitude = [&](const glm::dquat& q) { return bad(q.w) || bad(q.x) || bad(q.y) || bad(q.z); };

@@ -8,9 +8,12 @@ namespace skydrop::accuracy {
 namespace {
 
 constexpr std::string_view kIntroduction =
-    "Each study turns one approximation. A row has its error against the reference and its time: the median of "
-    "repeats that\nran in turns over all rows, with the least and the most. Pareto-optimal rows, of which none "
-    "is both cheaper and better in\nthe first error, say so. Doubling the reference changes it by the last row: "
+    "Each study turns one approximation. A row has its error against the reference and its time: the median "
+    "of "
+    "repeats that\nran in turns over all rows, with the least and the most. Pareto-optimal rows, of which "
+    "none "
+    "is both cheaper and better in\nthe first error, say so. Doubling the reference changes it by the last "
+    "row: "
     "less than a tenth of the smallest error\nabove it, or the table says that it is not justified. Made by "
     "`skydrop accuracy`.";
 
@@ -43,7 +46,8 @@ void addTable(const CaseResult& of, std::string& out) {
     out += "|" + cell(point.label);
     for (std::size_t m = 0; m < of.metrics.size(); ++m)
       out += cell(m < point.errors.size() ? shownNumber(point.errors[m]) : "");
-    out += cell(timeText(point)) + cell(isOnFront(of, 0, i) ? "yes" : "") + cell(joined(point.shipped)) + "\n";
+    out +=
+        cell(timeText(point)) + cell(isOnFront(of, 0, i) ? "yes" : "") + cell(joined(point.shipped)) + "\n";
   }
   for (const ReferenceResult& reference : of.references) {
     if (reference.changes.empty()) continue;
@@ -87,7 +91,8 @@ std::string jsonReport(const Results& results) { return reportJson(results, {}).
 
 std::string csvReport(const Results& results) {
   std::string out =
-      "study,case,point,set,metric,unit,error,medianMs,leastMs,mostMs,timeUnit,clock,paretoOptimal,shipped\r\n";
+      "study,case,point,set,metric,unit,error,medianMs,leastMs,mostMs,timeUnit,clock,paretoOptimal,"
+      "shipped\r\n";
   for (const CaseResult& of : results.cases) {
     for (std::size_t i = 0; i < of.points.size(); ++i) {
       const PointResult& point = of.points[i];
@@ -95,9 +100,9 @@ std::string csvReport(const Results& results) {
         out += quoted(of.study) + "," + quoted(of.name) + "," + quoted(point.label) + "," +
                quoted(joined(point.set)) + "," + of.metrics[m].name + "," + quoted(of.metrics[m].unit) + "," +
                exactNumber(point.errors[m]) + "," + exactNumber(point.medianMs()) + "," +
-               exactNumber(point.leastMs()) + "," + exactNumber(point.mostMs()) + "," +
-               quoted(of.timeUnit) + "," + quoted(of.clock) + "," + (isOnFront(of, m, i) ? "yes" : "no") +
-               "," + quoted(joined(point.shipped)) + "\r\n";
+               exactNumber(point.leastMs()) + "," + exactNumber(point.mostMs()) + "," + quoted(of.timeUnit) +
+               "," + quoted(of.clock) + "," + (isOnFront(of, m, i) ? "yes" : "no") + "," +
+               quoted(joined(point.shipped)) + "\r\n";
       }
     }
   }

@@ -36,9 +36,9 @@ ordered_json pointJson(const CaseResult& of, std::size_t index, const PictureTex
 }
 
 ordered_json caseJson(const CaseResult& of, const PictureText& picture) {
-  ordered_json json = {{"study", of.study},       {"case", of.name},          {"title", of.title},
-                       {"method", of.method},     {"timed", of.timed},        {"timeUnit", of.timeUnit},
-                       {"clock", of.clock},       {"machine", of.machine}};
+  ordered_json json = {{"study", of.study},   {"case", of.name},      {"title", of.title},
+                       {"method", of.method}, {"timed", of.timed},    {"timeUnit", of.timeUnit},
+                       {"clock", of.clock},   {"machine", of.machine}};
   json["metrics"] = json["points"] = json["references"] = json["doubts"] = json["orders"] =
       ordered_json::array();
   for (const MetricColumn& m : of.metrics)

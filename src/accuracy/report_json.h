@@ -9,7 +9,7 @@
 
 namespace skydrop::accuracy {
 
-// What stands for a picture's file; empty function: its name.
+// What stands for a picture's file, `isShown` where its point is on a front or shipped; empty: its name.
 using PictureText = std::function<std::string(const std::string& file, bool isShown)>;
 
 nlohmann::ordered_json reportJson(const Results& results, const PictureText& picture);

@@ -25,10 +25,12 @@ std::string titled(const MetricColumn& metric) {
 std::vector<std::string> remarksOf(const CaseResult& result) {
   std::vector<std::string> lines;
   if (!result.failure.empty()) lines.push_back("Failed: " + result.failure);
-  for (const Doubt& doubt : doubts(result)) lines.push_back("Not justified: " + doubtText(result, doubt) + ".");
+  for (const Doubt& doubt : doubts(result))
+    lines.push_back("Not justified: " + doubtText(result, doubt) + ".");
   for (const ObservedOrder& order : observedOrders(result, 0)) {
     const std::string of = order.series.empty() ? "" : " of " + order.series;
-    lines.push_back("Observed order" + of + " in steps of " + result.order + ": " + shownNumber(order.order) + ".");
+    lines.push_back("Observed order" + of + " in steps of " + result.order + ": " + shownNumber(order.order) +
+                    ".");
   }
   return lines;
 }

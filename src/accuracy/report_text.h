@@ -8,8 +8,8 @@
 
 namespace skydrop::accuracy {
 
-std::string shownNumber(double value);  // three digits
-std::string exactNumber(double value);  // reads back to the same bits
+std::string shownNumber(double value);           // three digits
+std::string exactNumber(double value);           // reads back to the same bits
 std::string titled(const MetricColumn& metric);  // "distance, m"
 // The lines of a case beneath its table: doubts, observed orders, failure. Plain text.
 std::vector<std::string> remarksOf(const CaseResult& result);

@@ -92,8 +92,7 @@ std::vector<ObservedOrder> observedOrders(const CaseResult& result, std::size_t 
     const auto& points = series[name];
     if (points.size() < 3) continue;
     double x = 0, y = 0, xx = 0, xy = 0;
-    for (const auto& [step, error] : points)
-      x += step, y += error, xx += step * step, xy += step * error;
+    for (const auto& [step, error] : points) x += step, y += error, xx += step * step, xy += step * error;
     const auto n = static_cast<double>(points.size());
     const double spread = n * xx - x * x;
     if (spread > 0) orders.push_back({name, (n * xy - x * y) / spread});

@@ -82,17 +82,20 @@ Results mergeResults(const std::vector<std::filesystem::path>& folders, const st
       all.cases.clear();
     }
     if (part.digest != all.digest)
-      throw core::DataError(file, "", "is of other studies, or of another effort, than " + folders[0].string());
+      throw core::DataError(file, "",
+                            "is of other studies, or of another effort, than " + folders[0].string());
     for (CaseResult& of : part.cases) {
       const auto [entry, isNew] = from.emplace(of.id(), folder);
       if (!isNew)
-        throw core::DataError(file, "", "the case '" + of.id() + "' is in " + entry->second.string() + " too");
+        throw core::DataError(file, "",
+                              "the case '" + of.id() + "' is in " + entry->second.string() + " too");
       all.cases.push_back(std::move(of));
     }
   }
   std::ranges::sort(all.cases, {}, &CaseResult::index);
   for (const CaseResult& of : all.cases) {
-    for (const ReferenceResult& reference : of.references) copyPicture(reference.picture, from[of.id()], into);
+    for (const ReferenceResult& reference : of.references)
+      copyPicture(reference.picture, from[of.id()], into);
     for (const PointResult& point : of.points) {
       copyPicture(point.picture, from[of.id()], into);
       copyPicture(point.heat, from[of.id()], into);
@@ -121,7 +124,9 @@ std::string resultText(const Results& results) {
 ResultWriter::ResultWriter(std::filesystem::path folder, Results before)
     : folder_(std::move(folder)), results_(std::move(before)), file_(folder_ / kResultFile) {}
 
-void ResultWriter::append(const std::string& line) { file_.append(std::exchange(begun_, true) ? line : resultText(results_)); }
+void ResultWriter::append(const std::string& line) {
+  file_.append(std::exchange(begun_, true) ? line : resultText(results_));
+}
 
 CaseResult& ResultWriter::begin(const CaseResult& description) {
   CaseResult& of = describeCase(description, results_);

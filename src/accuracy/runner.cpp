@@ -63,8 +63,8 @@ Assignments sortedCheck(const Subject& subject, const Experiment& experiment) {
 
 // What the point sets that the case and the study do not.
 bool setsAll(const Assignments& of, const Assignments& wanted) {
-  return std::ranges::all_of(
-      wanted, [&](const std::string& one) { return std::ranges::find(of, one) != of.end(); });
+  return std::ranges::all_of(wanted,
+                             [&](const std::string& one) { return std::ranges::find(of, one) != of.end(); });
 }
 
 Subject& subjectOf(const Study& study, const SubjectSource& subjects) {
@@ -76,8 +76,8 @@ Subject& subjectOf(const Study& study, const SubjectSource& subjects) {
 std::string fileName(const std::string& id, const std::string& what) {
   std::string name = id + "-" + what + ".png";
   for (char& c : name) {
-    const bool isPlain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                         c == '.' || c == '-';
+    const bool isPlain =
+        (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '-';
     if (!isPlain) c = '-';
   }
   return "pictures/" + name;
@@ -120,7 +120,8 @@ class CaseRun {
     result.index = index;
     for (const ChosenMetric& chosen : study_.metrics) {
       const Metric& metric = *findMetric(chosen.name);
-      result.metrics.push_back({chosen.name, std::string(metric.title), std::string(metric.unit), chosen.floor});
+      result.metrics.push_back(
+          {chosen.name, std::string(metric.title), std::string(metric.unit), chosen.floor});
     }
     result.timed = study_.timed, result.timeUnit = study_.timeUnit, result.order = study_.order;
     result.machine = subject_.machine();
@@ -196,8 +197,7 @@ class CaseRun {
         picture = keptPicture(observation.display, std::to_string(i));
         const auto map = flipMap({observation.width, observation.height, observation.seen},
                                  {reference->width, reference->height, reference->seen});
-        heat = keptPicture(heatMap(map, observation.width, observation.height),
-                           std::to_string(i) + "-heat");
+        heat = keptPicture(heatMap(map, observation.width, observation.height), std::to_string(i) + "-heat");
       }
       writer_.error(result_, i, std::move(errors), std::move(picture), std::move(heat));
       step_();
@@ -273,7 +273,8 @@ void requireRunnable(const std::vector<Study>& studies, const SubjectSource& sub
       for (std::size_t i = 0; i < plan.points.size(); ++i) {
         const Assignments point = checked(plan.points[i], "'" + study.points[i].label + "'");
         if (point == checked(plan.references[plan.referenceOf[i]], "reference"))
-          throw core::DataError(study.file, "reference", "is the point '" + study.points[i].label + "' itself");
+          throw core::DataError(study.file, "reference",
+                                "is the point '" + study.points[i].label + "' itself");
       }
       for (std::size_t r = 0; r < plan.references.size(); ++r) {
         if (checked(plan.checks[r], "check") == checked(plan.references[r], "reference"))

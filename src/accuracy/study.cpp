@@ -87,8 +87,7 @@ std::vector<StudyPoint> productOf(const std::vector<Axis>& axes, const std::stri
 }
 
 std::vector<StudyPoint> readPoints(const StudyReader& reader, const json& of, const std::string& order) {
-  if (of.contains("axes") == of.contains("points"))
-    reader.refuse("", "needs either axes or points");
+  if (of.contains("axes") == of.contains("points")) reader.refuse("", "needs either axes or points");
   std::vector<StudyPoint> points;
   if (of.contains("axes")) {
     std::vector<Axis> axes;

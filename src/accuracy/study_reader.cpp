@@ -31,7 +31,8 @@ const nlohmann::json& StudyReader::list(const nlohmann::json& of, const std::str
   const auto found = of.find(name);
   if (found == of.end() || !found->is_array() || found->empty())
     refuse(joined(place, name), "is not a list with something in it");
-  if (found->size() > most) refuse(joined(place, name), "has more than " + std::to_string(most) + " elements");
+  if (found->size() > most)
+    refuse(joined(place, name), "has more than " + std::to_string(most) + " elements");
   return *found;
 }
 

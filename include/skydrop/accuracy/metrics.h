@@ -11,10 +11,10 @@
 namespace skydrop::accuracy {
 
 struct Metric {
-  std::string_view name;    // as studies name it: "relativeRmse"
-  std::string_view title;   // of its column: "relative RMSE"
-  std::string_view unit;    // "1", "m"; empty: that of the observation's values
-  std::string_view needs;   // what of the observation: "values", "picture", "positions" ...
+  std::string_view name;   // as studies name it: "relativeRmse"
+  std::string_view title;  // of its column: "relative RMSE"
+  std::string_view unit;   // "1", "m"; empty: that of the observation's values
+  std::string_view needs;  // what of the observation: "values", "picture", "positions" ...
   // >= 0 but for the bias, which has a sign; 0 where the two are equal. Both observations hold what it needs
   // and are of one shape (requireMeasurable).
   std::function<double(const Observation&, const Observation& reference)> measure;

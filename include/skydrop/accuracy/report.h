@@ -22,7 +22,8 @@ std::string jsonReport(const Results& results);
 std::string csvReport(const Results& results);
 
 // One page that needs nothing else: styles, script, data and pictures are in it (assets/report). `folder`
-// holds the pictures; embedded are those of points that are on a front or shipped.
+// holds the pictures; embedded are those of points that are on a front or shipped, others are looked for
+// beside the page.
 std::string htmlReport(const Results& results, const std::filesystem::path& folder);
 
 // accuracy.csv, .json, .md and .html in the folder. Returns the paths. Throws core::DataError.

@@ -20,15 +20,15 @@ struct MetricColumn {
 struct PointResult {
   std::string label, series;
   std::optional<double> step;
-  Assignments set;                    // what the study turned, and nothing else
-  std::vector<std::string> shipped;   // names of shipped combinations that this point is
-  std::size_t reference = 0;          // of CaseResult::references
-  std::vector<double> errors;         // one a metric, in its order; empty: not measured yet
-  std::vector<double> ms;             // of each repeat, in order
-  std::string picture, heat;          // files beside the results, PNG; empty: no picture
+  Assignments set;                   // what the study turned, and nothing else
+  std::vector<std::string> shipped;  // names of shipped combinations that this point is
+  std::size_t reference = 0;         // of CaseResult::references
+  std::vector<double> errors;        // one a metric, in its order; empty: not measured yet
+  std::vector<double> ms;            // of each repeat, in order
+  std::string picture, heat;         // files beside the results, PNG; empty: no picture
 
   bool isMeasured() const { return !errors.empty() && !ms.empty(); }
-  double medianMs() const;                       // 0 without repeats
+  double medianMs() const;  // 0 without repeats
   double leastMs() const, mostMs() const;
 };
 

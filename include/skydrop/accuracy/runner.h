@@ -21,15 +21,15 @@ struct Part {
 
 struct RunOptions {
   bool quick = false;
-  Part part;
+  Part part = {};
   std::string effort = {};  // what else results depend on: the size of pictures
   int repeats() const { return quick ? 3 : 5; }
 };
 
 struct RunProgress {
-  std::string what;                // "clouds, from below: 12 of 40"
-  std::size_t done = 0, all = 0;   // parts of the work
-  double secondsLeft = 0;          // by the speed so far; 0 while there is none
+  std::string what;               // "clouds, from below: 12 of 40"
+  std::size_t done = 0, all = 0;  // parts of the work
+  double secondsLeft = 0;         // by the speed so far; 0 while there is none
 };
 std::string progressText(const RunProgress& progress);
 

@@ -29,9 +29,9 @@ struct StudyCase {
 };
 
 struct StudyPoint {
-  std::string label;           // unique in the study
-  Assignments set;             // what is turned
-  std::string series;          // the values of all axes but that of the order
+  std::string label;   // unique in the study
+  Assignments set;     // what is turned
+  std::string series;  // the values of all axes but that of the order
   // The value of that axis; its inverse where the reference's value is larger than all (a rate, a number of
   // steps): errors fall with it.
   std::optional<double> step;
@@ -50,16 +50,16 @@ struct ChosenMetric {
 };
 
 struct Study {
-  std::string name;           // the file's, without folder and ending
-  std::string file;           // named in errors
-  std::string text;           // the file's content
-  std::string title, method;  // what is measured, against what; plain text
-  std::string subject;        // what is measured: subject.h
-  Assignments set;            // under all points and the reference
-  std::vector<StudyCase> cases;     // at least one
-  std::vector<StudyPoint> points;   // at least one
-  Assignments reference;            // what the reference sets instead of a point
-  Assignments check;                // what the doubled reference sets on top; never empty
+  std::string name;                   // the file's, without folder and ending
+  std::string file;                   // named in errors
+  std::string text;                   // the file's content
+  std::string title, method;          // what is measured, against what; plain text
+  std::string subject;                // what is measured: subject.h
+  Assignments set;                    // under all points and the reference
+  std::vector<StudyCase> cases;       // at least one
+  std::vector<StudyPoint> points;     // at least one
+  Assignments reference;              // what the reference sets instead of a point
+  Assignments check;                  // what the doubled reference sets on top; never empty
   std::vector<ChosenMetric> metrics;  // at least one; fronts are those of the first unless told
   std::string timed;                  // "frame", "pass NAME" or "cpu"
   std::string timeUnit;               // "ms a frame"

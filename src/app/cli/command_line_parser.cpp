@@ -331,7 +331,8 @@ class Parser {
     text(verb, "--out", "FILE.png|-",
          "the picture; in its name %d is the frame's number and %% a percent sign",
          [this](const std::string& t) { line_.out = t; });
-    text(verb, "--frames", "N|A..B", "how many (1), or the first and the last of those that are drawn, from 0 on",
+    text(verb, "--frames", "N|A..B",
+         "how many (1), or the first and the last of those that are drawn, from 0 on",
          [this](const std::string& t) { parseFrames(t); });
     text(verb, "--fps", "N", "simulated frames a second (60)",
          [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });

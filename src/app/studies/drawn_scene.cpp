@@ -18,15 +18,14 @@ DrawnScene::DrawnScene(std::unique_ptr<RunConfig> run, double seconds, Size size
   const auto steps = std::llround(seconds * core::FixedStep::kStepsPerSecond);
   for (long long i = 0; i < steps; ++i) simulation_->step({});
   preparations_.waitUntilReady();
-  renderer_ = std::make_unique<SceneRenderer>(
-      *context_,
-      SceneRenderer::Setup{.effects = effects,
-                           .ground = simulation_->ground(),
-                           .workers = std::nullopt,
-                           .measuring = false,
-                           .prepared = preparations_.results(effects),
-                           .table = &table},
-      run_->settings);
+  renderer_ = std::make_unique<SceneRenderer>(*context_,
+                                              SceneRenderer::Setup{.effects = effects,
+                                                                   .ground = simulation_->ground(),
+                                                                   .workers = std::nullopt,
+                                                                   .measuring = false,
+                                                                   .prepared = preparations_.results(effects),
+                                                                   .table = &table},
+                                              run_->settings);
 }
 
 DrawnScene::~DrawnScene() { context_->makeCurrent(); }

@@ -30,7 +30,8 @@ flight::PointState release(int index) {
   return {{0, 150.0 + 75 * index, 0}, {40.0 + 5 * index, -2.0 * index, 10}};
 }
 
-flight::PointState stepped(const LandingParameters& p, const flight::PointState& state, double age, double dt) {
+flight::PointState stepped(const LandingParameters& p, const flight::PointState& state, double age,
+                           double dt) {
   const flight::PackageSettings settings;
   if (p.solver == LandingSolver::exactDrag) return flight::packageStep(settings, state, age, kWind, dt);
   const double rate = flight::dragRateAt(settings, flight::parachuteOpenAt(settings, age));

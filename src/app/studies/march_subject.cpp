@@ -20,14 +20,14 @@ struct MarchParameters {
 };
 
 void describe(core::SettingsVisitor& visitor, MarchParameters& p) {
-  visitor.choice("method", p.method, kMethodNames,
-                 {.help = "The analytic integral over each step, or density x step x transmittance x light."});
+  visitor.choice(
+      "method", p.method, kMethodNames,
+      {.help = "The analytic integral over each step, or density x step x transmittance x light."});
   visitor.integer("steps", p.steps, {.unit = "1", .min = 2, .max = 16384, .help = "Through the layer."});
   visitor.integer("sunSamples", p.sunSamples, {.unit = "1", .min = 1, .max = 4096, .help = "To the sun."});
 }
 
-constexpr clouds::MarchLight kLight{
-    .toSun = {0.48, 0.6, 0.64}, .anisotropy = 0.12, .forwardShare = 0.15};
+constexpr clouds::MarchLight kLight{.toSun = {0.48, 0.6, 0.64}, .anisotropy = 0.12, .forwardShare = 0.15};
 constexpr int kRays = 24;
 
 // Billows of 400 m, 0.04 1/m at most, smooth everywhere.
@@ -38,7 +38,8 @@ clouds::MarchMedium billows() {
     const double height = (p.y - 1500) / 1200;
     if (height <= 0 || height >= 1) return 0.0;
     constexpr double kWave = 2 * 3.141592653589793 / 800;
-    const double billow = 0.5 + 0.5 * std::sin(p.x * kWave) * std::sin(p.z * kWave + 0.5) * std::sin(p.y * kWave);
+    const double billow =
+        0.5 + 0.5 * std::sin(p.x * kWave) * std::sin(p.z * kWave + 0.5) * std::sin(p.y * kWave);
     const double body = 4 * height * (1 - height);
     return 0.04 * body * body * billow * billow;
   };
@@ -48,7 +49,8 @@ clouds::MarchMedium billows() {
 clouds::MarchRay rayOf(int index) {
   const double elevation = glm::radians(12.0 + 3 * index), azimuth = glm::radians(15.0 * index);
   return {{0, 400, 0},
-          {std::cos(elevation) * std::cos(azimuth), std::sin(elevation), std::cos(elevation) * std::sin(azimuth)}};
+          {std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
+           std::cos(elevation) * std::sin(azimuth)}};
 }
 
 // The form that games use: each sample's light is weakened by what lies before it, itself not counted.

@@ -102,8 +102,10 @@ class NoiseTextureSubject final : public TableSubject<NoiseTextureParameters> {
   const core::TextureData& textureOf(const NoiseTextureParameters& p) {
     core::TextureData& texture = textures_[{p.side, p.texels}];
     if (texture.texels.empty()) {
-      const core::TexelFormat formats[] = {core::TexelFormat::r8, core::TexelFormat::r16, core::TexelFormat::r32f};
-      texture = noise::makeNoise(kSettings, sizeOf(p), {.format = formats[static_cast<std::size_t>(p.texels)]});
+      const core::TexelFormat formats[] = {core::TexelFormat::r8, core::TexelFormat::r16,
+                                           core::TexelFormat::r32f};
+      texture =
+          noise::makeNoise(kSettings, sizeOf(p), {.format = formats[static_cast<std::size_t>(p.texels)]});
     }
     return texture;
   }
@@ -113,6 +115,8 @@ class NoiseTextureSubject final : public TableSubject<NoiseTextureParameters> {
 
 }  // namespace
 
-std::unique_ptr<accuracy::Subject> makeNoiseTextureSubject() { return std::make_unique<NoiseTextureSubject>(); }
+std::unique_ptr<accuracy::Subject> makeNoiseTextureSubject() {
+  return std::make_unique<NoiseTextureSubject>();
+}
 
 }  // namespace skydrop::app

@@ -177,7 +177,8 @@ double keptLight(TargetFormat format, double light) {
 class TargetSubject final : public TableSubject<TargetParameters> {
   accuracy::Observation compute(const TargetParameters& p) override {
     accuracy::Observation observation;
-    for (int i = 0; i < kLights; ++i) observation.values.push_back(keptLight(p.format, lightOf(p, i)) / lightOf(p, i));
+    for (int i = 0; i < kLights; ++i)
+      observation.values.push_back(keptLight(p.format, lightOf(p, i)) / lightOf(p, i));
     return observation;
   }
   double work(const TargetParameters& p) override {

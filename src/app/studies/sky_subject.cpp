@@ -32,7 +32,8 @@ void describe(core::SettingsVisitor& visitor, SkyParameters& p) {
 }
 
 constexpr double kEyeM = 500, kEarthM = 6.371e6, kTopM = 100e3;
-constexpr int kDirections = 24;  // from 2 degrees above the horizon to the zenith, towards and away from the sun
+constexpr int kDirections =
+    24;  // from 2 degrees above the horizon to the zenith, towards and away from the sun
 
 f64::Atmosphere air() { return sky::makeAtmosphere(100000, 1200, 0.7); }
 
@@ -58,7 +59,8 @@ struct Extinction {
   dvec3 all() const { return air + dvec3(haze); }
 };
 Extinction extinctionAt(const f64::Atmosphere& a, double heightM) {
-  return {a.rayleigh * f64::densityAt(heightM, a.rayleighHeight), a.haze * f64::densityAt(heightM, a.hazeHeight)};
+  return {a.rayleigh * f64::densityAt(heightM, a.rayleighHeight),
+          a.haze * f64::densityAt(heightM, a.hazeHeight)};
 }
 
 // Midpoints of steps that grow with the square of their number: air is dense near the eye.
@@ -76,11 +78,13 @@ void forSteps(const Path& path, std::int64_t steps, const Visit& visit) {
 
 dvec3 depthOf(const f64::Atmosphere& a, const Path& path, std::int64_t steps) {
   dvec3 depth(0);
-  forSteps(path, steps, [&](double at, double length) { depth += extinctionAt(a, path.heightAt(at)).all() * length; });
+  forSteps(path, steps,
+           [&](double at, double length) { depth += extinctionAt(a, path.heightAt(at)).all() * length; });
   return depth;
 }
 
-dvec3 scattered(const f64::Atmosphere& a, const Path& path, double cosSun, double cosBetween, std::int64_t steps) {
+dvec3 scattered(const f64::Atmosphere& a, const Path& path, double cosSun, double cosBetween,
+                std::int64_t steps) {
   dvec3 light(0), depth(0);
   const double byAir = f64::rayleighPhase(cosBetween);
   const double byHaze = a.hazeAlbedo * f64::henyeyGreenstein(cosBetween, a.hazeAnisotropy);

@@ -22,13 +22,15 @@ struct StreamingParameters {
 };
 
 void describe(core::SettingsVisitor& visitor, StreamingParameters& p) {
-  visitor.choice("what", p.what, kPartNames,
-                 {.help = "Chunks made again on the way back, frames with too coarse land after a turn, or the "
-                          "land that workers make."});
+  visitor.choice(
+      "what", p.what, kPartNames,
+      {.help = "Chunks made again on the way back, frames with too coarse land after a turn, or the "
+               "land that workers make."});
   visitor.number("cacheMiB", p.cacheMiB, {.unit = "MiB", .min = 8, .max = 4096, .help = "Of chunks."});
   visitor.number("uploadMiBPerFrame", p.uploadMiBPerFrame,
                  {.unit = "MiB", .min = 0.25, .max = 128, .help = "To the graphics card."});
-  visitor.integer("workers", p.workers, {.unit = "1", .min = 1, .max = 64, .help = "Threads that make land."});
+  visitor.integer("workers", p.workers,
+                  {.unit = "1", .min = 1, .max = 64, .help = "Threads that make land."});
 }
 
 // A level look from 300 m up; heading 0 looks north.
@@ -40,7 +42,8 @@ terrain::ViewVolume viewFrom(const glm::dvec3& place, double headingDegrees) {
 class StreamedLand {
  public:
   explicit StreamedLand(const StreamingParameters& p)
-      : pool_(static_cast<int>(p.workers)), land_(terrain::makeNoiseHeightSource({}, 1), pool_, settingsOf(p)) {}
+      : pool_(static_cast<int>(p.workers)),
+        land_(terrain::makeNoiseHeightSource({}, 1), pool_, settingsOf(p)) {}
 
   // Out along a line and back, waiting for all land: what had to be made a second time.
   double chunksMadeAgain() {

@@ -68,8 +68,8 @@ struct CommandLine {
   std::string out = "skydrop.png";
   int frames = 1;      // how many there are
   int firstFrame = 0;  // of those, from which on they are drawn
-  double fps = 60;   // simulated frames a second, (0, 1000]
-  double timeS = 0;  // simulated seconds before the first frame
+  double fps = 60;     // simulated frames a second, (0, 1000]
+  double timeS = 0;    // simulated seconds before the first frame
   bool menu = false;
 
   // simulate
