@@ -102,15 +102,5 @@ TEST(StudyReport, aTableWithoutATradeOffHasItsMetricsAndNoMore) {
             "\"Knobs, turned\",big,attitude error,,,,ms a frame,wall clock,,off\r\n");
 }
 
-TEST(StudyReport, everyStudyHasAnOwnNameAndADescription) {
-  std::vector<std::string_view> names;
-  for (const Study& study : studies()) {
-    EXPECT_FALSE(study.description.empty());
-    for (const std::string_view name : names) EXPECT_NE(name, study.name);
-    names.push_back(study.name);
-  }
-  EXPECT_FALSE(names.empty());
-}
-
 }  // namespace
 }  // namespace skydrop::app
