@@ -91,6 +91,26 @@ TEST(CommandLine, accuracyTakesScenesAndMayBeQuick) {
   EXPECT_EQ(refusalOf({"accuracy", "cost", "--scene", ""}), "--scene: the name is empty");
 }
 
+TEST(CommandLine, accuracyMeasuresSharesAndMergesThem) {
+  const CommandLine part = parse({"accuracy", "--part", "2/3", "--resume", "--out", "d"}).commandLine;
+  EXPECT_EQ(part.part, 2);
+  EXPECT_EQ(part.parts, 3);
+  EXPECT_TRUE(part.resume);
+  EXPECT_EQ(parse({"accuracy", "--merge", "a", "b", "--out", "c"}).commandLine.merge.size(), 2u);
+  EXPECT_EQ(refusalOf({"accuracy", "--part", "4/3"}), "--part: 4 is out of range 1 to 3");
+  EXPECT_EQ(refusalOf({"accuracy", "--part", "2"}), "--part: '2' is not K/N");
+}
+
+TEST(CommandLine, framesAreANumberOrTheFirstAndTheLast) {
+  EXPECT_EQ(parse({"render", "--frames", "3", "--out", "%d.png"}).commandLine.frames, 3);
+  const CommandLine range = parse({"render", "--frames", "4..6", "--out", "%d.png"}).commandLine;
+  EXPECT_EQ(range.firstFrame, 4);
+  EXPECT_EQ(range.frames, 7);
+  EXPECT_EQ(parse({"render", "--frames", "4..4", "--out", "a.png"}).commandLine.firstFrame, 4);
+  EXPECT_NE(refusalOf({"render", "--frames", "4..3", "--out", "%d.png"}), "");
+  EXPECT_NE(refusalOf({"render", "--frames", "4..6", "--out", "a.png"}), "");
+}
+
 TEST(CommandLine, flagsOfTheHudStandForItsSetting) {
   EXPECT_EQ(parse({"render", "--no-hud"}).commandLine.set, std::vector<std::string>{"view.hud=false"});
   EXPECT_EQ(parse({"--no-hud"}).commandLine.set, std::vector<std::string>{"view.hud=false"});

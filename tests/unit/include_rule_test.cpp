@@ -28,10 +28,10 @@ std::map<std::string, Names> allowedIncludes() {
   Names outer = game;
   outer.insert("game");
   Names app = outer;
-  app.insert({"render", "audio", "ui"});
-  return {{"core", {}},      {"terrain", core}, {"noise", core},  {"clouds", core},
-          {"flight", core},  {"sky", core},     {"scene", scene}, {"game", game},
-          {"render", outer}, {"audio", outer},  {"ui", outer},    {"app", app}};
+  app.insert({"render", "audio", "ui", "accuracy"});
+  return {{"core", {}},     {"terrain", core}, {"noise", core},  {"clouds", core}, {"accuracy", core},
+          {"flight", core}, {"sky", core},     {"scene", scene}, {"game", game},   {"render", outer},
+          {"audio", outer}, {"ui", outer},     {"app", app}};
 }
 
 // The same for rooms, the folders of a module.

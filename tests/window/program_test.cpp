@@ -43,7 +43,8 @@ TEST(Program, usageErrorsExitWithTwoAndOneLine) {
       {"simulate", "--seconds", "many"},
       {"accuracy", "nothing-of-this-name"},
       {"accuracy", "integrators", "--scene", "fair"},
-      {"accuracy", "--quick"},
+      {"accuracy", "cost", "--resume"},
+      {"accuracy", "--merge", "a", "--part", "1/2"},
       {"sky", "--utc", "2023-02-30", "--lat", "0", "--lon", "0"},
       {"sky", "--utc", "2026-01-01", "--lat", "-90.5", "--lon", "0"},
       {"sky", "--utc", "2026-01-01", "--lat", "0"},
@@ -133,9 +134,10 @@ TEST(Program, outputsAreTriedBeforeTheWork) {
   std::filesystem::create_directory(folder.path() / "shape.dds");
   const std::string old = folder.write("old.json", "old");
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
-      {{"accuracy", "--out", "/nonexistent/a.md"},
+      {{"accuracy", "cost", "--out", "/nonexistent/a.md"},
        "/nonexistent/a.md: cannot write: No such file or directory"},
-      {{"accuracy", "--out", here}, here + ": cannot write: is a folder"},
+      {{"accuracy", "cost", "--out", here}, here + ": cannot write: is a folder"},
+      {{"accuracy", "--out", old}, old + ": cannot make the folder: File exists"},
       {{"render", "--out", picture, "--frames", "2"}, here + "/a-1.png: cannot write: is a folder"},
       {{"render", "--out", here + "/no%d/a.png"},
        here + "/no%d/a.png: cannot write: No such file or directory"},
@@ -187,7 +189,7 @@ TEST(Program, aResultThatCannotBeWrittenIsAFailure) {
        {std::string("--help"), std::string("--version"), std::string("--list-scenes"),
         std::string("render --help"), std::string("simulate --seconds 1"),
         std::string("simulate --seconds 1 --stats -"), std::string("noise"), std::string("info"),
-        std::string("accuracy integrators --out ") + report,
+        std::string("accuracy projectile --quick --resume --out ") + report,
         "render --scene empty --size 16x16 --out " + out}) {
     const ProcessResult result = runShell("\"$SKYDROP\" " + words + " >/dev/full");
     EXPECT_EQ(result.exitCode, 1) << words;

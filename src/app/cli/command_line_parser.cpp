@@ -73,25 +73,7 @@ class Parser {
       verb->add_flag("--progress", line_.progress,
                      "tell how far it is, each second, where there is no terminal");
     }
-    accuracy->add_option("STUDY", line_.studies,
-                         "studies to run, and cost: what each effect costs; none named: all but cost");
-    accuracy
-        ->add_option_function<std::vector<std::string>>(
-            "--scene",
-            [this](const std::vector<std::string>& all) {
-              if (std::ranges::find(all, "") != all.end()) throw UsageError("--scene: the name is empty");
-              line_.scenes = all;
-            },
-            "a scene that cost measures, and no others (all); may stand several times")
-        ->type_name("NAME|FILE")
-        ->allow_extra_args(false)
-        ->expected(1, 1000);
-    accuracy->add_flag("--quick", line_.quick, "fewer repetitions: of cost 3 rounds instead of 5");
-    text(*accuracy, "--out", "FILE|-", "the report; - is standard output",
-         [this](const std::string& t) { line_.out = t; });
-    text(*accuracy, "--format", "markdown|json|csv", "of the report (markdown)",
-         [this](const std::string& t) { line_.reportFormat = parseReportFormat(t); });
-    accuracy->preparse_callback([this](std::size_t) { line_.out = "accuracy.md"; });
+    addAccuracy(*accuracy);
     text(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
     app_.require_subcommand(0, 1);
@@ -352,13 +334,71 @@ class Parser {
     text(verb, "--out", "FILE.png|-",
          "the picture; in its name %d is the frame's number and %% a percent sign",
          [this](const std::string& t) { line_.out = t; });
-    text(verb, "--frames", "N", "how many (1)",
-         [this](const std::string& t) { line_.frames = integer("--frames", t, 1, 1000000); });
+    text(verb, "--frames", "N|A..B",
+         "how many (1), or the first and the last of those that are drawn, from 0 on",
+         [this](const std::string& t) { parseFrames(t); });
     text(verb, "--fps", "N", "simulated frames a second (60)",
          [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
     text(verb, "--time", "S", "simulated seconds before the first frame (0)",
          [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
     verb.add_flag("--menu", line_.menu, "with the menu open");
+  }
+
+  void addAccuracy(CLI::App& verb) {
+    verb.add_option("STUDY", line_.studies,
+                    "studies by name, or files of the same form; or cost alone: what each effect costs. None "
+                    "named: all but cost")
+        ->type_name("NAME|FILE");
+    verb.add_option_function<std::vector<std::string>>(
+            "--scene",
+            [this](const std::vector<std::string>& all) {
+              if (std::ranges::find(all, "") != all.end()) throw UsageError("--scene: the name is empty");
+              line_.scenes = all;
+            },
+            "a scene that cost measures, and no others (all); may stand several times")
+        ->type_name("NAME|FILE")
+        ->allow_extra_args(false)
+        ->expected(1, 1000);
+    verb.add_flag("--quick", line_.quick, "small pictures (160x90) and three repeats instead of five");
+    addSize(verb);
+    text(verb, "--out", "DIR|FILE|-",
+         "the folder of results and report (accuracy); of cost a file (accuracy.md) or - for standard output",
+         [this](const std::string& t) {
+           if (t.empty()) throw UsageError("--out: the path is empty");
+           line_.out = t;
+         });
+    text(verb, "--format", "markdown|json|csv", "of the report of cost (markdown)",
+         [this](const std::string& t) { line_.reportFormat = parseReportFormat(t); });
+    verb.add_flag("--resume", line_.resume, "go on with the results in the folder");
+    text(verb, "--part", "K/N", "measure every Nth case, beginning with the Kth",
+         [this](const std::string& t) { parsePart(t); });
+    verb.add_option_function<std::vector<std::string>>(
+            "--merge",
+            [this](const std::vector<std::string>& all) { line_.merge.assign(all.begin(), all.end()); },
+            "make one report of these folders of shares")
+        ->type_name("DIR..")
+        ->expected(1, 1000);
+    verb.preparse_callback([this](std::size_t) { line_.out.clear(); });
+  }
+
+  void parsePart(const std::string& t) {
+    const std::size_t slash = t.find('/');
+    if (slash == std::string::npos) throw UsageError("--part: '" + t + "' is not K/N");
+    line_.parts = integer("--part", t.substr(slash + 1), 1, 10000);
+    line_.part = integer("--part", t.substr(0, slash), 1, line_.parts);
+  }
+
+  // "N" or "A..B"
+  void parseFrames(const std::string& t) {
+    constexpr int kMost = 1000000;
+    const std::size_t dots = t.find("..");
+    if (dots == std::string::npos) {
+      line_.frames = integer("--frames", t, 1, kMost);
+      line_.firstFrame = 0;
+      return;
+    }
+    line_.firstFrame = integer("--frames", t.substr(0, dots), 0, kMost - 1);
+    line_.frames = integer("--frames", t.substr(dots + 2), line_.firstFrame, kMost - 1) + 1;
   }
 
   void addSimulate(CLI::App& verb) {
@@ -418,7 +458,7 @@ class Parser {
   // One would replace the other at the end. A device takes both.
   void checkOutputs() const {
     std::vector<std::pair<std::string, std::filesystem::path>> outputs;
-    if (line_.verb == Verb::render || line_.verb == Verb::accuracy) outputs.emplace_back("--out", line_.out);
+    if (line_.verb == Verb::render) outputs.emplace_back("--out", line_.out);
     if (line_.stats) outputs.emplace_back("--stats", *line_.stats);
     if (line_.trace) outputs.emplace_back("--trace", *line_.trace);
     if (line_.record) outputs.emplace_back("--record", *line_.record);
@@ -441,7 +481,7 @@ class Parser {
     if (line_.noise.check && !line_.noise.files.empty())
       throw UsageError("--check and --noise exclude each other");
     if (line_.verb != Verb::render) return;
-    if (!countsFrames(line_.out) && line_.frames > 1) {
+    if (!countsFrames(line_.out) && line_.frames - line_.firstFrame > 1) {
       throw UsageError("--out: '" + line_.out + "' needs %d for several frames");
     }
     if (line_.out != "-" && !line_.out.ends_with(".png"))

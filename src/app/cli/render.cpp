@@ -45,8 +45,8 @@ void buildTwice(Overlay& overlay, const OverlayFrame& frame, SceneRenderer& scen
 class FrameFiles {
  public:
   explicit FrameFiles(const CommandLine& line) : pattern_(line.out) {
-    if (pattern_ == "-") streams_.emplace(0, openOutput(pattern_).value());
-    for (int frame = 0; pattern_ != "-" && frame < line.frames; ++frame) {
+    if (pattern_ == "-") streams_.emplace(line.firstFrame, openOutput(pattern_).value());
+    for (int frame = line.firstFrame; pattern_ != "-" && frame < line.frames; ++frame) {
       core::OutputFile file(path(frame));
       if (file.isStream()) streams_.emplace(frame, std::move(file));
     }
@@ -128,7 +128,7 @@ int render(const CommandLine& line) {
   FrameTimes times;
   core::FrameStatistics statistics, shown;  // the menu of a frame shows what those before it cost
   Progress progress("render", line.progress);
-  for (int frame = 0; frame < line.frames; ++frame) {
+  for (int frame = line.firstFrame; frame < line.frames; ++frame) {
     if (progress.isDue()) progress.show(progressState(line, frame, simulation.world().stepCount()));
     while (simulation.world().stepCount() < stepOfFrame(line, frame)) {
       if (progress.isDue()) progress.show(progressState(line, frame, simulation.world().stepCount()));

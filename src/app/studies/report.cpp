@@ -134,11 +134,6 @@ bool isParetoOptimal(const StudyRow& row, const std::vector<StudyRow>& rows) {
   return std::none_of(rows.begin(), rows.end(), [&](const StudyRow& other) { return dominates(other, row); });
 }
 
-const ReportHeading kAccuracyHeading = {
-    "What accuracy costs",
-    "Each table turns one parameter: its error against a converged reference, and its cost. A row is "
-    "Pareto-optimal\nwhen no other row is both cheaper and more accurate. Made by `skydrop accuracy`."};
-
 std::string studyReport(const std::vector<StudyResult>& results, ReportFormat format,
                         const ReportHeading& heading) {
   switch (format) {

@@ -60,22 +60,8 @@ struct ReportHeading {
   std::string_view title;
   std::string_view introduction;  // Markdown
 };
-extern const ReportHeading kAccuracyHeading;
-
-struct Study {
-  std::string_view name;         // "integrators"
-  std::string_view description;  // one sentence
-  // Throws core::DataError, core::GraphicsUnavailable.
-  std::function<std::vector<StudyResult>(const StudyOptions&, const StudyProgress&)> run;
-  bool takesOptions = false;               // heeds StudyOptions
-  bool onlyByName = false;                 // is run when it is named, and not among all
-  const ReportHeading* heading = nullptr;  // of a report of its own; null: kAccuracyHeading
-};
-
-// All there are, in the order of the report.
-const std::vector<Study>& studies();
 
 std::string studyReport(const std::vector<StudyResult>& results, ReportFormat format,
-                        const ReportHeading& heading = kAccuracyHeading);
+                        const ReportHeading& heading);
 
 }  // namespace skydrop::app

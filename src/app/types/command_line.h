@@ -67,9 +67,10 @@ struct CommandLine {
   // render
   std::optional<render::gl::Backend> backend;  // unset: EGL, or OSMesa where EGL gives no OpenGL 4.5
   std::string out = "skydrop.png";
-  int frames = 1;
-  double fps = 60;   // simulated frames a second, (0, 1000]
-  double timeS = 0;  // simulated seconds before the first frame
+  int frames = 1;      // how many there are
+  int firstFrame = 0;  // of those, from which on they are drawn
+  double fps = 60;     // simulated frames a second, (0, 1000]
+  double timeS = 0;    // simulated seconds before the first frame
   bool menu = false;
 
   // simulate
@@ -85,8 +86,11 @@ struct CommandLine {
 
   // accuracy
   std::vector<std::string> studies;
-  std::vector<std::string> scenes;  // for the studies that measure scenes; none named: all
-  bool quick = false;               // fewer repetitions
+  std::vector<std::string> scenes;  // that the study cost measures; none named: all
+  bool quick = false;               // smaller pictures, fewer repetitions
+  bool resume = false;
+  int part = 1, parts = 1;                   // the share of the cases that is measured, 1 .. parts
+  std::vector<std::filesystem::path> merge;  // folders of shares to make one report of
   ReportFormat reportFormat = ReportFormat::markdown;
 };
 

@@ -255,6 +255,19 @@ core::Image Renderer::readBack() {
   return image;
 }
 
+std::vector<float> Renderer::readRadiance() {
+  const gl::FrameBuffer& scene = screen_.scene;
+  if (!scene) return {};
+  const std::size_t row = static_cast<std::size_t>(scene.width()) * 3;
+  std::vector<float> bottomUp(row * static_cast<std::size_t>(scene.height())), radiance;
+  scene.colorTexture().read(GL_RGB, GL_FLOAT, std::as_writable_bytes(std::span(bottomUp)));
+  radiance.reserve(bottomUp.size());
+  for (std::size_t y = bottomUp.size(); y > 0; y -= row)
+    radiance.insert(radiance.end(), bottomUp.begin() + static_cast<std::ptrdiff_t>(y - row),
+                    bottomUp.begin() + static_cast<std::ptrdiff_t>(y));
+  return radiance;
+}
+
 void Renderer::present(int width, int height) {
   if (screen_.output) screen_.output.drawToScreen(width, height);
 }

@@ -81,6 +81,9 @@ class Renderer {
   const gl::Texture& sceneColor() const { return screen_.scene.colorTexture(); }
   // The output of the last frame; waits for the GPU. Black before the first.
   core::Image readBack();
+  // Linear light of the last frame, red, green and blue of each pixel, the top row first; empty before the
+  // first. Waits for the GPU.
+  std::vector<float> readRadiance();
   // Copies the output to the window's own frame buffer of this size. The caller swaps.
   void present(int width, int height);
 

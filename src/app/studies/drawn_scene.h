@@ -1,0 +1,53 @@
+// A scene that is drawn headless for studies: everything that a picture of it needs, with a context of its
+// own. Main thread.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/session/preparations.h"
+#include "app/session/run_config.h"
+#include "app/session/scene_renderer.h"
+#include "skydrop/accuracy/subject.h"
+#include "skydrop/core/image.h"
+#include "skydrop/render/gl/context.h"
+
+namespace skydrop::app {
+
+class DrawnScene {
+ public:
+  // Simulates the seconds of the case. Takes the run over. Throws core::DataError, core::GraphicsUnavailable.
+  DrawnScene(std::unique_ptr<RunConfig> run, double seconds, Size size,
+             const std::vector<EffectDescriptor>& table);
+  ~DrawnScene();
+  DrawnScene(const DrawnScene&) = delete;
+  DrawnScene& operator=(const DrawnScene&) = delete;
+
+  // From now on with these settings, which differ from those before in nothing that makes another scene, and
+  // from this camera.
+  void set(const Settings& settings, const accuracy::StudyCase& where);
+
+  // With all its land there.
+  void draw();
+  core::Image picture() { return renderer_->renderer().readBack(); }
+  std::vector<float> radiance() { return renderer_->renderer().readRadiance(); }
+
+  // Of one more frame, ms: all of it by the wall clock, or one pass by the passes' clock. A pass that is not
+  // there, or does nothing, takes 0.
+  double timeFrame();
+  double timePass(const std::string& name);
+  std::string passClock() const { return passClock_; }
+  std::string device() const { return context_->renderer(); }
+
+ private:
+  std::unique_ptr<RunConfig> run_;
+  Size size_;
+  std::unique_ptr<render::gl::Context> context_;
+  Preparations preparations_;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<SceneRenderer> renderer_;
+  std::string passClock_ = "none";
+};
+
+}  // namespace skydrop::app

@@ -1,0 +1,102 @@
+#include "app/studies/picture_subject.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/measure/stopwatch.h"
+#include "skydrop/core/error.h"
+#include "skydrop/render/frame/pass.h"
+#include "support/gl_test.h"
+#include "support/shared_noise.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::app {
+namespace {
+
+constexpr Size kSize{64, 36};
+
+class PictureSubjectGLTest : public test::GLTest {
+ protected:
+  void SetUp() override {
+    setenv("XDG_CACHE_HOME", test::sharedCacheHome().c_str(), 1);
+    test::GLTest::SetUp();
+  }
+  accuracy::Experiment experiment(accuracy::Assignments set, const std::string& timed = "frame") const {
+    return {.where = {.name = "a", .scene = scene_, .pose = {{0, 400, 0, 20, 0, 0}}, .seconds = 0, .set = {}},
+            .set = std::move(set),
+            .timed = timed};
+  }
+
+  test::TemporaryFolder folder_;
+  std::string scene_ = folder_.write("small.json", R"({"schema": 1, "effects": ["sky", "haze", "terrain"]})");
+};
+
+TEST_F(PictureSubjectGLTest, aPictureIsTheSameBitsWhateverWasDrawnBefore) {
+  // Settings that change while flying and those that make another scene, back and forth.
+  PictureSubject subject(kSize);
+  const auto coarse = experiment({"streaming.pixelError=16", "streaming.cellPixels=200"});
+  const auto fine = experiment({"streaming.pixelError=0.5"});
+  const auto otherLand = experiment({"terrain.mountainHeight=200"});
+  const accuracy::Observation first = subject.observe(coarse);
+  ASSERT_EQ(first.values.size(), 3u * 64 * 36);
+  EXPECT_EQ(first.seen.size(), first.values.size());
+  const accuracy::Observation second = subject.observe(fine);
+  EXPECT_NE(second.values, first.values);
+  EXPECT_NE(subject.observe(otherLand).values, second.values);
+  EXPECT_EQ(subject.observe(coarse).values, first.values);
+  EXPECT_EQ(PictureSubject(kSize).observe(fine).values, second.values);
+  context().makeCurrent();
+}
+
+TEST_F(PictureSubjectGLTest, whatIsSeenRoundsToWhatIsDrawn) {
+  // The tone-mapped light of the frame is its 8-bit picture before rounding and dither, to two steps.
+  PictureSubject subject(kSize);
+  const accuracy::Observation o = subject.observe(experiment({}));
+  double worst = 0;
+  for (std::size_t i = 0; i < o.seen.size(); ++i)
+    worst = std::max(worst, std::abs(o.seen[i] * 255 - o.display.rgba[i / 3 * 4 + i % 3]));
+  EXPECT_LT(worst, 2);
+  context().makeCurrent();
+}
+
+class SlowPass final : public render::Pass {
+ public:
+  static constexpr int kMs = 60;
+  std::string_view name() const override { return "slow"; }
+  render::RenderStage stage() const override { return render::RenderStage::sky; }
+  void draw(render::FrameContext&) override { std::this_thread::sleep_for(std::chrono::milliseconds(kMs)); }
+};
+
+TEST_F(PictureSubjectGLTest, aSlowPassShowsUpWhereItIsWithinAFifthOfTheWallClock) {
+  // A pass that waits for 60 ms takes those in its own time and in that of the frame, and in no other pass.
+  std::vector<EffectDescriptor> table = effectTable();
+  for (EffectDescriptor& row : table) {
+    if (row.effect == scene::Effect::haze)
+      row.addPasses = [](SceneRenderer& renderer) { renderer.renderer().add(std::make_unique<SlowPass>()); };
+  }
+  PictureSubject subject(kSize, table);
+  subject.timeOnce(experiment({}));
+  const Stopwatch watch;
+  std::this_thread::sleep_for(std::chrono::milliseconds(SlowPass::kMs));
+  const double wall = watch.ms();
+  EXPECT_NEAR(subject.timeOnce(experiment({}, "pass slow")), wall, 0.2 * wall);
+  EXPECT_EQ(subject.clock(experiment({}, "pass slow")), "wall clock between glFinish calls");
+  EXPECT_GE(subject.timeOnce(experiment({})), SlowPass::kMs);
+  EXPECT_LT(subject.timeOnce(experiment({}, "pass sky")), 0.8 * wall);
+  EXPECT_EQ(subject.timeOnce(experiment({}, "pass clouds")), 0) << "there is none";
+  context().makeCurrent();
+}
+
+TEST_F(PictureSubjectGLTest, judgesPathsValuesAndScenesWithoutDrawing) {
+  const PictureSubject subject(kSize);
+  EXPECT_EQ(subject.checked(experiment({"streaming.pixelError=4.0"})),
+            accuracy::Assignments{"streaming.pixelError=4"});
+  EXPECT_THROW(subject.checked(experiment({"streaming.pixelErrors=4"})), core::UsageError);
+  EXPECT_THROW(subject.checked(experiment({"streaming.pixelError=400"})), core::UsageError);
+  EXPECT_THROW(subject.checked(experiment({}, "cpu")), core::RangeError);
+}
+
+}  // namespace
+}  // namespace skydrop::app
