@@ -180,11 +180,12 @@ class DeviceCheck {
   void accuracy() {
     if (quick_ || !hasTimeFor("accuracy studies", 60)) return;
     tell("accuracy studies");
-    const std::filesystem::path file = folder_ / "accuracy.md";
+    const std::filesystem::path folder = folder_ / "accuracy";
     const test::ProcessResult ran = test::runProcess(
-        {test::programFile(), "accuracy", "clouds", "land", "--quick", "--out", file.string()}, {}, 60);
+        {test::programFile(), "accuracy", "clouds-tiers", "land-lod", "--quick", "--out", folder.string()},
+        {}, 60);
     if (ran.exitCode == 0)
-      report_.accuracy = file.filename().string();
+      report_.accuracy = "accuracy/accuracy.html";
     else
       report_.suites.push_back(
           {.name = "accuracy studies", .error = ran.exitCode < 0 ? "took too long" : ran.err});
