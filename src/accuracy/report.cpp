@@ -2,26 +2,17 @@
 
 #include "accuracy/report_json.h"
 #include "accuracy/report_text.h"
+#include "skydrop/core/csv.h"
 #include "skydrop/core/file.h"
 
 namespace skydrop::accuracy {
 namespace {
 
 constexpr std::string_view kIntroduction =
-    "Each study turns one approximation. A row has its error against the reference and its time: the median "
-    "of "
-    "repeats that\nran in turns over all rows, with the least and the most. Pareto-optimal rows, of which "
-    "none "
-    "is both cheaper and better in\nthe first error, say so. Doubling the reference changes it by the last "
-    "row: "
-    "less than a tenth of the smallest error\nabove it, or the table says that it is not justified. Made by "
-    "`skydrop accuracy`.";
-
-std::string joined(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& one : all) text += (text.empty() ? "" : ", ") + one;
-  return text;
-}
+    R"(Each study turns one approximation. A row has its error against the reference and its time: the median of repeats that
+ran in turns over all rows, with the least and the most. Pareto-optimal rows, of which none is both cheaper and better in
+the first error, say so. Doubling the reference changes it by the last row: less than a tenth of the smallest error
+above it, or the table says that it is not justified. Made by `skydrop accuracy`.)";
 
 // A cell of a Markdown table.
 std::string cell(std::string text) {
@@ -61,14 +52,6 @@ void addTable(const CaseResult& of, std::string& out) {
   if (!remarks.empty()) out += "\n";
 }
 
-// A field of RFC 4180.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + "\"";
-}
-
 }  // namespace
 
 std::string markdownReport(const Results& results) {
@@ -90,6 +73,7 @@ std::string markdownReport(const Results& results) {
 std::string jsonReport(const Results& results) { return reportJson(results, {}).dump(1) + "\n"; }
 
 std::string csvReport(const Results& results) {
+  using core::csvField;
   std::string out =
       "study,case,point,set,metric,unit,error,medianMs,leastMs,mostMs,timeUnit,clock,paretoOptimal,"
       "shipped\r\n";
@@ -97,12 +81,12 @@ std::string csvReport(const Results& results) {
     for (std::size_t i = 0; i < of.points.size(); ++i) {
       const PointResult& point = of.points[i];
       for (std::size_t m = 0; m < point.errors.size(); ++m) {
-        out += quoted(of.study) + "," + quoted(of.name) + "," + quoted(point.label) + "," +
-               quoted(joined(point.set)) + "," + of.metrics[m].name + "," + quoted(of.metrics[m].unit) + "," +
-               exactNumber(point.errors[m]) + "," + exactNumber(point.medianMs()) + "," +
-               exactNumber(point.leastMs()) + "," + exactNumber(point.mostMs()) + "," + quoted(of.timeUnit) +
-               "," + quoted(of.clock) + "," + (isOnFront(of, m, i) ? "yes" : "no") + "," +
-               quoted(joined(point.shipped)) + "\r\n";
+        out += csvField(of.study) + "," + csvField(of.name) + "," + csvField(point.label) + "," +
+               csvField(joined(point.set)) + "," + of.metrics[m].name + "," + csvField(of.metrics[m].unit) +
+               "," + exactNumber(point.errors[m]) + "," + exactNumber(point.medianMs()) + "," +
+               exactNumber(point.leastMs()) + "," + exactNumber(point.mostMs()) + "," +
+               csvField(of.timeUnit) + "," + csvField(of.clock) + "," + (isOnFront(of, m, i) ? "yes" : "no") +
+               "," + csvField(joined(point.shipped)) + "\r\n";
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "skydrop/accuracy/result_file.h"
 #include "skydrop/accuracy/study.h"
 #include "skydrop/core/error.h"
+#include "support/refusal.h"
 
 namespace skydrop::accuracy {
 namespace {
@@ -21,12 +22,7 @@ std::string changed(const std::string& what, const std::string& with) {
 }
 
 std::string refusalOf(const std::string& text) {
-  try {
-    parseStudy(text, "s.json");
-    return "";
-  } catch (const core::DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf<core::DataError>([&] { parseStudy(text, "s.json"); });
 }
 
 TEST(StudyFile, isReadAsItStands) {
@@ -104,13 +100,8 @@ TEST(ResultFile, aLastLineThatWasCutOffIsLeftOut) {
 
 TEST(ResultFile, damageIsNamedByItsLine) {
   const std::string text = resultText(oneCase());
-  const auto refusal = [](const std::string& damaged) -> std::string {
-    try {
-      parseResults(damaged, "r");
-      return "";
-    } catch (const core::DataError& error) {
-      return error.what();
-    }
+  const auto refusal = [](const std::string& damaged) {
+    return test::refusalOf<core::DataError>([&] { parseResults(damaged, "r"); });
   };
   const auto with = [&](const std::string& what, const std::string& by) {
     std::string damaged = text;

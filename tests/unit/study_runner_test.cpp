@@ -9,6 +9,7 @@
 #include "skydrop/accuracy/report.h"
 #include "skydrop/accuracy/runner.h"
 #include "skydrop/core/error.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::accuracy {
@@ -198,12 +199,7 @@ TEST(StudyRunner, tellsHowMuchIsLeft) {
 
 std::string refusalOf(const Study& study) {
   Trial run;
-  try {
-    requireRunnable({study}, run.source(), run.options);
-    return "";
-  } catch (const core::DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf<core::DataError>([&] { requireRunnable({study}, run.source(), run.options); });
 }
 
 TEST(StudyRunner, refusesBeforeAnythingIsMeasured) {

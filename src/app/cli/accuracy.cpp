@@ -8,7 +8,6 @@
 #include "app/console/progress.h"
 #include "app/console/standard_output.h"
 #include "app/studies/cost_study.h"
-#include "app/studies/study.h"
 #include "app/studies/subjects.h"
 #include "app/types/version.h"
 #include "skydrop/accuracy/report.h"
@@ -42,12 +41,12 @@ int costReport(const CommandLine& line) {
   const std::string path = line.out.empty() ? "accuracy.md" : line.out;
   core::OutputFile out = openOutput(path).value();
   Progress progress("accuracy", line.progress);
-  const std::vector<StudyResult> results =
+  const std::vector<CostTable> tables =
       costStudy({line.scenes, line.quick}, [&](std::size_t done, std::size_t all) {
         progress.show("cost, " + std::to_string(done) + " of " + std::to_string(all));
       });
   progress.clear();
-  out.write(studyReport(results, line.reportFormat, kCostHeading));
+  out.write(reportOf(tables, line.reportFormat, kCostHeading));
   if (!out.isStandardOutput()) print("%s\n", path.c_str());
   return 0;
 }

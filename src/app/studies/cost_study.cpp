@@ -67,7 +67,7 @@ std::string clockText(const SceneBill& bill, const CostEffort& effort) {
 }
 
 // The metrics of a scene's table, in the order of valuesOf().
-std::vector<StudyMetric> metricsOfScene() {
+std::vector<CostColumn> columnsOfScene() {
   return {{"passes", "ms a frame"},
           {"p99", "ms"},
           {"simulation", "CPU ms a second"},
@@ -128,7 +128,7 @@ std::string noteOf(const core::EffectStatistics& row, const std::vector<Effect>&
   return note;
 }
 
-std::vector<std::string> scenesOf(const StudyOptions& options) {
+std::vector<std::string> scenesOf(const CostOptions& options) {
   return options.scenes.empty() ? scene::listScenes() : options.scenes;
 }
 
@@ -151,12 +151,11 @@ const ReportHeading kCostHeading = {
     "cost, and what is left out uncovers them, so savings need not add\nup. The last table has the form of "
     "Tarantilis (2004), Table 1. Made by `skydrop accuracy cost`."};
 
-StudyResult costOfScene(const std::string& name, const CostEffort& effort,
-                        const std::function<void()>& done) {
+CostTable costOfScene(const std::string& name, const CostEffort& effort, const std::function<void()>& done) {
   const auto tell = [&] {
     if (done) done();
   };
-  StudyResult result;
+  CostTable result;
   MeasuredGame game(setupOf(name, effort, {}));
   const SceneBill bill = billOf(game, effort.frames);
   tell();
@@ -165,10 +164,9 @@ StudyResult costOfScene(const std::string& name, const CostEffort& effort,
   result.method = "The first view of the scene at " + sizeText(effort.size) + ", quality low. " +
                   text("A measured frame takes %.3g ms, of which the rows account for %.1f %%.",
                        core::quantileOf(bill.frameMs, 0.5), 100 * share);
-  result.metrics = metricsOfScene();
-  result.cost = {"", clockText(bill, effort)};
+  result.columns = columnsOfScene();
+  result.clock = clockText(bill, effort);
   result.machine = machineName() + ", " + game.renderer();
-  result.isTradeOff = false;
   const std::vector<core::EffectStatistics>& last = bill.frames.back().bill;
   for (std::size_t i = 0; i < last.size(); ++i) {
     const core::EffectStatistics& row = last[i];
@@ -176,7 +174,7 @@ StudyResult costOfScene(const std::string& name, const CostEffort& effort,
     for (const core::FrameStatistics& frame : bill.frames) ms.push_back(frame.bill[i].ms);
     const auto effect = std::ranges::find(scene::kEffectNames, row.name);
     if (!row.on || effect == scene::kEffectNames.end()) {
-      result.rows.push_back({row.name, valuesOf(ms, row, nullptr), 0, noteOf(row, {})});
+      result.rows.push_back({row.name, valuesOf(ms, row, nullptr), noteOf(row, {})});
       continue;
     }
     const std::vector<Effect> gone =
@@ -186,10 +184,10 @@ StudyResult costOfScene(const std::string& name, const CostEffort& effort,
     MeasuredGame without(setupOf(name, effort, off));
     without.show(game.sight());
     const FrameComparison comparison = compareFrames(game, without, effort.rounds);
-    result.rows.push_back({row.name, valuesOf(ms, row, &comparison), 0, noteOf(row, gone)});
+    result.rows.push_back({row.name, valuesOf(ms, row, &comparison), noteOf(row, gone)});
     tell();
   }
-  result.rows.push_back({"all of the frame", valuesOf(bill.frameMs, sumOf(last), nullptr), 0,
+  result.rows.push_back({"all of the frame", valuesOf(bill.frameMs, sumOf(last), nullptr),
                          text("by the wall clock; the rows above are %.1f %% of it", 100 * share)});
   return result;
 }
@@ -216,8 +214,8 @@ std::vector<SkyKind> skyKinds() {
   return kinds;
 }
 
-StudyResult costOfSkies(const std::vector<SkyKind>& kinds, const CostEffort& effort,
-                        const std::function<void()>& done) {
+CostTable costOfSkies(const std::vector<SkyKind>& kinds, const CostEffort& effort,
+                      const std::function<void()>& done) {
   const auto setupOfKind = [&](const SkyKind& kind) {
     EffectSet effects;
     effects.insert(Effect::sky), effects.insert(Effect::terrain);
@@ -235,22 +233,21 @@ StudyResult costOfSkies(const std::vector<SkyKind>& kinds, const CostEffort& eff
   const Sight sight = MeasuredGame(setupOf(kSceneOfTheSkies, effort, {})).sight();
   MeasuredGame empty(setupOfKind({}));
   empty.show(sight);
-  StudyResult result;
+  CostTable result;
   result.title = "Kinds of sky";
   result.method = "Land under an empty sky from where the scene `" + std::string(kSceneOfTheSkies) +
                   "` begins, " + sizeText(effort.size) +
                   ", quality low; then with one thing more. The source's figures are those of its own "
                   "program, land and machine of 2004.";
-  result.metrics = {{"frames per second", ""},
+  result.columns = {{"frames per second", ""},
                     {"drop", "%"},
                     {"least", "%"},
                     {"most", "%"},
                     {"Tarantilis 2004", "frames per second"},
                     {"drop", "%"}};
-  result.cost = {"", "the wall clock between glFinish calls, " + std::to_string(effort.rounds) +
-                         " rounds in turn with the empty sky, median, least and most"};
+  result.clock = "the wall clock between glFinish calls, " + std::to_string(effort.rounds) +
+                 " rounds in turn with the empty sky, median, least and most";
   result.machine = machineName() + ", " + empty.renderer();
-  result.isTradeOff = false;
   std::vector<double> emptyMs;
   for (const SkyKind& kind : kinds) {
     const auto orNone = [&](double value) { return kind.sourceFps > 0 ? value : kNone; };
@@ -267,16 +264,16 @@ StudyResult costOfSkies(const std::vector<SkyKind>& kinds, const CostEffort& eff
       values = {1 / more.ratio, drop(more.ratio), drop(more.leastRatio), drop(more.mostRatio)};
     }
     values.insert(values.end(), source.begin(), source.end());
-    result.rows.push_back({kind.label, values, 0, ""});
+    result.rows.push_back({kind.label, values, ""});
     if (done) done();
   }
   // Rates by the drop from one and the same empty sky: what drifts between two rows must not count.
   const double emptyRate = emptyMs.empty() ? kNone : 1000 / core::quantileOf(emptyMs, 0.5);
-  for (StudyRow& row : result.rows) row.errors.front() *= emptyRate;
+  for (CostRow& row : result.rows) row.values.front() *= emptyRate;
   return result;
 }
 
-std::vector<StudyResult> costStudy(const StudyOptions& options, const StudyProgress& progress) {
+std::vector<CostTable> costStudy(const CostOptions& options, const CostProgress& progress) {
   const CostEffort& effort = options.quick ? kQuick : kThorough;
   const std::vector<SkyKind> kinds = skyKinds();
   const std::vector<std::string> scenes = scenesOf(options);
@@ -284,7 +281,7 @@ std::vector<StudyResult> costStudy(const StudyOptions& options, const StudyProgr
   for (const std::string& name : scenes) all += gamesOf(name);
   const auto tell = [&] { progress(++done, all); };
   progress(0, all);
-  std::vector<StudyResult> results;
+  std::vector<CostTable> results;
   for (const std::string& name : scenes) results.push_back(costOfScene(name, effort, tell));
   results.push_back(costOfSkies(kinds, effort, tell));
   return results;

@@ -102,12 +102,13 @@ void CloudDome::draw(FrameContext& context) {
     drawLight(context, light);
     return;
   }
+  gl::Shader& compose = context.shaders.shader("clouds/dome_compose.vert", "clouds/dome_compose.frag");
   layer_->begin(context.frame.view, settings_.resolution);
   gl.Disable(GL_BLEND);
   drawLight(context, light);
-  layer_->end(kLayerUnit);
   gl.Enable(GL_BLEND);
-  drawMesh(context, context.shaders.shader("clouds/dome_compose.vert", "clouds/dome_compose.frag"));
+  layer_->end(kLayerUnit);
+  drawMesh(context, compose);
 }
 
 void CloudDome::drawMesh(FrameContext& context, gl::Shader& shader) {

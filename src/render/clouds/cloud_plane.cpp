@@ -172,25 +172,25 @@ void CloudPlanes::draw(FrameContext& context) {
 }
 
 void CloudPlanes::drawPlane(FrameContext& context, CloudPlane& plane) {
-  const std::vector<std::string> light(context.defines.begin(), context.defines.end());
-  std::vector<std::string> visible = light;
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
-    visible.emplace_back("CLOUD_TRANSMITTANCE");
+    defines.emplace_back("CLOUD_TRANSMITTANCE");
     clouds->bind();
   }
   gl::ShaderCache& shaders = context.shaders;
   if (settings_.resolution == clouds::SheetResolution::full) {
     layer_->release();
-    drawLight(context, plane, shaders.shader("clouds/plane.vert", "clouds/plane.frag", visible));
+    drawLight(context, plane, shaders.shader("clouds/plane.vert", "clouds/plane.frag", defines));
     return;
   }
+  gl::Shader& light = shaders.shader("clouds/plane.vert", "clouds/plane_layer.frag", context.defines);
+  gl::Shader& compose = shaders.shader("clouds/plane_compose.vert", "clouds/plane_compose.frag", defines);
   const gl::Functions& gl = context.gl.api();
   layer_->begin(context.frame.view, settings_.resolution);
   gl.Disable(GL_BLEND);
-  drawLight(context, plane, shaders.shader("clouds/plane.vert", "clouds/plane_layer.frag", light));
+  drawLight(context, plane, light);
   gl.Enable(GL_BLEND);
   layer_->end(kLayerUnit);
-  gl::Shader& compose = shaders.shader("clouds/plane_compose.vert", "clouds/plane_compose.frag", visible);
   setPlace(compose, context.frame.view, plane);
   drawMesh(context, compose);
 }
