@@ -175,7 +175,6 @@ TEST_F(GroundFogGLTest, whatCannotTouchTheFrameSaysWhy) {
 
 TEST_F(GroundFogGLTest, everyTenthOfEveryRowMakesADifference) {
   // In what an eye sees of sky and land from 300 m.
-  if (test::backendFromEnvironment() == gl::Backend::osmesa) return;  // draws the same bits
   plains_ = {{0, glm::vec3(0.2f)}};
   app::Settings settings;
   const core::SettingsTable table(settings);

@@ -45,7 +45,6 @@ class CloudRowsEffectGLTest : public test::CloudRowsGLTest {
 };
 
 TEST_F(CloudRowsEffectGLTest, everyTenthOfEveryRowOfTheWeatherMakesADifference) {
-  if (test::backendFromEnvironment() == render::gl::Backend::osmesa) return;  // draws the same bits
   Settings settings;
   const core::SettingsTable table(settings);
   addSky();
@@ -133,7 +132,6 @@ class CloudSheetRowsEffectGLTest : public test::CloudRowsGLTest {
 };
 
 TEST_F(CloudSheetRowsEffectGLTest, everyTenthOfEveryRowOfThePlanesMakesADifference) {
-  if (test::backendFromEnvironment() == render::gl::Backend::osmesa) return;  // draws the same bits
   auto pass = std::make_unique<render::CloudPlanes>(context(), nullptr, Settings().cloudPlanes, wind_);
   render::CloudPlanes& planes = *pass;
   renderer().add(std::move(pass));
@@ -153,7 +151,6 @@ TEST_F(CloudSheetRowsEffectGLTest, everyTenthOfEveryRowOfThePlanesMakesADifferen
 }
 
 TEST_F(CloudSheetRowsEffectGLTest, everyTenthOfEveryRowOfTheDomeMakesADifference) {
-  if (test::backendFromEnvironment() == render::gl::Backend::osmesa) return;  // draws the same bits
   auto pass = std::make_unique<render::CloudDome>(context(), nullptr, Settings().cloudDome);
   render::CloudDome& dome = *pass;
   renderer().add(std::move(pass));
@@ -233,7 +230,6 @@ class PictureRowsEffectGLTest : public test::GLTest {
 };
 
 TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference) {
-  if (test::backendFromEnvironment() == render::gl::Backend::osmesa) return;  // draws the same bits
   const std::vector<Given> kGiven = {
       {"clouds.march.tolerance", {"clouds.march.resolution=half"}, {240, 135}},
       {"clouds.march.stepGrowth", {"clouds.march.stepM=4"}},
