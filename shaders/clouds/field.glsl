@@ -38,6 +38,22 @@ float erodedDensity(vec3 place, float height, float shape) {
   return erodedDensity(frameMedium(), height, shape, detail);
 }
 
+// At a place on a ray.
+struct MediumSample {
+  float shape;       // cloudShapeEstimate()
+  float extinction;  // 1/m; not faded with distance
+};
+
+MediumSample sampleAt(vec3 place) {
+  float height = heightFraction(place);
+  vec2 map = clouds.weatherPlace.xz + place.xz * clouds.weatherPlace.w;
+  vec2 weather = textureLod(weatherMap, map, 0.0).xy;  // coverage, type
+  float base = textureLod(baseNoise, periodsAt(place, clouds.shapePlace), 0.0).x;
+  CloudMedium medium = frameMedium();
+  float shape = cloudShapeEstimate(medium, height, weather.x, weather.y, base);
+  return MediumSample(shape, erodedDensity(place, height, max(shape, 0.0)) * clouds.layer.w);
+}
+
 // Extinction, 1/m; not faded with distance.
 float extinctionAt(vec3 place) {
   float height = heightFraction(place);

@@ -1,107 +1,135 @@
-// Goes along a ray through the layer.
-// Lengths are whole multiples of the step, so neighbouring rays are cut at the same distances and nothing drifts. Light
-// is worked out once for a segment of some optical depth, at the place where the segment's opacity has its middle:
-// density is cheap, light is not, and rays that run together wait for each other only there.
-#include "clouds/occupancy.glsl"
-#include "clouds/sun_depth.glsl"
+// Goes along a ray through the layer, from span to span of the tile's.
+// The density before erosion, unclamped, tells about how far away cloud is (cloudShapeEstimate): clear air is crossed by
+// whole steps as far as that is safe. So every sample is one of cloud or of the air beside it, rays that run together do
+// the same, and there is no other way through. Light comes afterwards, for stretches of some opacity at once: the two
+// loops have samples of their own, and neither waits for the other.
+#include "clouds/field.glsl"
+#include "clouds/gathered.glsl"
+#include "clouds/steps.glsl"
+#include "clouds/tiles.glsl"
 #include "shared/cloud_march.glsl"
 
-// What a ray has gathered, per illuminance of each source; and where it is.
-struct March {
-  float sun;
-  float sky;
-  float ground;
-  float transmittance;
-  float weight;    // sums: opacity, and distance times opacity
-  float distance;
-  float at;        // m from the eye
-  float clear;     // 1: the last step met no cloud, and the next goes several at a time
-};
+layout(std430, binding = 1) readonly buffer Spans { vec2 spans[]; };
 
-// Length of a step: doubles as often as the distance does, so that multiples stay exact.
-float stepAt(float distanceM) {
-  float times = max(distanceM / clouds.sight.x, 1.0);
-  return clouds.march.x * intBitsToFloat(floatBitsToInt(times) & 0x7f800000);
+// Of what lies where a ray is given up, by that of the place: measured, so that no tier is brighter or darker than the
+// reference in the mean.
+const float kBrightnessOfRest = 0.5;
+
+// Opacity, and distance times opacity, of what is lit at one place. 256 bytes a ray.
+vec2 stretches[kMostStretches];
+
+// How far from a sample on the air is clear, about.
+float clearWay(MediumSample medium, float slope) {
+  return medium.extinction > 0.0 ? 0.0 : (clouds.strides.x - medium.shape) * slope;
 }
 
-// The last multiple of the step before a distance.
-float alignedBefore(float distanceM) {
-  float step = stepAt(distanceM);
-  return floor(distanceM / step) * step;
-}
-
-March marchFrom(float begin) { return March(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, alignedBefore(begin), 1.0); }
-
-bool isUnderWay(March march, RaySpan span) { return march.at < span.end && march.transmittance > clouds.march.w; }
-
-// A segment whose light is worked out at one place.
-struct LightSegment {
-  float opacity;  // of what comes from it, as the eye sees it
-  float moment;   // opacity times distance
-};
-
-// On to where a segment is worth its light: by depth, by length, or because the ray ends.
-LightSegment gatherLightSegment(inout March march, CellRay ray, vec3 direction, RaySpan span, inout int iterations) {
-  LightSegment segment = LightSegment(0.0, 0.0);
-  float depth = 0.0;
-  float begin = span.end;
-  while (march.at < span.end && depth < clouds.march.z && iterations > 0) {
+// From a distance on, whatever surface there is before: what a ray meets, in stretches; their number.
+int gatherStretches(vec3 direction, int spansAt, float surfaceM, out float transmittance) {
+  int parts = int(spans[spansAt].x);
+  int part = 0;
+  int count = 0;
+  transmittance = 1.0;
+  vec2 open = vec2(0.0);
+  float at = 0.0;
+  float end = 0.0;
+  float stride = 0.0;
+  int iterations = kMostIterations / kSamplesATurn;
+  while (transmittance > clouds.march.w && (at < end || part < parts) && iterations > 0) {
     --iterations;
-    float step = stepAt(march.at);
-    vec3 cell = ray.start + ray.perLength * march.at;
-    float cells = emptyCells(ivec3(floor(cell)));
-    float way = cells < 1.0 ? 0.0 : wayOutOfBox(cell, ray.perLength, cells, vec3(0.0), vec3(0.0));
-    if (way > 2.0 * step) {
-      march.at = alignedBefore(march.at + way);
-      march.clear = 1.0;
-      continue;
+    while (at >= end && part < parts) {
+      ++part;
+      vec2 span = spans[spansAt + part];
+      // Turns of neighbouring rays are cut alike, as steps are.
+      at = max(at, alignedBefore(span.x, float(kSamplesATurn)));
+      end = min(span.y, surfaceM);
+      stride = 0.0;
     }
-    // In clear air a stride of several steps, judged by its end: the shape before erosion is too thick to slip through.
-    float pace = step * mix(1.0, clouds.march.y, march.clear);
-    float length = min(pace, span.end - march.at);
-    float middle = march.at + length * mix(0.5, 1.0, march.clear);
-    vec3 place = direction * middle;
-    float height = heightFraction(place);
-    float shape = shapeDensity(place, height);
-    float extinction = erodedDensity(place, height, shape) * clouds.layer.w;
-    if (shape > 0.0 && march.clear > 0.0) {
-      march.clear = 0.0;
-      continue;
+    float step = stepAt(at);
+    vec2 gained = vec2(0.0);
+    for (int i = 0; i < kSamplesATurn; ++i) {
+      float length = clamp(end - at, 0.0, step);
+      float middle = at + 0.5 * length;
+      MediumSample medium = sampleAt(direction * middle);
+      // A stride that ends in cloud is taken back.
+      bool isTooFar = stride > step && medium.extinction > 0.0;
+      length = isTooFar ? 0.0 : length;
+      float gain = transmittance * stepOpacity(medium.extinction * cloudFade(middle, clouds.layer.z) * length);
+      gained += vec2(gain, gain * middle);
+      transmittance -= gain;
+      float next = step * max(1.0, floor(clearWay(medium, clouds.strides.y) / step));
+      at += isTooFar ? step - stride : next;
+      stride = isTooFar ? step : next;
     }
-    float stepOpticalDepth = extinction * cloudFade(middle, clouds.layer.z) * length;
-    float gain = march.transmittance * stepOpacity(stepOpticalDepth);
-    begin = gain > 0.0 ? min(begin, march.at) : begin;
-    segment.opacity += gain;
-    segment.moment += gain * middle;
-    march.transmittance -= gain;
-    depth += stepOpticalDepth;
-    march.clear = shape > 0.0 ? 0.0 : 1.0;
-    march.at += pace;
-    if (march.at - begin > float(kMaxStepsPerSegment) * step) break;
+    open += gained;
+    // Where stretches get scarce, those that are left have to suffice for all light that is left.
+    float scarce = count < kStretchesAtWill ? 0.0 : transmittance / float(kMostStretches - count);
+    float enough = max(clouds.march.z, scarce);
+    stretches[count] = open;
+    bool closes = open.x > enough && count < kMostStretches - 1;
+    count += closes ? 1 : 0;
+    open = closes ? vec2(0.0) : open;
   }
-  return segment;
+  // What is not worth following is deeper and darker than the last of what was.
+  float rest = transmittance > clouds.march.w ? 0.0 : transmittance;
+  open += kBrightnessOfRest * vec2(rest, rest * at);
+  transmittance -= rest;
+  stretches[count] = open;
+  return open.x > 0.0 ? count + 1 : count;
 }
 
-void marchOn(inout March march, vec3 direction, RaySpan span) {
-  CellRay ray = cellRay(direction);
+// The way from a stretch to the sun, through the layer: the finer, the more the stretch's light counts.
+struct SunWay {
+  vec3 place;
+  float height;
+  float length;
+  float first;  // step
+  float at;
+  float depth;
+};
+
+SunWay sunWayOf(vec2 stretch, vec3 direction) {
+  vec3 place = direction * (stretch.y / max(stretch.x, 1e-20));
+  float height = heightFraction(place);
+  float length = max(1.0 - height, 0.0) * clouds.layer.y / clouds.toSun.y;
+  return SunWay(place, height, length, clouds.sunSteps.x * inversesqrt(max(stretch.x, 0.01)), 0.0, 0.0);
+}
+
+void goTowardsSun(inout SunWay way) {
+  float step = way.first + clouds.sunSteps.y * way.at + clouds.sunSteps.z * way.depth;
+  float length = clamp(way.length - way.at, 0.0, step);
+  MediumSample medium = sampleAt(way.place + clouds.toSun.xyz * (way.at + 0.5 * length));
+  way.depth += medium.extinction * length;
+  way.at += max(step, clearWay(medium, clouds.strides.z));
+}
+
+void addLight(inout Gathered gathered, vec2 stretch, SunWay way, vec4 phases) {
+  gathered.sun += stretch.x * scatteredSun(phases, way.depth);
+  gathered.sky += stretch.x * scatteredSky(way.height);
+  gathered.ground += stretch.x * scatteredGround(way.height);
+  gathered.weight += stretch.x;
+  gathered.distance += stretch.y;
+}
+
+// Each ray goes on to its next stretch when it is through with one: rays that run together do not wait for the longest way
+// of each stretch.
+Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
+  Gathered gathered = Gathered(0.0, 0.0, 0.0, 1.0, 0.0, 0.0);
+  int count = gatherStretches(direction, spansAt, surfaceM, gathered.transmittance);
   vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
-  int iterations = kMostIterations;
-  while (isUnderWay(march, span) && iterations > 0) {
-    LightSegment segment = gatherLightSegment(march, ray, direction, span, iterations);
-    if (segment.opacity <= 0.0) break;
-    iterations -= sunSamples;
-    vec3 place = direction * (segment.moment / segment.opacity);
-    float height = heightFraction(place);
-    march.sun += segment.opacity * scatteredSun(phases, sunDepth(place, height));
-    march.sky += segment.opacity * scatteredSky(height);
-    march.ground += segment.opacity * scatteredGround(height);
-    march.weight += segment.opacity;
-    march.distance += segment.moment;
+  vec2 stretch = stretches[0];
+  SunWay way = sunWayOf(stretch, direction);
+  int i = 0;
+  while (i < count) {
+    for (int k = 0; k < kSunSamplesATurn; ++k) goTowardsSun(way);
+    bool isThrough = way.at >= way.length;
+    // A loop of one turn at most, and not a branch: a software renderer leaves it out where no ray needs it.
+    while (isThrough) {
+      addLight(gathered, stretch, way, phases);
+      ++i;
+      stretch = stretches[min(i, kMostStretches - 1)];
+      way = sunWayOf(stretch, direction);
+      isThrough = false;
+    }
   }
-}
-
-// The segment of a ray in which there can be cloud: in the layer, before the scene's surface, not yet faded.
-RaySpan spanOfRay(vec3 direction, float surfaceM, Task task) {
-  RaySpan layer = raySpanBetween(0.0, direction.y, clouds.layer.x, clouds.layer.x + clouds.layer.y);
-  return overlap(layer, make_raySpan(task.begin, min(task.end, surfaceM)));
+  return gathered;
 }

@@ -1,5 +1,6 @@
 // From what a ray gathered to the light that reaches the eye.
-#include "clouds/march.glsl"
+#include "clouds/gathered.glsl"
+#include "clouds/uniforms.glsl"
 
 // Radiance of a cloud whose light comes from a distance, through the air before it: what is far away becomes the sky
 // behind it.
@@ -15,16 +16,16 @@ vec3 throughAir(vec3 light, float opacity, vec3 direction, float distanceM) {
 }
 
 // rgb: radiance; a: what comes through of the light behind.
-vec4 seenCloud(March march, vec3 direction) {
-  float transmittance = march.transmittance > clouds.march.w ? march.transmittance : 0.0;
-  float whole = (1.0 - transmittance) / max(1.0 - march.transmittance, 1e-6);
-  vec3 light = clouds.sunLight.xyz * march.sun + clouds.skyLight.xyz * march.sky + clouds.groundLight.xyz * march.ground;
-  float distanceM = march.distance / max(march.weight, 1e-20);
+vec4 seenCloud(Gathered gathered, vec3 direction) {
+  float transmittance = gathered.transmittance > clouds.march.w ? gathered.transmittance : 0.0;
+  float whole = (1.0 - transmittance) / max(1.0 - gathered.transmittance, 1e-6);
+  vec3 light = clouds.sunLight.xyz * gathered.sun + clouds.skyLight.xyz * gathered.sky + clouds.groundLight.xyz * gathered.ground;
+  float distanceM = gathered.distance / max(gathered.weight, 1e-20);
   vec3 seen = throughAir(light * whole, 1.0 - transmittance, direction, distanceM);
   return vec4(min(seen, vec3(kBrightest)), transmittance);
 }
 
 // Mean distance of the light.
-float seenDistance(March march) {
-  return march.weight > 0.0 ? min(march.distance / march.weight, kFarDistance) : kFarDistance;
+float seenDistance(Gathered gathered) {
+  return gathered.weight > 0.0 ? min(gathered.distance / gathered.weight, kFarDistance) : kFarDistance;
 }

@@ -1,5 +1,5 @@
-// Lists of what is to be marched: tiles of 8 x 8 rays with the interval in which there may be cloud; and edges, single
-// pixels of such tiles.
+// Lists of what is to be marched: tiles of pixels with the interval in which there may be cloud, and single rays. TILE_SIDE:
+// pixels.
 #include "shared/dialect.glsl"
 
 struct Task {
@@ -9,19 +9,22 @@ struct Task {
   uint unused;
 };
 
-// An edge: its tile's place in the list, and the pixel in the tile (at most 32 x 32) in the lowest 10 bits.
-uint packedEdge(uint tile, ivec2 pixelInTile) { return tile << 10u | uint(pixelInTile.y) << 5u | uint(pixelInTile.x); }
-uint tileOfEdge(uint edge) { return edge >> 10u; }
-ivec2 pixelOfEdge(uint edge) { return ivec2(edge & 31u, edge >> 5u & 31u); }
+// Parts of a tile's interval, nearest first, with clear air between them: their number in the first place, then begin and
+// end of each.
+const int kPlacesOfSpans = 16;
+const int kMostSpans = kPlacesOfSpans - 1;
 
 // Groups of an indirect dispatch: rows of 1024.
 const uint kGroupsARow = 1024u;
-const int kTileSide = 8;
 
-ivec2 taskPlace(Task task) { return ivec2(task.at & 0xffffu, task.at >> 16u); }
 uint packedPlace(ivec2 at) { return uint(at.x) | uint(at.y) << 16u; }
+ivec2 unpackedPlace(uint at) { return ivec2(at & 0xffffu, at >> 16u); }
+ivec2 taskPlace(Task task) { return unpackedPlace(task.at); }
 
-// The ray of an invocation of a tile: neighbours in blocks of 4 x 2, which a software renderer runs together.
-ivec2 placeInTile(uint invocation) {
-  return ivec2((invocation & 3u) | (invocation >> 1u & 4u), (invocation >> 2u & 1u) | (invocation >> 3u & 6u));
+// The place of an invocation in a square of `side` (a multiple of 4): neighbours in blocks of 4 x 2, which a software
+// renderer runs together.
+ivec2 placeInSquare(uint invocation, uint side) {
+  uint block = invocation >> 3u;
+  uint across = side >> 2u;
+  return ivec2((block % across) << 2u | (invocation & 3u), (block / across) << 1u | (invocation >> 2u & 1u));
 }

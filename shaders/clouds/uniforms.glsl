@@ -10,13 +10,14 @@ layout(std140, binding = 1) uniform Clouds {
   vec4 layer;         // base above the eye (m), thickness (m), distance at which clouds have faded (m), extinction (1/m)
   vec4 medium;        // threshold, coverage, type's shift, erosion
   vec4 scattering;    // xyz: g, share of the forward lobe, mean of the detail texture
-  vec4 toSun;         // xyz: unit, at least kLeastSunSine high; w: way of the samples towards the sun (m)
+  vec4 toSun;         // xyz: unit, at least kLeastSunSine high
   vec4 sunLight;      // rgb: illuminance of the sun in the layer
   vec4 skyLight;      // rgb: illuminance by the sky on a level surface
   vec4 groundLight;   // rgb: illuminance from below
-  vec4 march;         // step (m), emptyStepMultiplier, maxSegmentOpticalDepth, transmittanceCutoff
+  vec4 march;         // step (m), where steps begin to grow (m), least opacity of a stretch, transmittanceCutoff
+  vec4 strides;       // of clear air: shape up to which there is none but that; m of it for a unit of shape less: to the eye, to the sun
+  vec4 sunSteps;      // towards the sun: the first (m), growth, m longer with a unit of optical depth
+  vec4 exact;         // of the exact march: maxSegmentOpticalDepth
   vec4 cells;         // xz: the eye in cells of the occupancy; y: cells in a metre; w: rows in a metre
-  vec4 sight;         // xyz: where steps begin to grow (m), half-width of a tile's ray at 1 m, tolerance
-  vec4 nearGrid[3];   // rows: a place, 1 to a place in the texture
-  vec4 farGrid[3];
+  vec4 sight;         // half-width of a tile's ray at 1 m; tolerances: between rays 4 pixels apart, 2 pixels apart
 } clouds;

@@ -1,4 +1,4 @@
-// Rays of the march. DIVISOR: pixels by which rays are apart.
+// Rays of the march.
 #include "frame.glsl"
 
 layout(binding = 6) uniform sampler2D sceneDepth;
@@ -22,5 +22,7 @@ float farthestDepth(ivec2 corner, int side) {
   }
   return depth;
 }
+
+float depthAt(ivec2 pixel) { return texelFetch(sceneDepth, min(pixel, viewSize() - 1), 0).x; }
 
 float sceneDistance(float depth, vec3 ray) { return distanceOfDepth(depth, frame.eye.y, length(ray)); }

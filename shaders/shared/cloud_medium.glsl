@@ -59,6 +59,14 @@ FN Real cloudShapeDensity(CloudMedium medium, Real heightFraction, Vec4 weather,
   return profiledDensity(medium, base, profile, localCoverage(medium, weather.x));
 }
 
+// The same without the bounds that make it a density: below 0 it tells how far a place is from cloud, and above 0 it is
+// cloudShapeDensity() (to rounding). What the map says of coverage and type is given by itself.
+FN Real cloudShapeEstimate(CloudMedium medium, Real heightFraction, Real mappedCoverage, Real mappedType, Real base) {
+  Real body = min((base - medium.threshold) / (Real(1.0) - medium.threshold), Real(1.0));
+  Real profile = cloudProfile(heightFraction, mappedType + medium.typeShift);
+  return body * profile + localCoverage(medium, mappedCoverage) - Real(1.0);
+}
+
 // Detail erodes the edges: wisps near the base, billows above. `detail` is cloudDetail().
 FN Real erodedDensity(CloudMedium medium, Real heightFraction, Real density, Real detail) {
   Real wear = mix(detail, Real(1.0) - detail, saturate(heightFraction * Real(10.0)));

@@ -162,6 +162,23 @@ typename Shared::Real CloudField::densityAs(const glm::dvec3& position) const {
                         volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(layer_))));
 }
 
+float CloudField::shapeEstimateInFloat(const glm::dvec3& position) const {
+  const glm::dvec3 carried = position - glm::dvec3(drift_.x, 0, drift_.y);
+  const auto placeIn = [&](double period) {
+    return f32::Vec3(inPeriods(carried.x, period), inPeriods(carried.y, period),
+                     inPeriods(carried.z, period));
+  };
+  const f32::CloudMedium medium{static_cast<float>(layer_.densityThreshold),
+                                static_cast<float>(layer_.coverage), static_cast<float>(layer_.typeShift),
+                                static_cast<float>(layer_.erosion)};
+  const f32::Vec3 inMap = placeIn(weatherPeriod(layer_, fadeDistance_));
+  const f32::Vec4 weather = mapAt<InFloat>(noise_->weather, noise_->weatherSide, f32::Vec2(inMap.x, inMap.z));
+  const auto height = static_cast<float>((position.y - layer_.cloudHeight) / layer_.thickness);
+  return f32::cloudShapeEstimate(
+      medium, height, weather.x, weather.z,
+      volumeAt<float>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(layer_))));
+}
+
 double CloudField::density(const glm::dvec3& position) const { return densityAs<InDouble>(position); }
 float CloudField::densityInFloat(const glm::dvec3& position) const { return densityAs<InFloat>(position); }
 

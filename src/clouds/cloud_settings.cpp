@@ -119,60 +119,101 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
                     .aliases = aliases,
                     .note = std::move(note)});
   };
-  const core::FieldNote needsGrid =
-      core::noteWhile([&s] { return !s.lightGrid; }, "Does nothing while the light grid is off.");
-  visitor.choice("resolution", s.resolution, kMarchResolutionNames,
-                 {.help = "Rays a pixel: one for each, for each 2 x 2 or for each 4 x 4; the tolerance says "
-                          "which pixels get one of their own all the same.",
-                  .takesEffect = core::TakesEffect::variant,
-                  .aliases = "downsampling, upscaling"});
-  number("tolerance", s.tolerance, "1", 0.005, 10,
-         "Where the rays around a pixel differ by more, it gets one of its own; more leaves edges softer.",
-         "edge threshold",
-         core::noteWhile([&s] { return s.resolution == MarchResolution::full; },
-                         "Does nothing in full resolution: every pixel has a ray."),
-         core::Range{0.005, 4});
-  number("emptyStepMultiplier", s.emptyStepMultiplier, "1", 1, 16,
-         "Steps at a time through clear air; more may miss thin wisps.", "stride");
+  const auto share = [&](std::string_view name, double& value, double min, double max, std::string_view help,
+                         std::string_view aliases, core::FieldNote note, std::string_view unit = "1",
+                         std::optional<core::Range> slider = std::nullopt) {
+    visitor.number(name, value,
+                   {.unit = unit,
+                    .min = min,
+                    .max = max,
+                    .help = help,
+                    .slider = slider,
+                    .aliases = aliases,
+                    .note = std::move(note)});
+  };
+  const auto unlessExact = [&s] {
+    return core::noteWhile([&s] { return s.exact; }, "Does nothing while the exact march is on.");
+  };
+  const auto onlyExact = [&s] {
+    return core::noteWhile([&s] { return !s.exact; }, "Does nothing while the exact march is off.");
+  };
+  const auto between = [&s](MarchResolution coarsest) {
+    return core::noteWhile([&s, coarsest] { return s.exact || s.resolution < coarsest; },
+                           "Does nothing while rays are as close together as that.");
+  };
+  visitor.choice(
+      "resolution", s.resolution, kMarchResolutionNames,
+      {.help = "Rays where the picture is smooth: one for each pixel, for each 2 x 2 or for each 4 x 4; "
+               "the tolerances say where there are more.",
+       .takesEffect = core::TakesEffect::variant,
+       .aliases = "downsampling, upscaling",
+       .note = unlessExact()});
+  number("coarseTolerance", s.coarseTolerance, "1", 0.002, 10,
+         "Where rays four pixels apart bend by more, rays two pixels apart are marched; more leaves edges "
+         "softer.",
+         "edge threshold, tolerance", between(MarchResolution::quarter), core::Range{0.05, 2});
+  number("fineTolerance", s.fineTolerance, "1", 0.002, 10,
+         "Where rays two pixels apart bend by more, every pixel gets a ray; more leaves edges softer.",
+         "edge threshold, tolerance", between(MarchResolution::half), core::Range{0.05, 2});
   number("stepM", s.stepM, "m", 1, 200, "Length of a step near the eye; less finds smaller wisps.",
          "step size, LOD");
   number(
       "stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
       "Length of a step far from the eye, about, as a share of the distance; less finds smaller wisps there.",
       "step size, LOD", {}, core::Range{0.001, 0.1});
-  number("maxSegmentOpticalDepth", s.maxSegmentOpticalDepth, "1", 0.02, 5,
-         "Most optical depth, about, that shares one look at the light, over four steps at most; less "
-         "resolves light and shade in dense cloud.",
-         "light samples");
+  share(
+      "clearStride", s.clearStride, 0, 2,
+      "How far clear air is crossed at once, of the way in which the noise may hide no cloud; 0 goes step by "
+      "step, more than 1 may miss thin cloud.",
+      "stride, empty space", unlessExact());
+  number("lightOpacity", s.lightOpacity, "1", 0.001, 0.2,
+         "Least opacity, about, that is lit at one place; less resolves light and shade in dense cloud.",
+         "light samples, merge", unlessExact());
   number("transmittanceCutoff", s.transmittanceCutoff, "1", 1e-5, 0.1,
          "A ray ends where no more than this comes through; less goes deeper into dense cloud.",
          "early exit, cutoff");
+  number("sunStepM", s.sunStepM, "m", 1, 100,
+         "First step from an opaque place towards the sun; less is more exact where cloud is lit.",
+         "light samples, shadow samples", unlessExact());
+  share("sunStepGrowth", s.sunStepGrowth, 0, 1,
+        "How much longer a step towards the sun gets with each metre of the way; less is more exact.",
+        "light samples, shadow samples", unlessExact());
+  share("sunStepPerDepthM", s.sunStepPerDepthM, 0, 100,
+        "How much longer a step towards the sun gets with each unit of optical depth; less is more exact in "
+        "dense cloud.",
+        "light samples, shadow samples", unlessExact(), "m");
+  share("sunClearStride", s.sunClearStride, 0, 2,
+        "How far clear air is crossed at once on the way to the sun, as clearStride.", "stride, empty space",
+        unlessExact(), "1", core::Range{0.4, 2});
+  visitor.flag("detail", s.detail,
+               {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
+                .takesEffect = core::TakesEffect::variant,
+                .aliases = "erosion"});
+  visitor.flag(
+      "exact", s.exact,
+      {.help = "Marches as the tier reference does: each step and each sample towards the sun as long as "
+               "its rows say, wherever there may be cloud. Slow.",
+       .takesEffect = core::TakesEffect::variant,
+       .aliases = "reference, ground truth"});
+  number("maxSegmentOpticalDepth", s.maxSegmentOpticalDepth, "1", 0.02, 5,
+         "Most optical depth, about, that shares one look at the light, over four steps at most; less "
+         "resolves light and shade in dense cloud.",
+         "light samples", onlyExact());
   visitor.integer("sunSamples", s.sunSamples,
                   {.unit = "1",
                    .min = 1,
                    .max = 128,
                    .help = "Samples of density on the way to the sun, closer together near the cloud that is "
                            "lit; more makes shade within clouds more exact.",
-                   .aliases = "light samples, shadow samples"});
-  number("sunMarchDistanceM", s.sunMarchDistanceM, "m", 10, 2000,
-         "With the light grid: how far those samples reach before the grid takes over.", "light samples",
-         needsGrid);
-  visitor.flag("lightGrid", s.lightGrid,
-               {.help = "Looks the far part of the way to the sun up in a grid; off, samples go all the way, "
-                        "which is more exact.",
-                .takesEffect = core::TakesEffect::variant,
-                .aliases = "light volume, shadow volume"});
-  number("lightCellM", s.lightCellM, "m", 20, 400,
-         "Cell of the light grid near the eye, five times as much far away; less is sharper.", "voxel size",
-         needsGrid);
-  visitor.flag("detail", s.detail,
-               {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
-                .takesEffect = core::TakesEffect::variant,
-                .aliases = "erosion"});
-  visitor.renamed("seekSteps", "emptyStepMultiplier");
+                   .aliases = "light samples, shadow samples",
+                   .note = onlyExact()});
+  visitor.renamed("tolerance", "fineTolerance");
   visitor.renamed("stepDepth", "maxSegmentOpticalDepth");
   visitor.renamed("leastTransmittance", "transmittanceCutoff");
-  visitor.renamed("sunReachM", "sunMarchDistanceM");
+  for (const std::string_view gone :
+       {"seekSteps", "emptyStepMultiplier", "sunReachM", "sunMarchDistanceM", "lightGrid", "lightCellM"}) {
+    visitor.removed(gone);
+  }
 }
 
 void describe(core::SettingsVisitor& visitor, CloudSettings& s) {

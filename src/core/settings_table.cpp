@@ -18,8 +18,9 @@ class TableBuilder final : public SettingsVisitor {
  public:
   using Renamed = std::vector<std::pair<std::string, std::string>>;
 
-  TableBuilder(std::vector<Field>& fields, std::vector<GroupInfo>& groups, Renamed& renamed)
-      : fields_(fields), groups_(groups), renamed_(renamed) {}
+  TableBuilder(std::vector<Field>& fields, std::vector<GroupInfo>& groups, Renamed& renamed,
+               std::vector<std::string>& removed)
+      : fields_(fields), groups_(groups), renamed_(renamed), removed_(removed) {}
 
   void number(std::string_view name, double& value, const NumberInfo& info) override {
     Field& field = add(name, FieldKind::number, info);
@@ -63,6 +64,8 @@ class TableBuilder final : public SettingsVisitor {
     renamed_.emplace_back(pathOf(formerly), pathOf(now));
   }
 
+  void removed(std::string_view name) override { removed_.push_back(pathOf(name)); }
+
  private:
   std::string pathOf(std::string_view name) const {
     return prefix_.empty() ? std::string(name) : prefix_ + "." + std::string(name);
@@ -100,6 +103,7 @@ class TableBuilder final : public SettingsVisitor {
   std::vector<Field>& fields_;
   std::vector<GroupInfo>& groups_;
   Renamed& renamed_;
+  std::vector<std::string>& removed_;
   std::string prefix_;
   std::vector<std::size_t> prefixLengths_;
 };
@@ -179,6 +183,7 @@ void collectChanges(const SettingsTable& table, const nlohmann::json& json, cons
     const std::string path = prefix.empty() ? name : prefix + "." + name;
     const Field* field = table.find(path);
     if (!field) {
+      if (table.isRemoved(path)) continue;
       if (!table.isGroup(path)) {
         complain(path, kUnknown);
       } else if (value.is_array()) {
@@ -245,12 +250,13 @@ nlohmann::json valueJson(const Field& field) {
 }  // namespace
 
 void SettingsTable::build(Visit visit, void* settings, void* defaults) {
-  TableBuilder builder(fields_, groups_, renamed_);
+  TableBuilder builder(fields_, groups_, renamed_, removed_);
   visit(builder, settings);
   std::vector<Field> defaultFields;
   std::vector<GroupInfo> ignoredGroups;
   TableBuilder::Renamed ignoredNames;
-  TableBuilder defaultBuilder(defaultFields, ignoredGroups, ignoredNames);
+  std::vector<std::string> ignoredRemoved;
+  TableBuilder defaultBuilder(defaultFields, ignoredGroups, ignoredNames, ignoredRemoved);
   visit(defaultBuilder, defaults);
   for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i].defaultValue = defaultFields[i].get();
   for (const auto& [formerly, now] : renamed_) {
@@ -281,6 +287,10 @@ bool SettingsTable::isGroup(std::string_view path) const {
          std::ranges::any_of(renamed_, [&](const auto& names) { return names.first.starts_with(below); });
 }
 
+bool SettingsTable::isRemoved(std::string_view path) const {
+  return std::ranges::find(removed_, path) != removed_.end();
+}
+
 std::vector<std::string> SettingsTable::formerPaths(std::string_view path) const {
   std::vector<std::string> paths;
   for (const auto& [formerly, now] : renamed_) {
@@ -291,6 +301,7 @@ std::vector<std::string> SettingsTable::formerPaths(std::string_view path) const
 
 const Field& SettingsTable::at(std::string_view path) const {
   if (const Field* field = find(path)) return *field;
+  if (isRemoved(path)) throw RangeError("'" + std::string(path) + "' is no setting any more");
   throw RangeError("unknown setting '" + std::string(path) + "'" + nearestText(path));
 }
 

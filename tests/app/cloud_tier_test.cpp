@@ -68,12 +68,20 @@ TEST(CloudTier, eachStepUpMarchesFiner) {
     const clouds::MarchSettings coarse = marchOf(kTiers[i - 1]), fine = marchOf(kTiers[i]);
     EXPECT_LT(fine.stepM, coarse.stepM);
     EXPECT_LT(fine.stepGrowth, coarse.stepGrowth);
-    EXPECT_LT(fine.maxSegmentOpticalDepth, coarse.maxSegmentOpticalDepth);
+    EXPECT_LE(fine.clearStride, coarse.clearStride);
+    EXPECT_LE(fine.lightOpacity, coarse.lightOpacity);
     EXPECT_LT(fine.transmittanceCutoff, coarse.transmittanceCutoff);
+    EXPECT_LT(fine.sunStepM, coarse.sunStepM);
+    EXPECT_LT(fine.sunStepGrowth, coarse.sunStepGrowth);
+    EXPECT_LT(fine.sunStepPerDepthM, coarse.sunStepPerDepthM);
+    EXPECT_LE(fine.sunClearStride, coarse.sunClearStride);
+    EXPECT_LT(fine.maxSegmentOpticalDepth, coarse.maxSegmentOpticalDepth);
     EXPECT_GE(fine.sunSamples, coarse.sunSamples);
     EXPECT_LE(fine.resolution, coarse.resolution);
+    EXPECT_LT(fine.coarseTolerance, coarse.coarseTolerance);
+    EXPECT_LT(fine.fineTolerance, coarse.fineTolerance);
+    EXPECT_EQ(fine.exact, kTiers[i] == CloudTier::reference);
   }
-  EXPECT_FALSE(marchOf(CloudTier::reference).lightGrid);
 }
 
 TEST(CloudTier, theQualityChoosesItAndEveryOtherSourceLiesAbove) {
@@ -87,7 +95,7 @@ TEST(CloudTier, theQualityChoosesItAndEveryOtherSourceLiesAbove) {
   EXPECT_EQ(prepareRun(headless({"quality=ultra"}))->settings.clouds.tier, CloudTier::ultra);
   const auto chosen = prepareRun(headless({"quality=low", "clouds.tier=ultra", "clouds.march.stepM=7"}));
   EXPECT_EQ(chosen->settings.clouds.march.stepM, 7);
-  EXPECT_EQ(chosen->settings.clouds.march.lightCellM, marchOf(CloudTier::ultra).lightCellM);
+  EXPECT_EQ(chosen->settings.clouds.march.sunStepM, marchOf(CloudTier::ultra).sunStepM);
 
   const test::TemporaryFolder folder;
   CommandLine line = headless({"clouds.march.sunSamples=9"});
@@ -98,7 +106,7 @@ TEST(CloudTier, theQualityChoosesItAndEveryOtherSourceLiesAbove) {
                R"({"schema": 1, "settings": {"clouds": {"march": {"maxSegmentOpticalDepth": 3}}}})");
   line.userDir = folder.path();
   const auto run = prepareRun(line);
-  EXPECT_EQ(run->settings.clouds.march.lightCellM, marchOf(CloudTier::medium).lightCellM);
+  EXPECT_EQ(run->settings.clouds.march.sunStepM, marchOf(CloudTier::medium).sunStepM);
   EXPECT_EQ(run->settings.clouds.march.stepM, 21);
   EXPECT_EQ(run->settings.clouds.march.maxSegmentOpticalDepth, 3);
   EXPECT_EQ(run->settings.clouds.march.sunSamples, 9);
@@ -136,7 +144,7 @@ TEST(CloudTier, rowsChosenTogetherWithATierStay) {
   core::setField(run->table, "clouds.march.stepM=33");
   takeMenuChanges(*run, {"clouds.tier", "clouds.march.stepM"});
   EXPECT_EQ(run->settings.clouds.march.stepM, 33);
-  EXPECT_EQ(run->settings.clouds.march.lightCellM, marchOf(CloudTier::low).lightCellM);
+  EXPECT_EQ(run->settings.clouds.march.sunStepM, marchOf(CloudTier::low).sunStepM);
   for (const char* path : {"clouds.tier", "clouds.march.stepM"}) run->table.at(path).reset();
   takeMenuChanges(*run, {"clouds.tier", "clouds.march.stepM"});
   EXPECT_EQ(run->settings.clouds.tier, CloudTier::high);

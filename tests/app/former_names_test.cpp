@@ -38,11 +38,15 @@ constexpr Renamed kRenamed[] = {
     {"clouds.forwardShare", "clouds.layers.0.forwardShare", 0.3},
     {"clouds.windSpeed", "wind.speed", 17},
     {"clouds.windDirection", "wind.direction", 90},
-    {"clouds.march.seekSteps", "clouds.march.emptyStepMultiplier", 4},
     {"clouds.march.stepDepth", "clouds.march.maxSegmentOpticalDepth", 0.5},
     {"clouds.march.leastTransmittance", "clouds.march.transmittanceCutoff", 0.02},
-    {"clouds.march.sunReachM", "clouds.march.sunMarchDistanceM", 300},
+    {"clouds.march.tolerance", "clouds.march.fineTolerance", 0.7},
 };
+
+// What versions since 0.1 had and there is no more.
+constexpr const char* kRemoved[] = {"clouds.march.seekSteps", "clouds.march.emptyStepMultiplier",
+                                    "clouds.march.sunReachM", "clouds.march.sunMarchDistanceM",
+                                    "clouds.march.lightGrid", "clouds.march.lightCellM"};
 
 nlohmann::json underFormerNames() {
   nlohmann::json settings;
@@ -146,6 +150,28 @@ TEST_F(FormerNames, aChoiceOfTheMenuComesAfterThemOnTheCommandLine) {
   choose(*run, "clouds.layers.0.coverage", 0.3);
   choose(*run, "clouds.tier", 1);  // everything is composed again
   EXPECT_EQ(run->settings.clouds.layers[0].coverage, 0.3);
+}
+
+TEST_F(FormerNames, aFileMayHaveWhatThereIsNoMore) {
+  // A scene is read, and the player's file without a warning, as if they did not set it; --set is told.
+  nlohmann::json settings = {{"clouds", {{"coverage", 0.7}}}};
+  for (const char* path : kRemoved) settings["clouds"]["march"][std::string(path).substr(13)] = 3;
+  writePlayersFile(settings);
+  CommandLine scene = line();
+  scene.scene = folder.write("a.json", nlohmann::json({{"schema", 1}, {"settings", settings}}).dump());
+  const auto run = prepareRun(scene);
+  EXPECT_EQ(run->warning, std::nullopt);
+  EXPECT_EQ(run->settings.clouds.layers[0].coverage, 0.7);
+  for (const char* path : kRemoved) {
+    CommandLine set = line();
+    set.set = {std::string(path) + "=1"};
+    try {
+      prepareRun(set);
+      ADD_FAILURE() << path << " is taken";
+    } catch (const std::exception& error) {
+      EXPECT_NE(std::string(error.what()).find("is no setting any more"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST_F(FormerNames, areInNoFileThatIsShipped) {

@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/measure/frame_times.h"
 #include "bench/bench_game.h"
@@ -19,42 +22,81 @@ using clouds::CloudTier;
 constexpr app::Size kStudySize{800, 600};
 constexpr int kRounds = 2;
 
-struct TierPromise {
-  CloudTier tier;
-  double times;  // as fast as the plain march; 0: no promise
-  double error;  // relative, at most; 0: no promise
+struct Front {
+  double times;  // as fast as the plain march
+  double error;  // relative, at most
 };
 
-constexpr TierPromise kPromises[] = {{CloudTier::low, 60, 0.08},
-                                     {CloudTier::medium, 25, 0.03},
-                                     {CloudTier::high, 16, 0.02},
-                                     {CloudTier::ultra, 0, 0}};
+// What a tier is to reach in every view, and what it may not fall behind in each of kCloudViews.
+struct TierPromise {
+  CloudTier tier;
+  std::optional<Front> promised;
+  std::array<Front, 4> floor;  // times 0: none
+};
+
+constexpr TierPromise kPromises[] = {
+    {CloudTier::low, Front{60, 0.08}, {Front{40, 0.079}, {70, 0.056}, {42, 0.087}, {56, 0.077}}},
+    {CloudTier::medium, Front{25, 0.03}, {Front{22, 0.048}, {54, 0.035}, {22, 0.055}, {38, 0.053}}},
+    {CloudTier::high, Front{16, 0.02}, {Front{7.6, 0.022}, {29, 0.019}, {7.6, 0.025}, {15, 0.024}}},
+    {CloudTier::ultra, {}, {}}};
+
+// What a picture of single rays is off by besides.
+struct Faults {
+  double bias = 0;   // of the sum of light
+  double holes = 0;  // share of rays that lose more than half of their light, of those of an opacity above .1
+};
+
+Faults faultsOf(const std::vector<glm::vec3>& radiance, const CloudPicture& reference) {
+  double sum = 0, expected = 0;
+  std::size_t holes = 0, count = 0;
+  for (std::size_t i = 0; i < radiance.size(); ++i) {
+    if (reference.opacity[i] <= 0.01f) continue;
+    const auto lightOf = [](const glm::vec3& v) { return static_cast<double>(v.x) + v.y + v.z; };
+    const double light = lightOf(radiance[i]), right = lightOf(reference.radiance[i]);
+    sum += light;
+    expected += right;
+    if (reference.opacity[i] <= 0.1f) continue;
+    ++count;
+    holes += light < 0.5 * right;
+  }
+  return {sum / expected - 1, static_cast<double>(holes) / static_cast<double>(count)};
+}
 
 const char* nameOf(CloudTier tier) { return clouds::kCloudTierNames[static_cast<std::size_t>(tier)].data(); }
 
-void printRow(const CloudView& view, const char* tier, const Cost& cost, const Cost& plain, double error) {
-  std::printf("%-8s %-9s %9.1f %9.1f %7.1f %7.1f %8.4f\n", view.name, tier, cost.processorMs, cost.wallMs,
-              plain.processorMs / cost.processorMs, plain.wallMs / cost.wallMs, error);
+void printRow(const CloudView& view, const char* tier, const Cost& cost, const Cost& plain, double error,
+              const Faults& faults = {}) {
+  std::printf("%-8s %-9s %9.1f %9.1f %7.1f %7.1f %8.4f %+8.2f%% %7.3f%%\n", view.name, tier, cost.processorMs,
+              cost.wallMs, plain.processorMs / cost.processorMs, plain.wallMs / cost.wallMs, error,
+              100 * faults.bias, 100 * faults.holes);
   std::fflush(stdout);
 }
 
-void checkPromise(const TierPromise& promise, const CloudView& view, double times, double error) {
-  const std::string who = std::string("clouds of the tier ") + nameOf(promise.tier) + " from " + view.name;
-  if (promise.times > 0) {
-    const std::string text = who + " take more than 1/" + std::to_string(std::lround(promise.times)) +
-                             " of the plain march's time";
-    expect(times >= promise.times, text.c_str());
-  }
-  if (promise.error > 0) {
-    const std::string text = who + " are off by more than " + std::to_string(promise.error).substr(0, 4);
-    expect(error <= promise.error, text.c_str());
-  }
+void checkFront(const std::string& who, const Front& front, const char* kind, double times, double error) {
+  const auto figure = [](double value) { return std::to_string(value).substr(0, 5); };
+  const std::string slow = who + " take more than 1/" + figure(front.times) + " of the plain march's time (" +
+                           kind + ")",
+                    far = who + " are off by more than " + figure(front.error) + " (" + kind + ")";
+  expect(times >= front.times, slow.c_str());
+  expect(error <= front.error, far.c_str());
+}
+
+void checkPromise(const TierPromise& promise, std::size_t view, double times, double error,
+                  const Faults& faults) {
+  const std::string who =
+      std::string("clouds of the tier ") + nameOf(promise.tier) + " from " + kCloudViews[view].name;
+  if (promise.floor[view].times > 0) checkFront(who, promise.floor[view], "floor", times, error);
+  if (promise.promised) checkFront(who, *promise.promised, "promise", times, error);
+  const double most = promise.tier == CloudTier::low ? 0.01 : 0.005;
+  expect(std::abs(faults.bias) < most, (who + " are brighter or darker than they may be").c_str());
+  if (promise.tier == CloudTier::high)
+    expect(faults.holes <= 2e-4, (who + " have more than .02 % of holes").c_str());
 }
 
 struct TierRow {
-  Cost whole,
-      later;  // with every update that a frame may need, the light grids filled again; the frame after it
+  Cost cost;
   double error = 0;
+  Faults faults;
 };
 
 // The plain march and the tiers take turns.
@@ -73,20 +115,19 @@ void tiersOfClouds(benchmark::State& state) {
       for (std::size_t i = 0; i < rows.size(); ++i) {
         study.use(settingsOf(kPromises[i].tier));
         study.draw(from);  // makes the textures of its size
-        study.forgetLight();
-        rows[i].whole = best(rows[i].whole, study.draw(from));
-        rows[i].later = best(rows[i].later, study.draw(from));
-        rows[i].error = relativeError(study.picture().radiance, reference);
+        for (int again = 0; again < 2; ++again) rows[i].cost = best(rows[i].cost, study.draw(from));
+        const CloudPicture picture = study.picture();
+        rows[i].error = relativeError(picture.radiance, reference);
+        rows[i].faults = faultsOf(picture.radiance, reference);
       }
     }
-    std::printf("%-8s %-9s %9s %9s %7s %7s %8s\n", "view", "tier", "ms", "wall ms", "times", "by wall",
-                "error");
+    std::printf("%-8s %-9s %9s %9s %7s %7s %8s %9s %8s\n", "view", "tier", "ms", "wall ms", "times",
+                "by wall", "error", "bias", "holes");
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const TierPromise& promise = kPromises[i];
-      const double times = plain.processorMs / rows[i].whole.processorMs;
-      printRow(from, nameOf(promise.tier), rows[i].whole, plain, rows[i].error);
-      printRow(from, "  later", rows[i].later, plain, rows[i].error);
-      checkPromise(promise, from, times, rows[i].error);
+      const double times = plain.processorMs / rows[i].cost.processorMs;
+      printRow(from, nameOf(promise.tier), rows[i].cost, plain, rows[i].error, rows[i].faults);
+      checkPromise(promise, static_cast<std::size_t>(state.range(0)), times, rows[i].error, rows[i].faults);
       state.counters[std::string(nameOf(promise.tier)) + "Times"] = times;
       state.counters[std::string(nameOf(promise.tier)) + "Error"] = rows[i].error;
     }
@@ -128,7 +169,7 @@ void clearSky(benchmark::State& state) {
     state.counters["withMs"] = withMs.quantile(0.5);
     state.counters["withoutMs"] = withoutMs.quantile(0.5);
     state.counters["ratio"] = ratio;
-    expect(ratio <= 1.2, "a clear sky takes more than 1.2 times the frame without the effect clouds");
+    expect(ratio <= 1.05, "a clear sky takes more than 1.05 times the frame without the effect clouds");
   }
   state.SetLabel(with.renderer());
 }

@@ -107,13 +107,6 @@ void CloudStudy::use(const clouds::CloudSettings& settings) {
   clouds_->apply(settings_, wind_);
 }
 
-void CloudStudy::forgetLight() {
-  clouds::CloudSettings others = settings_;
-  others.layers[0].thickness += 1;  // another medium
-  clouds_->apply(others, wind_);
-  clouds_->apply(settings_, wind_);
-}
-
 void CloudStudy::drawFrame(const CloudView& view, bool plain) {
   if (plain_) plain_->asked = plain;
   renderer_.draw({.view = viewOf(view, size_), .features = {.haze = true}});

@@ -62,8 +62,6 @@ class CloudStudy {
 
   // For the next frames.
   void use(const clouds::CloudSettings& settings);
-  // The next frame fills its light grids again, if it has any.
-  void forgetLight();
 
   Cost draw(const CloudView& view);
   // Draws both and gives the time of the plain march. The frame warms up what draw() needs.

@@ -23,7 +23,6 @@ void PlainMarch::draw(render::FrameContext& context) {
     light_ = render::gl::Texture::make2D(context.gl, GL_RGBA16F, view.width, view.height, "plain march");
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   defines.emplace_back("DETAIL");
-  defines.emplace_back("DIVISOR 1");
   render::gl::ComputeShader& shader =
       context.shaders.computeShader(test::sourceDir() + "/tests/bench/shaders/plain_march.comp", defines);
   shader.use();

@@ -190,8 +190,8 @@ TEST_F(CloudReferenceGLTest, aMediumOfTheHeightAloneHasItsQuadrature) {
   record(worst);
 }
 
-// Counts what shaders/clouds/march.glsl does in a dispatch: its own text, with the calls that stand for a
-// step and for a segment replaced by ones that count. Behind the clouds' pass: what that bound is bound
+// Counts what shaders/clouds/exact_march.glsl does in a dispatch: its own text, with the calls that stand for
+// a step and for a segment replaced by ones that count. Behind the clouds' pass: what that bound is bound
 // still.
 class CountingPass final : public Pass {
  public:
@@ -208,7 +208,9 @@ class CountingPass final : public Pass {
                const clouds::CloudSettings& clouds)
       : system_(system), clouds_(clouds), file_(folder.write("count.comp", R"(
 #include "clouds/field.glsl"
+#include "clouds/gathered.glsl"
 #include "clouds/occupancy.glsl"
+#include "clouds/steps.glsl"
 #include "clouds/sun_depth.glsl"
 #include "clouds/tiles.glsl"
 #include "clouds/uniforms.glsl"
@@ -218,7 +220,7 @@ class CountingPass final : public Pass {
 #include "shared/cloud_medium.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Tiles { uvec4 groups; Task tasks[]; } tiles;
+layout(std430, binding = 0) readonly buffer Tiles { uvec4 groups; uvec4 groupsOfFour; Task tasks[]; } tiles;
 struct Count { uint steps[1024]; uint segments; float weight; float distance; uint unused; };
 layout(std430, binding = 4) buffer Counts { Count counts[]; };
 struct Carried { float sun, sky, ground, transmittance, weight, distance, at, clear; };
@@ -237,27 +239,27 @@ float noteStretch(vec3 place, float height) {
 }
 #define emptyCells noteStep
 #define sunDepth noteStretch
-#include "clouds/march.glsl"
+#include "clouds/exact_march.glsl"
 #include "clouds/resolve.glsl"
 
 void main() {
   uint ray = gl_GlobalInvocationID.x;
   Task task = tiles.tasks[gl_WorkGroupID.x];
-  ivec2 at = taskPlace(task) * kTileSide + placeInTile(gl_LocalInvocationIndex);
+  ivec2 at = taskPlace(task) * 8 + placeInSquare(gl_LocalInvocationIndex, 8u);
   vec3 direction = normalize(rayThrough(vec2(at) + 0.5));
   RaySpan span = spanOfRay(direction, kFarMarker, task);
   March march = marchFrom(span.begin);
   if (!isFirst) {
     Carried c = carried[ray];
-    march = March(c.sun, c.sky, c.ground, c.transmittance, c.weight, c.distance, c.at, c.clear);
+    march = March(Gathered(c.sun, c.sky, c.ground, c.transmittance, c.weight, c.distance), c.at, c.clear);
   }
   marchOn(march, direction, span);
   counts[ray].steps[min(segments, 1023u)] = steps;
   counts[ray].segments = segments;
-  counts[ray].weight = march.weight;
-  counts[ray].distance = seenDistance(march);
-  carried[ray] = Carried(march.sun, march.sky, march.ground, march.transmittance, march.weight, march.distance,
-                         march.at, march.clear);
+  Gathered g = march.gathered;
+  counts[ray].weight = g.weight;
+  counts[ray].distance = seenDistance(g);
+  carried[ray] = Carried(g.sun, g.sky, g.ground, g.transmittance, g.weight, g.distance, march.at, march.clear);
   if (isUnderWay(march, span)) atomicAdd(raysUnderWay, 1u);
 }
 )")) {}

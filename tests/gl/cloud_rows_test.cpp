@@ -84,8 +84,9 @@ TEST_F(CloudRowsGLTest, C05_noiseOutOfRangeIsNoMoreThanAllCloud) {
 
 TEST_F(CloudRowsGLTest, C06_moreCoverageIsNotLessCloud) {
   // Neither from below nor from inside: the mean of 1 - T does not fall as the coverage grows from 0 to 1 and
-  // beyond.
+  // beyond. Step by step: strides through clear air end elsewhere for each coverage.
   addClouds(test::sharedNoise());
+  clouds_.march.clearStride = 0;
   for (const View& view : {below(), inside()}) {
     double before = 0;
     for (const double coverage : {0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0, 1.5}) {
@@ -120,8 +121,6 @@ TEST_F(CloudRowsGLTest, C12_C16_marchedLengthIsThatOfTheRayToTheSurface) {
   clouds_.layers[0].thickness = 6000;  // of one density from 2530 m to 6835 m
   clouds_.layers[0].extinction = 0.003;
   clouds_.march.stepM = 200;  // exact in such a medium
-  clouds_.march.sunSamples = 1;
-  clouds_.march.maxSegmentOpticalDepth = 5;
   clouds_.march.transmittanceCutoff = 1e-5;
   plains_ = {{5200, {0.2f, 0.3f, 0.1f}}};
   addPlains();
@@ -168,7 +167,6 @@ TEST_F(CloudRowsGLTest, C15_aStepInDepthIsAStepInLength) {
   clouds_.layers[0].thickness = 6000;
   clouds_.layers[0].extinction = 0.003;
   clouds_.march.stepM = 200;
-  clouds_.march.maxSegmentOpticalDepth = 5;
   clouds_.march.transmittanceCutoff = 1e-5;
   plains_ = {{5000, {0.2f, 0.3f, 0.1f}}};
   addPlains();
@@ -203,20 +201,15 @@ void makeWhole(clouds::CloudSettings& clouds) {
 }
 
 TEST_F(CloudRowsGLTest, C17_aFrameFarAwayIsTheSameFrameAtTheOrigin) {
-  // Whole periods of the field away, at 1e7 m: within 1/255, at every resolution and with light
-  // grids. The way is a whole number of their moves too (1920 m and 9600 m along a sun in the east, 960 m and
-  // 4800 m across).
+  // Whole periods of the field away, at 1e7 m: within 1/255, at every resolution.
   addSky();
   addClouds(test::sharedNoise());
   makeWhole(clouds_);
-  settings_.sun.azimuthDegrees = 90;
-  const double farAway = 17 * 12 * kWholePeriod;  // 1.06e7 m, 1105 moves of 9600 m
+  const double farAway = 17 * 12 * kWholePeriod;  // 1.06e7 m
   ASSERT_EQ(std::fmod(farAway, clouds::weatherPeriod(clouds_.layers[0], clouds_.fadeDistance)), 0);
   ASSERT_EQ(std::fmod(farAway, clouds::detailPeriod(clouds_.layers[0])), 0);
   for (const auto tier : {clouds::CloudTier::low, clouds::CloudTier::high, clouds::CloudTier::ultra}) {
     clouds_.march = test::rowsOf(tier);
-    clouds_.march.lightGrid = tier == clouds::CloudTier::low;
-    clouds_.march.lightCellM = 120;
     for (View view : {below(), inside(), above()}) {
       const std::vector<glm::vec4> here = sceneFrom(view);
       view.position += glm::dvec3(farAway, 0, -farAway);
@@ -224,24 +217,6 @@ TEST_F(CloudRowsGLTest, C17_aFrameFarAwayIsTheSameFrameAtTheOrigin) {
       EXPECT_LT(apart, 1);
       EXPECT_GT(difference(here, withoutClouds(view)), 20) << "no cloud in the picture";
     }
-  }
-}
-
-TEST_F(CloudRowsGLTest, C17_whereTheNodesOfTheLightGridFallMakesLittleDifference) {
-  // Whole periods away that are no whole moves of the grids: other nodes, 240 m and 1200 m apart along the
-  // sun, stand for the same light. What marches with a grid hold to there is a mean of 2/255.
-  addClouds(test::sharedNoise());
-  makeWhole(clouds_);
-  clouds_.march = test::rowsOf(clouds::CloudTier::low);
-  clouds_.march.lightGrid = true;
-  clouds_.march.lightCellM = 120;
-  for (View view : {below(), inside(), above()}) {
-    const std::vector<glm::vec4> here = sceneFrom(view);
-    view.position += glm::dvec3(193 * kWholePeriod, 0, -193 * kWholePeriod);
-    const std::vector<glm::vec4> there = sceneFrom(view);
-    double sum = 0;
-    for (std::size_t i = 0; i < here.size(); ++i) sum += 255 * std::abs(shown(here[i]).y - shown(there[i]).y);
-    EXPECT_LT(sum / static_cast<double>(here.size()), 2);
   }
 }
 
@@ -262,26 +237,36 @@ TEST_F(CloudRowsGLTest, C18_aMonthOfWindCarriesTheFieldExactly) {
 }
 
 TEST_F(CloudRowsGLTest, C20_crossingABoundaryIsNoJump) {
-  // The eye on the layer's base and top, a millimetre above and a millimetre below: less than 1/255 apart, in
-  // every direction, at full resolution and at half.
+  // The eye on the layer's base and top, a millimetre above and a millimetre below, in every direction: with
+  // a ray for each pixel less than 1/255 apart. At a quarter of the resolution a cell whose curvature is next
+  // to the tolerance may be interpolated in one picture and marched in the other: an eighth of the tolerance,
+  // what a parabola of that curvature differs from its chord by, in the worst pixel, and less than .1/255 in
+  // the mean. Step by step: where strides through clear air begin depends on the cell that the eye is in, and
+  // what they may miss is judged in tests/stability/clear_air_test.cpp.
   addSky();
   addClouds(test::sharedNoise());
-  double worst = 0;
-  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::half}) {
+  clouds_.march.clearStride = clouds_.march.sunClearStride = 0;
+  const double most = 255 * clouds_.march.coarseTolerance / 8;
+  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::quarter}) {
     clouds_.march.resolution = resolution;
+    double worst = 0;
     const clouds::CloudLayerSettings& layer = clouds_.layers[0];
     for (const double boundary : {layer.cloudHeight, layer.cloudHeight + layer.thickness}) {
       for (const double pitch : {-80.0, -20.0, 0.0, 20.0, 80.0}) {
         const std::vector<glm::vec4> on = sceneFrom(small({500, boundary, 800}, 70, pitch));
         for (const double beside : {-1e-3, 1e-3}) {
-          const double apart = difference(on, sceneFrom(small({500, boundary + beside, 800}, 70, pitch)));
+          const std::vector<glm::vec4> next = sceneFrom(small({500, boundary + beside, 800}, 70, pitch));
+          const double apart = difference(on, next);
           worst = std::max(worst, apart);
-          EXPECT_LT(apart, 1) << boundary << ' ' << pitch << ' ' << beside;
+          const bool isWhole = resolution == clouds::MarchResolution::full;
+          EXPECT_LT(apart, isWhole ? 1 : most) << boundary << ' ' << pitch << ' ' << beside;
+          EXPECT_LT(meanDifference(on, next), 0.1) << boundary << ' ' << pitch << ' ' << beside;
         }
       }
     }
+    RecordProperty(resolution == clouds::MarchResolution::full ? "worstWhole" : "worstQuarter",
+                   std::to_string(worst));
   }
-  RecordProperty("worst", std::to_string(worst));
 }
 
 TEST_F(CloudRowsGLTest, C21_sunAtTheZenithAndUnderTheHorizon) {

@@ -79,7 +79,7 @@ TEST_F(CloudRowsGLTest, C29_aCloudDoesNotTellWhatStandsBehindIt) {
     }
     return false;
   };
-  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::half}) {
+  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::quarter}) {
     clouds_.march.resolution = resolution;
     plate.isShown = false;
     const std::vector<glm::vec4> open = sceneFrom(view);
@@ -115,7 +115,7 @@ TEST_F(CloudRowsGLTest, C29_samplesDoNotJumpWithTheDepthBehind) {
   auto pass = std::make_unique<DarkPlate>(context(), folder_, middle);
   DarkPlate& plate = *pass;
   renderer().add(std::move(pass));
-  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::half}) {
+  for (const auto resolution : {clouds::MarchResolution::full, clouds::MarchResolution::quarter}) {
     clouds_.march.resolution = resolution;
     plate.isShown = false;
     const std::vector<glm::vec4> open = sceneFrom(view);
@@ -143,7 +143,7 @@ TEST_F(CloudRowsGLTest, C29_aSurfaceThatHidesTilesDoesNotThinTheCloudsBesideIt) 
     for (std::size_t x = 0; x < kColumns; ++x) sum += shown(scene[(kCovered - 1) * kColumns + x]).y;
     return sum / kColumns * 255;
   };
-  clouds_.march.tolerance = 10;
+  clouds_.march.coarseTolerance = clouds_.march.fineTolerance = 10;
   const double exact = besideEdge(clouds::MarchResolution::full);
   EXPECT_GT(exact, 50) << "no cloud beside the edge";
   EXPECT_NEAR(besideEdge(clouds::MarchResolution::half), exact, 5);
@@ -157,23 +157,26 @@ class PoisonPass final : public Pass {
   PoisonPass(const CloudSystem& system, const test::TemporaryFolder& folder)
       : system_(system), file_(folder.write("poison.comp", R"(
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 1, rg16f) uniform writeonly image2D distances;
 #ifdef MULTI_DISPATCH
 layout(binding = 2, rgba32f) uniform writeonly image2D rayLight;
 layout(binding = 3, rgba32f) uniform writeonly image2D rayState;
+#else
+layout(std430, binding = 3) buffer Rays { uint words[]; } rays;
 #endif
 layout(std430, binding = 0) buffer Tiles { uint words[]; } tiles;
+layout(std430, binding = 1) buffer Spans { uint words[]; } spans;
 uniform float poison;
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  vec4 none = vec4(poison);
-  imageStore(distances, at, none);
-#ifdef MULTI_DISPATCH
-  imageStore(rayLight, at, none);
-  imageStore(rayState, at, none);
-#endif
   int index = at.y * 64 + at.x;
+#ifdef MULTI_DISPATCH
+  imageStore(rayLight, at, vec4(poison));
+  imageStore(rayState, at, vec4(poison));
+#else
+  if (index < rays.words.length()) rays.words[index] = 0xffffffffu;
+#endif
   if (index < tiles.words.length()) tiles.words[index] = 0xffffffffu;
+  if (index < spans.words.length()) spans.words[index] = 0xffffffffu;
 }
 )")) {}
 
@@ -186,7 +189,11 @@ void main() {
     shader.setFloat("poison", poison);
     shader.dispatch(8, 8);
     const std::array<float, 4> none = {poison, poison, poison, poison};
-    context.gl.api().ClearTexImage(system_.light().id(), 0, GL_RGBA, GL_FLOAT, none.data());
+    for (const CloudSystem::Rays& rays : system_.rays()) {
+      if (!rays.light) continue;
+      context.gl.api().ClearTexImage(rays.light.id(), 0, GL_RGBA, GL_FLOAT, none.data());
+      context.gl.api().ClearTexImage(rays.distances.id(), 0, GL_RED, GL_FLOAT, none.data());
+    }
     context.gl.api().MemoryBarrier(GL_ALL_BARRIER_BITS);
   }
 
@@ -199,9 +206,8 @@ void main() {
 };
 
 TEST_F(CloudRowsGLTest, C10_nothingIsReadThatTheFrameDidNotWrite) {
-  // Frames after all targets and lists were poisoned equal those before in every bit, at every resolution,
-  // with light grids and where marches are carried over several dispatches: with NaN, with something near and
-  // with something far.
+  // Frames after all targets and lists were poisoned equal those before in every bit, at every resolution and
+  // where marches are carried over several dispatches: with NaN, with something near and with something far.
   addSky();
   addClouds(test::sharedNoise());
   // Hides a row of tiles.
@@ -213,23 +219,18 @@ TEST_F(CloudRowsGLTest, C10_nothingIsReadThatTheFrameDidNotWrite) {
   PoisonPass& poison = *pass;
   using enum clouds::CloudTier;
   const std::array tiers = {low, high, ultra, reference};
-  const auto rowsOf = [](clouds::CloudTier tier) {
-    clouds::MarchSettings march = test::rowsOf(tier);
-    march.lightGrid = tier == low;
-    return march;
-  };
   const auto viewOf = [&](clouds::CloudTier tier) {
     return tier == reference ? pose({0, 600, 0}, 40, 14, 0, 24, 14) : view;
   };
   std::vector<std::vector<glm::vec4>> clean;
   for (const auto tier : tiers) {
-    clouds_.march = rowsOf(tier);
+    clouds_.march = test::rowsOf(tier);
     clean.push_back(sceneFrom(viewOf(tier)));
     ASSERT_TRUE(areFinite(clean.back()));
   }
   renderer().add(std::move(pass));
   for (std::size_t i = 0; i < tiers.size(); ++i) {
-    clouds_.march = rowsOf(tiers[i]);
+    clouds_.march = test::rowsOf(tiers[i]);
     poison.isMultiDispatch = tiers[i] == reference;
     for (const float value : {std::numeric_limits<float>::quiet_NaN(), 1.0f, 65000.0f}) {
       poison.poison = value;

@@ -58,6 +58,8 @@ TEST_F(CloudRowsEffectGLTest, everyTenthOfEveryRowOfTheWeatherMakesADifference) 
     if (!isOfTheWeather) continue;
     ++rows;
     settings.clouds = clouds::CloudSettings();
+    settings.clouds.march.resolution =
+        clouds::MarchResolution::full;  // few clouds fit between rays so far apart
     settings.wind = core::WindSettings();
     const auto look = [&] {
       clouds_ = settings.clouds;
@@ -231,10 +233,11 @@ class PictureRowsEffectGLTest : public test::GLTest {
 
 TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference) {
   const std::vector<Given> kGiven = {
-      {"clouds.march.tolerance", {"clouds.march.resolution=half"}, {240, 135}},
+      {"clouds.march.coarseTolerance", {"clouds.march.resolution=quarter"}, {240, 135}},
+      {"clouds.march.fineTolerance", {"clouds.march.resolution=half"}, {240, 135}},
       {"clouds.march.stepGrowth", {"clouds.march.stepM=4"}},
-      {"clouds.march.sunMarchDistanceM", {"clouds.march.lightGrid=true"}},
-      {"clouds.march.lightCellM", {"clouds.march.lightGrid=true"}},
+      {"clouds.march.maxSegmentOpticalDepth", {"clouds.march.exact=true"}},
+      {"clouds.march.sunSamples", {"clouds.march.exact=true"}},
       {"render.sun.utc", {"sky.sun=clock", "sky.longitude=180"}},  // its steps are at midnight UTC
       {"render.sun.shiftDays", {"sky.sun=clock"}},
       // So far north that it is never night in June.

@@ -65,7 +65,7 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
                   "effects.targets=false", "render.picture.smoothModels=false"});
   draw("plane3", {"effects.haze=false", "cloudPlanes.resolution=quarter"});
   draw("fair", {"render.land.terrainNormals=true", "render.land.wireframe=true",
-                "clouds.march.lightGrid=true", "clouds.march.detail=false"});
+                "clouds.march.resolution=half", "clouds.march.detail=false"});
   for (const char* entry : kOfTools) note(entry, {});
   for (const auto& file : std::filesystem::recursive_directory_iterator(core::shaderPath(""))) {
     const std::string name = std::filesystem::relative(file.path(), core::shaderPath("")).generic_string();

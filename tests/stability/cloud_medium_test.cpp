@@ -62,6 +62,23 @@ TEST(CloudMedium, densityStaysBetweenNothingAndOneForAnySettings) {
   }
 }
 
+TEST(CloudMedium, theShapesEstimateIsTheShapeWhereThereIsCloudAndFallsBelowNothingElsewhere) {
+  // For any base, height and weather, within 1e-12 of [0, 1]: so a march may take it for both.
+  core::RandomStream random{9, 0};
+  int cloudy = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const f64::CloudMedium medium{0.95 * random.nextUnit(), random.nextUnit(), 2 * random.nextUnit() - 1,
+                                  0.3};
+    const double height = 1.4 * random.nextUnit() - 0.2, base = 1.2 * random.nextUnit() - 0.1;
+    const double coverage = random.nextUnit(), type = random.nextUnit();
+    const double shape = f64::cloudShapeDensity(medium, height, {coverage, 0, type, 1}, base);
+    const double estimate = f64::cloudShapeEstimate(medium, height, coverage, type, base);
+    ASSERT_NEAR(std::max(estimate, 0.0), shape, 1e-12);
+    cloudy += shape > 0;
+  }
+  EXPECT_GT(cloudy, 500) << "proves little";
+}
+
 TEST(CloudMedium, remapWithEqualBoundsIsAStep) {
   for (const double at : {-1.0, 0.0, 0.3, 1.0}) {
     EXPECT_EQ(f64::remapClamped(at - 1e-9, at, at, 0, 1), 0);

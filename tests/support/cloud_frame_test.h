@@ -23,15 +23,21 @@ inline clouds::MarchSettings rowsOf(clouds::CloudTier tier) {
   return settings.clouds.march;
 }
 
-// A ray for each pixel, and quick: 8 samples to the sun, all of the way.
+// A ray for each pixel, and quick.
 inline clouds::MarchSettings quickRows() {
   clouds::MarchSettings march;
   march.resolution = clouds::MarchResolution::full;
   march.stepM = 8;
   march.stepGrowth = 0.002;
-  march.emptyStepMultiplier = 1;
-  march.maxSegmentOpticalDepth = 0.2;
   march.transmittanceCutoff = 0.0005;
+  return march;
+}
+
+// The same by the exact march: 8 samples to the sun.
+inline clouds::MarchSettings quickExactRows() {
+  clouds::MarchSettings march = quickRows();
+  march.exact = true;
+  march.maxSegmentOpticalDepth = 0.2;
   march.sunSamples = 8;
   return march;
 }

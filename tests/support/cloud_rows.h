@@ -59,6 +59,16 @@ class CloudRowsGLTest : public CloudFrameTest {
     }
     return worst;
   }
+  // Mean difference, likewise.
+  static double meanDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    if (a.size() != b.size()) return 255;
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const glm::vec3 apart = glm::abs(shown(a[i]) - shown(b[i])) * 255.0f;
+      for (int c = 0; c < 3; ++c) sum += std::isfinite(apart[c]) ? apart[c] : 255.0;
+    }
+    return sum / (3 * static_cast<double>(a.size()));
+  }
   static double meanOpacity(const std::vector<glm::vec4>& rays) {
     double sum = 0;
     for (const glm::vec4& ray : rays) sum += 1 - ray.w;

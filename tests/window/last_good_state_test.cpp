@@ -88,7 +88,7 @@ class LastGoodState : public testing::Test {
 TEST_F(LastGoodState, aBrokenShaderOfAnyKindLeavesTheOneBeforeIt) {
   // A vertex, a fragment and a compute shader, a file that others include, and the interface's own.
   fly({"--scene", "fair"});
-  for (const char* name : {"terrain/depth.vert", "sky/sky.frag", "clouds/march.comp", "frame.glsl",
+  for (const char* name : {"terrain/depth.vert", "sky/sky.frag", "clouds/march_tiles.comp", "frame.glsl",
                            "imgui/imgui.frag", "tone_map/tone_map.frag"}) {
     const fs::path file = data() / "shaders" / name;
     const std::string good = contentOf(file);
@@ -124,7 +124,7 @@ TEST_F(LastGoodState, aSceneWhosePartsAreBrokenLeavesTheFlight) {
   const std::string good = contentOf(scene);
   std::string clouded = good;
   clouded.replace(clouded.find("\"terrain\""), 9, "\"terrain\", \"clouds\"");
-  for (const char* name : {"shaders/clouds/march.comp", "assets/models/airplane.glb"}) {
+  for (const char* name : {"shaders/clouds/march_tiles.comp", "assets/models/airplane.glb"}) {
     const fs::path part = data() / name;
     const std::string goodPart = contentOf(part);
     writeTo(part, "broken");

@@ -44,6 +44,9 @@ class CloudField {
   double density(const glm::dvec3& position) const;
   // The same in 32-bit arithmetic from the wrapped position on: what a shader computes.
   float densityInFloat(const glm::dvec3& position) const;
+  // cloudShapeEstimate() (shaders/shared/cloud_medium.glsl), in 32-bit arithmetic: not bounded, below 0 where
+  // there is no cloud; outside the layer too.
+  float shapeEstimateInFloat(const glm::dvec3& position) const;
 
  private:
   template <class Shared>

@@ -21,21 +21,30 @@ enum class MarchResolution { full, half, quarter };
 inline constexpr std::array<std::string_view, 3> kMarchResolutionNames = {"full", "half", "quarter"};
 
 // How layers are marched through: all that trades accuracy for time. Defaults are those of the tier high.
-// describe() enforces the ranges of these and of all below.
+// describe() enforces the ranges of these and of all below. docs/clouds.md tells what each is for.
 struct MarchSettings {
-  MarchResolution resolution = MarchResolution::half;
-  // 0.005 .. 10: most by which the rays around a pixel may differ, before it gets one of its own.
-  double tolerance = 0.3;
-  double stepM = 16;          // m, 1 .. 200: length of a step near the eye
-  double stepGrowth = 0.004;  // 2e-4 .. 0.1: a step is about this share of its distance, at least half of it
-  double emptyStepMultiplier = 6;     // 1 .. 16: steps at a time, through clear air
+  // Where the picture is smooth: a ray for each pixel, each 2 x 2 or each 4 x 4; the rest is interpolated.
+  MarchResolution resolution = MarchResolution::quarter;
+  // 0.002 .. 10: curvature between rays 4 and 2 pixels apart (second differences of radiance or
+  // transmittance) above which the pixels between them get rays of their own.
+  double coarseTolerance = 0.28, fineTolerance = 0.8;
+  double stepM = 16;           // m, 1 .. 200: length of a step near the eye
+  double stepGrowth = 0.0025;  // 2e-4 .. 0.1: a step is about this share of its distance, at least half of it
+  double clearStride = 1;      // 0 .. 2: through clear air, of the way that is safe by the noise's slope
+  double lightOpacity =
+      0.01;  // 0.001 .. 0.2: least opacity of a stretch whose light is worked out at one place
+  double transmittanceCutoff = 0.018;  // 1e-5 .. 0.1: a ray ends where no more comes through
+  // Towards the sun: m, 1 .. 100, the first step, for a stretch of opacity 1 (over its root for others); 0 ..
+  // 1, how much longer they get a metre; m, 0 .. 100, and with each unit of optical depth.
+  double sunStepM = 8, sunStepGrowth = 0.07, sunStepPerDepthM = 5;
+  double sunClearStride = 1;  // 0 .. 2: as clearStride
+  bool detail = true;         // detail erodes the edges; off: its mean does
+  // The march of the reference: steps of one length through all that may hold cloud, each segment lit by as
+  // many samples as there are. The two rows after it are of that march alone, those before it but the steps'
+  // and the cutoff's are not.
+  bool exact = false;
   double maxSegmentOpticalDepth = 1;  // 0.02 .. 5: most optical depth that shares one evaluation of light
-  double transmittanceCutoff = 0.01;  // 1e-5 .. 0.1: a ray ends where no more comes through
   std::int64_t sunSamples = 24;       // 1 .. 128, of density on the way to the sun
-  double sunMarchDistanceM = 200;     // m, 10 .. 2000, of that way, with the light grid; without: all of it
-  bool lightGrid = false;             // the rest of the way is looked up
-  double lightCellM = 80;             // m, 20 .. 400, of the grid near the eye
-  bool detail = true;                 // detail erodes the edges; off: its mean does
 };
 
 // Layers, each with a field of its own; all are made of the same noise. Raising it gives every layer

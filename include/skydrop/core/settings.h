@@ -93,6 +93,9 @@ class SettingsVisitor {
   virtual void renamed(std::string_view formerly, std::string_view now) {
     static_cast<void>(formerly), static_cast<void>(now);
   }
+  // A field of this group that earlier versions had and this one does without: files that set it are read as
+  // if they did not, --set is told that it is gone.
+  virtual void removed(std::string_view name) { static_cast<void>(name); }
 
   // An enumeration, written by name: names[i] belongs to static_cast<Enum>(i).
   template <class Enum>

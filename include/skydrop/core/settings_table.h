@@ -66,9 +66,12 @@ class SettingsTable {
   bool isGroup(std::string_view path) const;
   // By its path, or by one that it had in an earlier version. Null when there is none.
   const Field* find(std::string_view path) const;
+  // Whether earlier versions had a field at this path that there is none for now.
+  bool isRemoved(std::string_view path) const;
   // The paths that the field at this path had in earlier versions.
   std::vector<std::string> formerPaths(std::string_view path) const;
-  // find(), or RangeError: "unknown setting 'x'", with the nearest known paths as a hint.
+  // find(), or RangeError: "unknown setting 'x'", with the nearest known paths as a hint; of a removed one,
+  // that it is gone.
   const Field& at(std::string_view path) const;
   // Those paths: "; the nearest are 'a', 'b' and 'c'". They are found by aliases and former paths too.
   std::string nearestText(std::string_view path) const;
@@ -84,6 +87,7 @@ class SettingsTable {
   std::vector<Field> fields_;
   std::vector<GroupInfo> groups_;
   std::vector<std::pair<std::string, std::string>> renamed_;  // former path, path
+  std::vector<std::string> removed_;                          // paths of former fields
 };
 
 // The door: throws RangeError naming path, value and range, and changes nothing, unless the value is finite,

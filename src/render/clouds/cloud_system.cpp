@@ -14,22 +14,20 @@
 namespace skydrop::render {
 namespace {
 
-constexpr GLuint kNearUnit = 4, kFarUnit = 5, kSceneDepthUnit = 6, kLightUnit = 7,
-                 kDistancesUnit = 8;                                          // as in shaders/clouds
-constexpr GLuint kTilesBinding = 0, kEdgesBinding = 1, kUnderWayBinding = 2;  // likewise
-constexpr int kTileSide = 8;                                                  // rays
-constexpr std::size_t kTaskBytes = 16, kEdgeBytes = 4, kHeaderBytes = 16;
-constexpr double kNearRadiusCells = 48;  // of the fine light grid
-constexpr double kFarCells = 5;          // a cell of the coarse grid in cells of the fine one
-// Of rays that are not marched: no light, and a surface like no other,
-// because what hides the clouds there may not hide them beside it.
-constexpr std::array<float, 4> kNotMarched = {core::shared::f32::kFarDistance, 0, 0, 0};
+constexpr GLuint kSceneDepthUnit = 6, kLightUnit = 7, kDistancesUnit = 8;  // as in shaders/clouds
+constexpr GLuint kTilesBinding = 0, kSpansBinding = 1, kUnderWayBinding = 2, kRaysBinding = 3;  // likewise
+constexpr int kTileSide = 16, kExactTileSide = 8;                                               // pixels
+constexpr std::size_t kTaskBytes = 16, kSpansBytes = 128;                                       // of a tile
+constexpr std::size_t kFourBytes = 16;  // where a list of tiles has the groups of a dispatch of four each
 constexpr double kFineShadowMapM = 60, kFineShadowRadiusM = 6000,
                  kCoarseShadowMapM = 240;  // cells of shadows
 
-struct ListHeader {
+struct Groups {
   std::array<GLuint, 3> groups{0, 0, 1};
   GLuint count = 0;
+};
+struct TilesHeader {
+  Groups ofOne, ofFour;
 };
 
 // The most times that all loops of a ray can run together. A segment with its light is at least so deep, or
@@ -45,16 +43,23 @@ double mostIterations(const clouds::CloudSettings& s) {
 
 // Whether one dispatch may not reach the end of a ray.
 bool isMultiDispatch(const clouds::CloudSettings& settings) {
-  return mostIterations(settings) > core::shared::f64::kMostIterations;
+  return settings.march.exact && mostIterations(settings) > core::shared::f64::kMostIterations;
 }
 
-// Pixels a side for each ray. Single rays are not carried on, so there are none then.
-int divisorOf(const clouds::CloudSettings& settings) {
-  return isMultiDispatch(settings) ? 1 : 1 << static_cast<int>(settings.march.resolution);
+int tileSideOf(const clouds::CloudSettings& settings) {
+  return settings.march.exact ? kExactTileSide : kTileSide;
 }
 
-int rays(int pixels, int divisor) { return (pixels + divisor - 1) / divisor; }
-int tilesOf(int raysAcross) { return (raysAcross + kTileSide - 1) / kTileSide; }
+// Pixels between rays where the picture is smooth.
+int widestSpacing(const clouds::CloudSettings& settings) {
+  return settings.march.exact ? 1 : 1 << static_cast<int>(settings.march.resolution);
+}
+
+// Rays so many pixels apart of which the last are at the picture's edge or beyond it, so that all others lie
+// between rays twice as far apart.
+int raysAcross(int pixels, int spacing, int widest) {
+  return spacing == 1 ? pixels : ((pixels + widest - 1) / widest) * (widest / spacing) + 1;
+}
 
 // Whether no ray of the picture meets the layer before clouds have faded.
 bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, double fadeDistance) {
@@ -82,10 +87,15 @@ bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, doub
 std::vector<std::string> definesOf(const FrameContext& context, const clouds::CloudSettings& settings) {
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   if (settings.march.detail) defines.emplace_back("DETAIL");
-  if (settings.march.lightGrid) defines.emplace_back("LIGHT_GRID");
   if (isMultiDispatch(settings)) defines.emplace_back("MULTI_DISPATCH");
-  defines.push_back("DIVISOR " + std::to_string(divisorOf(settings)));
+  defines.push_back("TILE_SIDE " + std::to_string(tileSideOf(settings)));
   return defines;
+}
+
+std::vector<std::string> withSpacing(std::span<const std::string> defines, int spacing) {
+  std::vector<std::string> all(defines.begin(), defines.end());
+  all.push_back("RAY_SPACING " + std::to_string(spacing));
+  return all;
 }
 
 }  // namespace
@@ -96,8 +106,6 @@ CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::Pac
       settings_(settings),
       wind_(wind),
       textures_(std::make_unique<CloudTextures>(context, std::move(noise), settings)),
-      near_(std::make_unique<SunOpticalDepthGrid>("near sun optical depth", SunOpticalDepthGridKeeps::all)),
-      far_(std::make_unique<SunOpticalDepthGrid>("far sun optical depth", SunOpticalDepthGridKeeps::all)),
       uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {
   forgetShadowMap();
 }
@@ -105,9 +113,8 @@ CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::Pac
 CloudSystem::~CloudSystem() = default;
 
 void CloudSystem::forgetShadowMap() {
-  constexpr auto kBase = SunOpticalDepthGridKeeps::base;
-  fineShadowMap_ = std::make_unique<SunOpticalDepthGrid>("fine cloud shadow map", kBase);
-  coarseShadowMap_ = std::make_unique<SunOpticalDepthGrid>("coarse cloud shadow map", kBase);
+  fineShadowMap_ = std::make_unique<SunOpticalDepthGrid>("fine cloud shadow map");
+  coarseShadowMap_ = std::make_unique<SunOpticalDepthGrid>("coarse cloud shadow map");
 }
 
 void CloudSystem::apply(const clouds::CloudSettings& settings, const core::WindSettings& wind) {
@@ -120,8 +127,7 @@ void CloudSystem::apply(const clouds::CloudSettings& settings, const core::WindS
   settings_ = settings;
   wind_ = wind;
   if (!forgetsLight) return;
-  for (SunOpticalDepthGrid* grid : {near_.get(), far_.get(), fineShadowMap_.get(), coarseShadowMap_.get()})
-    grid->forget();
+  for (SunOpticalDepthGrid* grid : {fineShadowMap_.get(), coarseShadowMap_.get()}) grid->forget();
 }
 
 std::optional<std::string> CloudSystem::skipReason(const FrameInput& frame) const {
@@ -137,24 +143,45 @@ glm::dvec3 CloudSystem::eyeInField(const FrameInput& frame) const {
 }
 
 void CloudSystem::resize(const View& view) {
-  const int divisor = divisorOf(settings_);
-  const int width = rays(view.width, divisor), height = rays(view.height, divisor);
-  if (light_ && light_.width() == width && light_.height() == height) return;
-  light_ = gl::Texture::make2D(context_, GL_RGBA16F, width, height, "cloud light");
-  distances_ = gl::Texture::make2D(context_, GL_RG16F, width, height, "cloud distances");
-  const auto tiles = static_cast<std::size_t>(tilesOf(width)) * static_cast<std::size_t>(tilesOf(height));
-  tiles_ = gl::Buffer(context_, kHeaderBytes + tiles * kTaskBytes, gl::Buffer::Use::write, "cloud tiles");
-  edges_ = {};
-  if (divisor == 1) return;
-  const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
-  edges_ = gl::Buffer(context_, kHeaderBytes + pixels * kEdgeBytes, gl::Buffer::Use::write, "cloud edges");
+  const int side = tileSideOf(settings_), widest = widestSpacing(settings_);
+  const auto size = [&](int spacing) {
+    return glm::ivec2(raysAcross(view.width, spacing, widest), raysAcross(view.height, spacing, widest));
+  };
+  // Tiles for all rays, those beyond the picture's edge too.
+  const glm::ivec2 tiles = (size(widest) * widest - widest + side) / side;
+  const auto has = [&](int spacing) {
+    const gl::Texture& light = raysApart(spacing).light;
+    const bool isThere = light && glm::ivec2(light.width(), light.height()) == size(spacing);
+    return spacing <= widest ? isThere : !light;
+  };
+  if (tiles == tileCount_ && has(1) && has(2) && has(4)) return;
+  for (const int spacing : {1, 2, 4}) {
+    raysApart(spacing) = {};
+    if (spacing > widest) continue;
+    const glm::ivec2 rays = size(spacing);
+    raysApart(spacing) = {gl::Texture::make2D(context_, GL_RGBA16F, rays.x, rays.y, "cloud light"),
+                          gl::Texture::make2D(context_, GL_R16F, rays.x, rays.y, "cloud distances")};
+  }
+  tileCount_ = tiles;
+  const std::size_t all = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
+  tiles_ =
+      gl::Buffer(context_, sizeof(TilesHeader) + all * kTaskBytes, gl::Buffer::Use::write, "cloud tiles");
+  spans_ = gl::Buffer(context_, all * kSpansBytes, gl::Buffer::Use::fixed, "cloud spans");
+  for (const int spacing : {1, 2}) {
+    gl::Buffer& list = listedRays_[static_cast<std::size_t>(spacing) - 1];
+    list = {};
+    if (spacing >= widest) continue;
+    // Three of four texels in each tile, at most.
+    const std::size_t most = all * static_cast<std::size_t>(side * side / (spacing * spacing));
+    list = gl::Buffer(context_, sizeof(Groups) + most * sizeof(GLuint), gl::Buffer::Use::write, "cloud rays");
+  }
 }
 
 void CloudSystem::update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
                          const glm::dvec3& middle) {
   grid.update(context_, context.shaders,
               sunOpticalDepthGridLayout(layer(), clouds::raisedSun(context.light.toSun), cellM,
-                                        std::min(radiusM, settings_.fadeDistance), middle, grid.keeps()),
+                                        std::min(radiusM, settings_.fadeDistance), middle),
               layer(), settings_, textures_->meanDetail());
 }
 
@@ -185,7 +212,7 @@ CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
 
 void CloudSystem::marchMultiDispatch() {
   const gl::Functions& api = context_.api();
-  const int width = light_.width(), height = light_.height();
+  const int width = rays_[0].light.width(), height = rays_[0].light.height();
   if (!rayLight_ || rayLight_.width() != width || rayLight_.height() != height) {
     rayLight_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "ray light");
     rayState_ = gl::Texture::make2D(context_, GL_RGBA32F, width, height, "ray state");
@@ -211,30 +238,24 @@ void CloudSystem::draw(FrameContext& context) {
   resize(context.frame.view);
   setUniforms(context);
   classify(context, defines);
-  march(context, defines);
-  compose(context, defines);
-  transmittance_ = {&light_, &distances_};
+  if (settings_.march.exact)
+    marchExactly(context, defines);
+  else
+    march(context, defines);
+  cover(context, defines);
+  transmittance_ = {&rays_[0].light, &rays_[0].distances};
   context.resources.publish(transmittance_);
   context_.api().MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-// What all shaders of the pass read, light grids included.
+// What all shaders of the pass read.
 void CloudSystem::setUniforms(FrameContext& context) {
   const View& view = context.frame.view;
-  const glm::dvec3 eye = eyeInField(context.frame);
   textures_->bind(kMarchedLayer);
-  CloudUniforms uniforms = fieldUniforms(layer(), settings_.fadeDistance, eye, textures_->meanDetail());
-  addLight(uniforms, layer(), settings_.march, context.light);
-  addMarch(uniforms, settings_.march, view, kTileSide * divisorOf(settings_));
-  if (settings_.march.lightGrid) {
-    const double cell = settings_.march.lightCellM;
-    update(context, *near_, cell, kNearRadiusCells * cell, eye);
-    update(context, *far_, kFarCells * cell, settings_.fadeDistance, eye);
-    uniforms.nearGrid = toSunOpticalDepthGrid(near_->layout(), eye);
-    uniforms.farGrid = toSunOpticalDepthGrid(far_->layout(), eye);
-    near_->depths().bind(kNearUnit);
-    far_->depths().bind(kFarUnit);
-  }
+  CloudUniforms uniforms =
+      fieldUniforms(layer(), settings_.fadeDistance, eyeInField(context.frame), textures_->meanDetail());
+  addLight(uniforms, layer(), context.light);
+  addMarch(uniforms, settings_, textures_->clearAir(kMarchedLayer), view, tileSideOf(settings_));
   uniforms_.writeValue(0, uniforms);
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
   context.sceneDepth.bind(kSceneDepthUnit);
@@ -243,61 +264,92 @@ void CloudSystem::setUniforms(FrameContext& context) {
 // Lists the tiles to be marched; all other rays see nothing.
 void CloudSystem::classify(FrameContext& context, Defines defines) {
   const gl::Functions& api = context_.api();
-  const glm::ivec2 tiles(tilesOf(light_.width()), tilesOf(light_.height()));
-  tiles_.writeValue(0, ListHeader{});
+  tiles_.writeValue(0, TilesHeader{});
   tiles_.bindBase(GL_SHADER_STORAGE_BUFFER, kTilesBinding);
+  spans_.bindBase(GL_SHADER_STORAGE_BUFFER, kSpansBinding);
   gl::ComputeShader& shader = context.shaders.computeShader("clouds/classify.comp", defines);
-  shader.setIvec2("tileCount", tiles);
-  shader.dispatch(static_cast<GLuint>(tiles.x + 7) / 8, static_cast<GLuint>(tiles.y + 7) / 8);
-  const std::array<float, 4> clear = {0, 0, 0, 1};
-  api.ClearTexImage(light_.id(), 0, GL_RGBA, GL_FLOAT, clear.data());
-  api.ClearTexImage(distances_.id(), 0, GL_RGBA, GL_FLOAT, kNotMarched.data());
+  shader.setIvec2("tileCount", tileCount_);
+  shader.dispatch(static_cast<GLuint>(tileCount_.x + 7) / 8, static_cast<GLuint>(tileCount_.y + 7) / 8);
+  const std::array<float, 4> clear = {0, 0, 0, 1}, nothing = {core::shared::f32::kFarDistance, 0, 0, 0};
+  for (const Rays& rays : rays_) {
+    if (!rays.light) continue;
+    api.ClearTexImage(rays.light.id(), 0, GL_RGBA, GL_FLOAT, clear.data());
+    api.ClearTexImage(rays.distances.id(), 0, GL_RED, GL_FLOAT, nothing.data());
+  }
   api.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+// Rays as far apart as they may be, then those between them that have to be marched.
 void CloudSystem::march(FrameContext& context, Defines defines) {
-  gl::ComputeShader& shader = context.shaders.computeShader("clouds/march.comp", defines);
+  const int widest = widestSpacing(settings_);
+  std::vector<std::string> all = withSpacing(defines, widest);
+  all.push_back(widest == 1 ? "GROUP_SIZE 256" : "GROUP_SIZE 64");  // a tile's rays, or those of four tiles
+  gl::ComputeShader& shader = context.shaders.computeShader("clouds/march_tiles.comp", all);
+  shader.use();
+  shader.setIvec2("tileCount", tileCount_);
+  raysApart(widest).light.bindImage(0, GL_WRITE_ONLY);
+  raysApart(widest).distances.bindImage(1, GL_WRITE_ONLY);
+  tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+  context_.dispatchIndirect(widest == 4 ? kFourBytes : 0);
+  for (int spacing = widest / 2; spacing > 0; spacing /= 2) refine(context, defines, spacing);
+}
+
+void CloudSystem::refine(FrameContext& context, Defines defines, int spacing) {
+  const std::vector<std::string> all = withSpacing(defines, spacing);
+  gl::Buffer& list = listedRays_[static_cast<std::size_t>(spacing) - 1];
+  list.writeValue(0, Groups{});
+  list.bindBase(GL_SHADER_STORAGE_BUFFER, kRaysBinding);
+  context_.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  raysApart(2 * spacing).light.bind(kLightUnit);
+  raysApart(2 * spacing).distances.bind(kDistancesUnit);
+  raysApart(spacing).light.bindImage(0, GL_WRITE_ONLY);
+  raysApart(spacing).distances.bindImage(1, GL_WRITE_ONLY);
+  context.shaders.computeShader("clouds/refine.comp", all).use();
+  tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+  context_.dispatchIndirect(spacing == 2 ? kFourBytes : 0);
+  context_.api().MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                               GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  gl::ComputeShader& shader = context.shaders.computeShader("clouds/march_rays.comp", all);
+  shader.use();
+  shader.setIvec2("tileCount", tileCount_);
+  list.bind(GL_DISPATCH_INDIRECT_BUFFER);
+  context_.dispatchIndirect(0);
+}
+
+void CloudSystem::marchExactly(FrameContext& context, Defines defines) {
+  gl::ComputeShader& shader = context.shaders.computeShader("clouds/exact_march.comp", defines);
   shader.use();
   shader.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
-  light_.bindImage(0, GL_WRITE_ONLY);
-  distances_.bindImage(1, GL_WRITE_ONLY);
+  rays_[0].light.bindImage(0, GL_WRITE_ONLY);
+  rays_[0].distances.bindImage(1, GL_WRITE_ONLY);
   tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
   if (isMultiDispatch(settings_))
     marchMultiDispatch();
   else
     context_.dispatchIndirect(0);
-  context_.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-// Lays what was marched over the scene; pixels that this does not tell enough of are marched by themselves.
-void CloudSystem::compose(FrameContext& context, Defines defines) {
-  const bool hasEdges = divisorOf(settings_) > 1;
-  if (hasEdges) {
-    edges_.writeValue(0, ListHeader{});
-    edges_.bindBase(GL_SHADER_STORAGE_BUFFER, kEdgesBinding);
-  }
-  context.shaders.computeShader("clouds/compose.comp", defines).use();
+// Lays what was marched over the scene.
+void CloudSystem::cover(FrameContext& context, Defines defines) {
+  context_.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  context.shaders.computeShader("clouds/cover_tiles.comp", defines).use();
   context.sceneColor.bindImage(0, GL_READ_WRITE);
-  light_.bind(kLightUnit);
-  distances_.bind(kDistancesUnit);
-  context_.dispatchIndirect(0);
-  if (!hasEdges) return;
-  context_.api().MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
-                               GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  gl::ComputeShader& single = context.shaders.computeShader("clouds/march_edges.comp", defines);
-  single.use();
-  single.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
-  edges_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+  rays_[0].light.bind(kLightUnit);
+  tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
   context_.dispatchIndirect(0);
 }
 
 CloudSystem::Work CloudSystem::lastWork() const {
-  const auto count = [](const gl::Buffer& list) {
-    ListHeader header;
-    if (list) list.read(0, std::as_writable_bytes(std::span(&header, 1)));
+  Work work;
+  const auto count = [](const gl::Buffer& list, std::size_t offset) {
+    Groups header;
+    if (list) list.read(offset, std::as_writable_bytes(std::span(&header, 1)));
     return header.count;
   };
-  return {count(tiles_), count(edges_)};
+  work.tiles = count(tiles_, 0);
+  work.finestRays = count(listedRays_[0], 0);
+  work.raysBetween = count(listedRays_[1], 0);
+  return work;
 }
 
 }  // namespace skydrop::render

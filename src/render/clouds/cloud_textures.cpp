@@ -47,6 +47,7 @@ CloudTextures::CloudTextures(gl::Context& context, std::shared_ptr<const clouds:
 void CloudTextures::rebuild(const clouds::CloudSettings& settings, std::size_t layer) {
   const Occupancy occupancy(*noise_, settings, layer);
   layers_[layer].isEmpty = occupancy.isEmpty();
+  layers_[layer].clearAir = clouds::measureClearAir(noise_, settings, layer);
   layers_[layer].distances.upload(GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::as_bytes(occupancy.distances()));
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 
+#include "skydrop/clouds/clear_air.h"
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/render/gl/texture.h"
 
@@ -15,17 +16,19 @@ class CloudTextures {
   CloudTextures(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
                 const clouds::CloudSettings& settings);
 
-  // Works the occupancy of a layer out again.
+  // Works occupancy and clear air of a layer out again.
   void rebuild(const clouds::CloudSettings& settings, std::size_t layer);
 
   bool isEmpty(std::size_t layer) const { return layers_[layer].isEmpty; }
   double meanDetail() const { return meanDetail_; }
+  const clouds::ClearAir& clearAir(std::size_t layer) const { return layers_[layer].clearAir; }
 
   void bind(std::size_t layer) const;  // units 0 to 3, as in shaders/clouds
 
  private:
   struct Layer {
     bool isEmpty = true;
+    clouds::ClearAir clearAir;
     gl::Texture distances;
   };
 

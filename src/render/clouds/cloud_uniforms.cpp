@@ -35,23 +35,27 @@ CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& s, double fadeDist
   return u;
 }
 
-void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const clouds::MarchSettings& march,
-              const SkyLight& light) {
-  u.toSun = packed(clouds::raisedSun(light.toSun), march.sunMarchDistanceM);
+void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const SkyLight& light) {
+  u.toSun = packed(clouds::raisedSun(light.toSun), 0);
   const double middle = layer.cloudHeight + 0.5 * layer.thickness;
   u.sunLight = packed(sky::sunIlluminance(light, middle) * light.exposure, 0);
   u.skyLight = packed(light.sky * light.exposure, 0);
   u.groundLight = packed(light.ground * light.exposure, 0);
 }
 
-void addMarch(CloudUniforms& u, const clouds::MarchSettings& march, const View& view, int tilePixels) {
-  u.march = glm::vec4(march.stepM, march.emptyStepMultiplier, march.maxSegmentOpticalDepth,
-                      march.transmittanceCutoff);
+void addMarch(CloudUniforms& u, const clouds::CloudSettings& settings, const clouds::ClearAir& clearAir,
+              const View& view, int tilePixels) {
+  const clouds::MarchSettings& march = settings.march;
   // Where steps begin to grow: an even number of them, so that longer steps begin at multiples of themselves.
   const double growthBegins = march.stepM * 2 * std::round(0.5 / march.stepGrowth);
+  u.march = glm::vec4(march.stepM, growthBegins, march.lightOpacity, march.transmittanceCutoff);
+  u.strides = glm::vec4(clearAir.leastShape, clearAir.slopeM * march.clearStride,
+                        clearAir.slopeM * march.sunClearStride, 0);
+  u.sunSteps = glm::vec4(march.sunStepM, march.sunStepGrowth, march.sunStepPerDepthM, 0);
+  u.exact = glm::vec4(march.maxSegmentOpticalDepth, 0, 0, 0);
   // Of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.
   const double halfDiagonal = 1.02 * std::sqrt(0.5) * tilePixels * view.pixelAngleRad();
-  u.sight = glm::vec4(growthBegins, halfDiagonal, march.tolerance, 0);
+  u.sight = glm::vec4(halfDiagonal, march.coarseTolerance, march.fineTolerance, 0);
 }
 
 }  // namespace skydrop::render

@@ -1,11 +1,11 @@
 // The block of shaders/clouds/uniforms.glsl, as FrameUniforms is one: 16-byte vectors only.
 #pragma once
 
-#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "skydrop/clouds/clear_air.h"
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/render/frame/sky_light.h"
 #include "skydrop/render/frame/view.h"
@@ -21,19 +21,18 @@ struct CloudUniforms {
   glm::vec4 scattering;
   glm::vec4 toSun;
   glm::vec4 sunLight, skyLight, groundLight;
-  glm::vec4 march;
+  glm::vec4 march, strides, sunSteps, exact;
   glm::vec4 cells;
   glm::vec4 sight;
-  std::array<glm::vec4, 3> nearGrid, farGrid;
 };
 
 // Of a field seen from a place in it (drift taken off): all that has to do with the medium. The rest is 0.
 CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& layer, double fadeDistance,
                             const glm::dvec3& placeInField, double meanDetail);
 
-// Light, direction and steps of a frame.
-void addLight(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer,
-              const clouds::MarchSettings& march, const SkyLight& light);
-void addMarch(CloudUniforms& uniforms, const clouds::MarchSettings& march, const View& view, int tilePixels);
+// Light, direction and steps of a frame. Tiles are of so many pixels a side.
+void addLight(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer, const SkyLight& light);
+void addMarch(CloudUniforms& uniforms, const clouds::CloudSettings& settings,
+              const clouds::ClearAir& clearAir, const View& view, int tilePixels);
 
 }  // namespace skydrop::render

@@ -24,8 +24,7 @@ double roundedSine(double sine) { return std::exp2(std::round(std::log2(sine)));
 
 SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSettings& s,
                                                     const glm::dvec3& toSun, double cellM, double radiusM,
-                                                    const glm::dvec3& middle,
-                                                    SunOpticalDepthGridKeeps keeps) {
+                                                    const glm::dvec3& middle) {
   const double level = std::hypot(toSun.x, toSun.z);
   const glm::dvec3 azimuth = level > 1e-9 ? glm::dvec3(toSun.x, 0, toSun.z) / level : glm::dvec3(1, 0, 0);
   const double slant = level / toSun.y;  // metres along the azimuth per metre up
@@ -37,17 +36,15 @@ SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSett
       std::clamp(static_cast<int>(std::ceil(s.thickness / (cellM * sine))) + 1, kFewestLayers, kMostLayers);
   grid.sunward = (azimuth * slant + glm::dvec3(0, 1, 0)) * (s.thickness / (grid.nodes.z - 1));
 
-  // Columns that pass through the layer anywhere within the radius: those of its top lie behind those of its
-  // base by the layer's slant. Whole moves, one to spare on each side.
+  // Columns that stand within the radius. Whole moves, one to spare on each side.
   const auto columns = [&](double from, double to, double spacing) {
     const double move = spacing * kColumnsAMove;
     const double first = std::floor(from / move);
     return std::pair(first * move, static_cast<int>(std::ceil(to / move) - first) * kColumnsAMove + 1);
   };
   const double alongMiddle = glm::dot(middle, azimuth), acrossMiddle = glm::dot(middle, grid.across) / cellM;
-  const double behind = keeps == SunOpticalDepthGridKeeps::all ? slant * s.thickness : 0;
   const auto [alongFoot, alongNodes] =
-      columns(alongMiddle - radiusM - behind, alongMiddle + radiusM, glm::length(grid.along));
+      columns(alongMiddle - radiusM, alongMiddle + radiusM, glm::length(grid.along));
   const auto [acrossFoot, acrossNodes] = columns(acrossMiddle - radiusM, acrossMiddle + radiusM, cellM);
   grid.nodes.x = alongNodes;
   grid.nodes.y = acrossNodes;
@@ -74,13 +71,11 @@ void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders,
                                  const clouds::CloudSettings& settings, double meanDetail) {
   std::vector<std::string> defines;
   if (settings.march.detail) defines.emplace_back("DETAIL");
-  if (keeps_ == SunOpticalDepthGridKeeps::base) defines.emplace_back("BASE_ALONE");
   // Asked for in every frame: a program that frames need now and then counts as used.
   gl::ComputeShader& shader = shaders.computeShader("clouds/sun_optical_depth_grid.comp", defines);
   if (layout == layout_) return;
   if (!depths_ || layout.nodes != layout_.nodes) {
-    const int layers = keeps_ == SunOpticalDepthGridKeeps::all ? layout.nodes.z : 1;
-    depths_ = gl::Texture::make3D(context, GL_R32F, layout.nodes.x, layout.nodes.y, layers, label_);
+    depths_ = gl::Texture::make3D(context, GL_R32F, layout.nodes.x, layout.nodes.y, 1, label_);
   }
   if (!uniforms_) uniforms_ = gl::Buffer(context, sizeof(CloudUniforms), gl::Buffer::Use::write, label_);
   layout_ = layout;

@@ -1,6 +1,7 @@
-// Optical depth of a cloud layer towards the sun, in a grid of nodes that stand on sun rays: each column is a
-// running sum along one ray, from the top of the layer down. The lower the sun, the finer the nodes lie along
-// a column and the wider apart the columns: across the light they are as dense as with the sun overhead.
+// Optical depth of a cloud layer towards the sun at its base, in a grid of columns that stand on sun rays:
+// each is a sum along one ray, from the top of the layer down. The lower the sun, the finer the nodes lie
+// along a column and the wider apart the columns: across the light they are as dense as with the sun
+// overhead.
 //
 // A grid belongs to a place of the field, not to the eye: it moves in steps of several columns, and what it
 // holds depends on its layout and the medium alone. Context's thread.
@@ -18,9 +19,6 @@
 
 namespace skydrop::render {
 
-// What is kept of a column: the depth at each node, or that of the whole layer alone.
-enum class SunOpticalDepthGridKeeps { all, base };
-
 struct SunOpticalDepthGridLayout {
   glm::dvec3 foot{0};  // the first node, in the field (drift taken off); on the base of the layer
   glm::dvec3 along{0}, across{0}, sunward{0};  // from a node to the next, metres
@@ -28,11 +26,11 @@ struct SunOpticalDepthGridLayout {
   bool operator==(const SunOpticalDepthGridLayout&) const = default;
 };
 
-// Nodes `cellM` apart across the light, for all places of the layer (or of its base alone) within `radiusM`
-// of a middle (in the field). toSun: unit, at least kLeastSunSine high.
+// Nodes `cellM` apart across the light, for all places of the layer's base within `radiusM` of a middle (in
+// the field). toSun: unit, at least kLeastSunSine high.
 SunOpticalDepthGridLayout sunOpticalDepthGridLayout(const clouds::CloudLayerSettings& layer,
                                                     const glm::dvec3& toSun, double cellM, double radiusM,
-                                                    const glm::dvec3& middle, SunOpticalDepthGridKeeps keeps);
+                                                    const glm::dvec3& middle);
 
 // Rows that carry a place relative to the eye (and 1) to the texture's coordinates.
 std::array<glm::vec4, 3> toSunOpticalDepthGrid(const SunOpticalDepthGridLayout& layout,
@@ -40,10 +38,8 @@ std::array<glm::vec4, 3> toSunOpticalDepthGrid(const SunOpticalDepthGridLayout& 
 
 class SunOpticalDepthGrid {
  public:
-  SunOpticalDepthGrid(std::string label, SunOpticalDepthGridKeeps keeps)
-      : label_(std::move(label)), keeps_(keeps) {}
+  explicit SunOpticalDepthGrid(std::string label) : label_(std::move(label)) {}
 
-  SunOpticalDepthGridKeeps keeps() const { return keeps_; }
   const SunOpticalDepthGridLayout& layout() const { return layout_; }
   const gl::Texture& depths() const { return depths_; }
 
@@ -56,7 +52,6 @@ class SunOpticalDepthGrid {
 
  private:
   std::string label_;
-  SunOpticalDepthGridKeeps keeps_;
   SunOpticalDepthGridLayout layout_;
   gl::Texture depths_;
   gl::Buffer uniforms_;

@@ -9,7 +9,7 @@
 #include "clouds/sun_depth.glsl"
 #include "clouds/view.glsl"
 #include "clouds/tiles.glsl"
-#include "clouds/march.glsl"
+#include "clouds/exact_march.glsl"
 #include "clouds/resolve.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -25,7 +25,7 @@ void main() {
   vec3 direction = normalize(ray);
   RaySpan span = overlap(raySpanBetween(0.0, direction.y, clouds.layer.x, clouds.layer.x + clouds.layer.y),
                          make_raySpan(0.0, min(clouds.layer.z, sceneDistance(texelFetch(sceneDepth, pixel, 0).x, ray))));
-  March march = marchFrom(span.begin);
+  Gathered march = Gathered(0.0, 0.0, 0.0, 1.0, 0.0, 0.0);
   if (span.end > span.begin) {
     vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
     float step = (span.end - span.begin) / float(steps);

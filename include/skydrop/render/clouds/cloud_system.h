@@ -3,6 +3,7 @@
 // Rendering in Frostbite", 2016 (the integral over a step), Wrenninge 2015 (octaves of scattering).
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -33,8 +34,8 @@ class CloudSystem final : public Pass {
 
   // Takes the settings over for the next frame, between frames. Where the field of a layer changed
   // (clouds::isSameField) its occupancy is built again before this returns (clouds::Occupancy has the time)
-  // and the light grids are filled again in the next frame; where only MarchSettings::detail changed, the
-  // grids alone; else it costs nothing.
+  // and clouds::ClearAir measured again, and shadow maps are filled again in the next frame; where only
+  // MarchSettings::detail changed, the shadow maps alone; else it costs nothing.
   void apply(const clouds::CloudSettings& settings, const core::WindSettings& wind);
 
   std::string_view name() const override { return "clouds"; }
@@ -54,12 +55,19 @@ class CloudSystem final : public Pass {
 
   // What the last frame that was not skipped marched; 0 before the first. Waits for the GPU.
   struct Work {
-    unsigned tiles = 0;  // of 8 x 8 rays
-    unsigned edges = 0;  // single rays
+    unsigned tiles = 0;  // of 16 x 16 pixels; of 8 x 8 in the exact march
+    // Rays that were marched between those that every tile has: 2 pixels and 1 pixel apart.
+    unsigned raysBetween = 0, finestRays = 0;
   };
   Work lastWork() const;
+  // Pictures of rays 1, 2 and 4 pixels apart of the last frame that was not skipped: what they see and where,
+  // as in CloudTransmittance. No objects for rays that the settings have no use for.
+  struct Rays {
+    gl::Texture light, distances;
+  };
+  const std::array<Rays, 3>& rays() const { return rays_; }
   // CloudTransmittance::light of the last frame that was not skipped; no object before the first.
-  const gl::Texture& light() const { return light_; }
+  const gl::Texture& light() const { return rays_[0].light; }
 
  private:
   void update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
@@ -71,8 +79,11 @@ class CloudSystem final : public Pass {
   using Defines = std::span<const std::string>;  // of the variant
   void classify(FrameContext& context, Defines defines);
   void march(FrameContext& context, Defines defines);
+  void refine(FrameContext& context, Defines defines, int spacing);
+  void marchExactly(FrameContext& context, Defines defines);
   void marchMultiDispatch();
-  void compose(FrameContext& context, Defines defines);
+  void cover(FrameContext& context, Defines defines);
+  Rays& raysApart(int spacing) { return rays_[static_cast<std::size_t>(spacing) / 2]; }
   void resize(const View& view);
 
   static constexpr std::size_t kMarchedLayer = 0;
@@ -81,9 +92,11 @@ class CloudSystem final : public Pass {
   clouds::CloudSettings settings_;
   core::WindSettings wind_;
   std::unique_ptr<CloudTextures> textures_;
-  std::unique_ptr<SunOpticalDepthGrid> near_, far_, fineShadowMap_, coarseShadowMap_;
-  gl::Buffer uniforms_, tiles_, edges_;
-  gl::Texture light_, distances_;
+  std::unique_ptr<SunOpticalDepthGrid> fineShadowMap_, coarseShadowMap_;
+  gl::Buffer uniforms_, tiles_, spans_;
+  std::array<Rays, 3> rays_;              // 1, 2 and 4 pixels apart
+  std::array<gl::Buffer, 2> listedRays_;  // 1 and 2 pixels apart
+  glm::ivec2 tileCount_{0};
   CloudTransmittance transmittance_;  // published by draw()
   gl::Texture rayLight_, rayState_;   // of marches in parts
 };

@@ -8,10 +8,9 @@ namespace skydrop::render {
 // the frame (FrameResources), published by the pass that draws clouds, valid until the frame has been drawn.
 // It belongs to no effect, so that those who are veiled need not know who veils them.
 //
-// Both textures have one texel for each ray of the march: the view's size divided by 1, 2 or 4
-// (clouds::MarchResolution) and rounded up, row 0 at the bottom. They belong to the pass, which overwrites
-// them in the next frame. Where a ray met no cloud, and where an opaque surface hides the clouds,
-// transmittance is 1.
+// Both textures have one texel for each pixel of the view, row 0 at the bottom. They belong to the pass,
+// which overwrites them in the next frame. Where a ray met no cloud, and where an opaque surface hides the
+// clouds, transmittance is 1.
 struct CloudTransmittance {
   // Texture units of shaders/cloud_transmittance.glsl.
   static constexpr GLuint kLightUnit = 2, kDistancesUnit = 3;
@@ -20,9 +19,8 @@ struct CloudTransmittance {
   // RGBA16F. rgb: the clouds' own light, linear after exposure; a: share of the light behind them that comes
   // through, [0, 1].
   const gl::Texture* light = nullptr;
-  // RG16F, metres from the eye. x: mean distance of the clouds' light, kFarDistance (65 km,
-  // shaders/shared/half_float.glsl) where there is none; y: of the surface behind, at most kFarDistance, and
-  // 0 where no ray was marched.
+  // R16F, metres from the eye: mean distance of the clouds' light, kFarDistance (65 km,
+  // shaders/shared/half_float.glsl) where there is none.
   const gl::Texture* distances = nullptr;
 
   // For programs that include that file.

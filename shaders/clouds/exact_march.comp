@@ -1,4 +1,4 @@
-#include "clouds/march_tiles.glsl"
+#include "clouds/exact_tiles.glsl"
 
 layout(local_size_x = 64) in;
 

@@ -1,0 +1,88 @@
+// Goes along a ray through the layer as the reference does: step by step wherever there may be cloud. Light is worked out
+// once for a segment of some optical depth, at the place where the segment's opacity has its middle.
+#include "clouds/gathered.glsl"
+#include "clouds/occupancy.glsl"
+#include "clouds/steps.glsl"
+#include "clouds/sun_depth.glsl"
+#include "clouds/tiles.glsl"
+#include "shared/cloud_march.glsl"
+
+struct March {
+  Gathered gathered;
+  float at;     // m from the eye
+  float clear;  // 1: the last step met no cloud, and the next is judged by its end
+};
+
+March marchFrom(float begin) { return March(Gathered(0.0, 0.0, 0.0, 1.0, 0.0, 0.0), alignedBefore(begin, 1.0), 1.0); }
+
+bool isUnderWay(March march, RaySpan span) { return march.at < span.end && march.gathered.transmittance > clouds.march.w; }
+
+// A segment whose light is worked out at one place.
+struct LightSegment {
+  float opacity;  // of what comes from it, as the eye sees it
+  float moment;   // opacity times distance
+};
+
+// On to where a segment is worth its light: by depth, by length, or because the ray ends.
+LightSegment gatherLightSegment(inout March march, CellRay ray, vec3 direction, RaySpan span, inout int iterations) {
+  LightSegment segment = LightSegment(0.0, 0.0);
+  float depth = 0.0;
+  float begin = span.end;
+  while (march.at < span.end && depth < clouds.exact.x && iterations > 0) {
+    --iterations;
+    float step = stepAt(march.at);
+    vec3 cell = ray.start + ray.perLength * march.at;
+    float cells = emptyCells(ivec3(floor(cell)));
+    float way = cells < 1.0 ? 0.0 : wayOutOfBox(cell, ray.perLength, cells, vec3(0.0), vec3(0.0));
+    if (way > 2.0 * step) {
+      march.at = alignedBefore(march.at + way, 1.0);
+      march.clear = 1.0;
+      continue;
+    }
+    float length = min(step, span.end - march.at);
+    float middle = march.at + length * mix(0.5, 1.0, march.clear);
+    vec3 place = direction * middle;
+    float height = heightFraction(place);
+    float shape = shapeDensity(place, height);
+    float extinction = erodedDensity(place, height, shape) * clouds.layer.w;
+    if (shape > 0.0 && march.clear > 0.0) {
+      march.clear = 0.0;
+      continue;
+    }
+    float stepOpticalDepth = extinction * cloudFade(middle, clouds.layer.z) * length;
+    float gain = march.gathered.transmittance * stepOpacity(stepOpticalDepth);
+    begin = gain > 0.0 ? min(begin, march.at) : begin;
+    segment.opacity += gain;
+    segment.moment += gain * middle;
+    march.gathered.transmittance -= gain;
+    depth += stepOpticalDepth;
+    march.clear = shape > 0.0 ? 0.0 : 1.0;
+    march.at += step;
+    if (march.at - begin > float(kMaxStepsPerSegment) * step) break;
+  }
+  return segment;
+}
+
+void marchOn(inout March march, vec3 direction, RaySpan span) {
+  CellRay ray = cellRay(direction);
+  vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
+  int iterations = kMostIterations;
+  while (isUnderWay(march, span) && iterations > 0) {
+    LightSegment segment = gatherLightSegment(march, ray, direction, span, iterations);
+    if (segment.opacity <= 0.0) break;
+    iterations -= sunSamples;
+    vec3 place = direction * (segment.moment / segment.opacity);
+    float height = heightFraction(place);
+    march.gathered.sun += segment.opacity * scatteredSun(phases, sunDepth(place, height));
+    march.gathered.sky += segment.opacity * scatteredSky(height);
+    march.gathered.ground += segment.opacity * scatteredGround(height);
+    march.gathered.weight += segment.opacity;
+    march.gathered.distance += segment.moment;
+  }
+}
+
+// The segment of a ray in which there can be cloud: in the layer, before the scene's surface, not yet faded.
+RaySpan spanOfRay(vec3 direction, float surfaceM, Task task) {
+  RaySpan layer = raySpanBetween(0.0, direction.y, clouds.layer.x, clouds.layer.x + clouds.layer.y);
+  return overlap(layer, make_raySpan(task.begin, min(task.end, surfaceM)));
+}

@@ -1,0 +1,135 @@
+// From rays twice as far apart to rays RAY_SPACING pixels apart, in the listed tiles: where they bend little, those between
+// are interpolated; where they bend more, and where surfaces make a difference, they are listed to be marched.
+#include "clouds/tiles.glsl"
+#include "clouds/uniforms.glsl"
+#include "clouds/view.glsl"
+
+layout(std430, binding = 0) readonly buffer Tiles {
+  uvec4 groups;
+  uvec4 groupsOfFour;
+  Task tasks[];
+} tiles;
+layout(std430, binding = 3) buffer Rays {
+  uvec4 groups;  // of the march's dispatch; w: rays in the list
+  uint texels[];
+} rays;
+
+layout(binding = 7) uniform sampler2D coarseLight;
+layout(binding = 8) uniform sampler2D coarseDistances;
+layout(binding = 0, rgba16f) uniform writeonly image2D light;
+layout(binding = 1, r16f) uniform writeonly image2D distances;
+
+shared uint listedInGroup;
+shared uint firstOfGroup;
+
+// Halfway between the second and the third of four in a row: the cubic through them.
+vec4 halfway(vec4 a, vec4 b, vec4 c, vec4 d) { return 0.5625 * (b + c) - 0.0625 * (a + d); }
+
+vec4 bend(vec4 a, vec4 b, vec4 c, vec4 d) { return max(abs(a - 2.0 * b + c), abs(b - 2.0 * c + d)); }
+
+float largest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
+
+// The four rays around a cell and what lies around those, row by row.
+struct Surroundings {
+  vec4 rows[16];
+};
+
+Surroundings surroundingsOf(ivec2 cell) {
+  ivec2 last = textureSize(coarseLight, 0) - 1;
+  Surroundings around;
+  for (int i = 0; i < 16; ++i) {
+    around.rows[i] = texelFetch(coarseLight, clamp(cell + ivec2(i & 3, i >> 2) - 1, ivec2(0), last), 0);
+  }
+  return around;
+}
+
+// How much the rays around a cell bend. All three new rays of a cell are judged together: by what is beside each of them
+// alone, an edge would be seen too late.
+float curvatureOf(Surroundings s) {
+  vec4 across = max(bend(s.rows[4], s.rows[5], s.rows[6], s.rows[7]), bend(s.rows[8], s.rows[9], s.rows[10], s.rows[11]));
+  vec4 up = max(bend(s.rows[1], s.rows[5], s.rows[9], s.rows[13]), bend(s.rows[2], s.rows[6], s.rows[10], s.rows[14]));
+  return largest(across + up);
+}
+
+// Mean distance of what two rays see.
+vec2 distanceAndOpacity(ivec2 texel, vec4 seen) {
+  ivec2 last = textureSize(coarseLight, 0) - 1;
+  float opacity = 1.0 - seen.w;
+  return vec2(texelFetch(coarseDistances, min(texel, last), 0).x * opacity, opacity);
+}
+
+void keep(ivec2 texel, vec4 seen, vec2 distanceAndOpacity) {
+  imageStore(light, texel, vec4(max(seen.xyz, vec3(0.0)), clamp(seen.w, 0.0, 1.0)));
+  float mean = distanceAndOpacity.y > 0.0 ? distanceAndOpacity.x / distanceAndOpacity.y : kFarDistance;
+  imageStore(distances, texel, vec4(mean));
+}
+
+// Whether the surfaces that the rays of a cell meet may make them differ: they are apart, and not all of them are behind
+// the clouds or before them.
+bool surfacesDiffer(ivec2 cell, Task task, Surroundings s, float farthestCloudM) {
+  const int spacing = 2 * RAY_SPACING;
+  ivec2 corner = cell * spacing;
+  float nearestDepth = 0.0;
+  float farthestDepth = 1.0;
+  for (int i = 0; i < 9; ++i) {
+    float depth = depthAt(corner + RAY_SPACING * ivec2(i % 3, i / 3));
+    nearestDepth = max(nearestDepth, depth);
+    farthestDepth = min(farthestDepth, depth);
+  }
+  vec3 ray = rayThrough(vec2(corner) + 0.5 + float(RAY_SPACING));
+  float nearest = sceneDistance(nearestDepth, ray);
+  float farthest = sceneDistance(farthestDepth, ray);
+  bool isOpaque = s.rows[5].w + s.rows[6].w + s.rows[9].w + s.rows[10].w <= 0.0;
+  bool isBehind = nearest >= task.end || (isOpaque && nearest > 1.5 * farthestCloudM);
+  return !(farthest <= 1.1 * nearest || isBehind || farthest <= task.begin);
+}
+
+// Fills a cell; whether its three new rays may be left at that.
+bool isFilled(ivec2 cell, Task task) {
+  Surroundings s = surroundingsOf(cell);
+  vec2 a = distanceAndOpacity(cell, s.rows[5]);
+  vec2 b = distanceAndOpacity(cell + ivec2(1, 0), s.rows[6]);
+  vec2 c = distanceAndOpacity(cell + ivec2(0, 1), s.rows[9]);
+  vec2 d = distanceAndOpacity(cell + ivec2(1, 1), s.rows[10]);
+  ivec2 texel = 2 * cell;
+  keep(texel, s.rows[5], a);
+  vec4 low = halfway(s.rows[0], s.rows[1], s.rows[2], s.rows[3]);
+  vec4 middle = halfway(s.rows[4], s.rows[5], s.rows[6], s.rows[7]);
+  vec4 high = halfway(s.rows[8], s.rows[9], s.rows[10], s.rows[11]);
+  vec4 highest = halfway(s.rows[12], s.rows[13], s.rows[14], s.rows[15]);
+  keep(texel + ivec2(1, 0), middle, a + b);
+  keep(texel + ivec2(0, 1), halfway(s.rows[1], s.rows[5], s.rows[9], s.rows[13]), a + c);
+  keep(texel + ivec2(1, 1), halfway(low, middle, high, highest), a + b + c + d);
+  float cloudM = max(max(a.x, b.x), max(c.x, d.x));  // of opaque rays
+  float tolerance = RAY_SPACING > 1 ? clouds.sight.y : clouds.sight.z;
+  return curvatureOf(s) <= tolerance && !surfacesDiffer(cell, task, s, cloudM);
+}
+
+void refineTile(uint group, uint invocation) {
+  const uint side = uint(TILE_SIDE / (2 * RAY_SPACING));
+  if (invocation == 0u) listedInGroup = 0u;
+  barrier();
+  uint index = (group * 64u + invocation) / (side * side);
+  uint slot = 0u;
+  bool isListed = false;
+  ivec2 cell = ivec2(0);
+  if (index < tiles.groups.w) {
+    Task task = tiles.tasks[index];
+    cell = taskPlace(task) * int(side) + placeInSquare((group * 64u + invocation) % (side * side), side);
+    isListed = all(lessThan(cell * 2, imageSize(light))) && !isFilled(cell, task);
+    if (isListed) slot = atomicAdd(listedInGroup, 3u);
+  }
+  barrier();
+  if (invocation == 0u && listedInGroup > 0u) {
+    firstOfGroup = atomicAdd(rays.groups.w, listedInGroup);
+    uint lastGroup = (firstOfGroup + listedInGroup - 1u) / 64u;
+    atomicMax(rays.groups.x, min(lastGroup + 1u, kGroupsARow));
+    atomicMax(rays.groups.y, lastGroup / kGroupsARow + 1u);
+  }
+  barrier();
+  if (!isListed) return;
+  uint first = firstOfGroup + slot;
+  rays.texels[first] = packedPlace(2 * cell + ivec2(1, 0));
+  rays.texels[first + 1u] = packedPlace(2 * cell + ivec2(0, 1));
+  rays.texels[first + 2u] = packedPlace(2 * cell + ivec2(1, 1));
+}
