@@ -83,6 +83,12 @@ struct WindowStatistics {
   double medianIntervalMs = 0, p99IntervalMs = 0;  // between frames, waiting included
 };
 
+// How far the picture is from that of a reference, in the last frame that was compared with one.
+struct SplitStatistics {
+  std::string reference;                        // "clouds=reference"; empty: nothing was compared
+  double rmse = 0, relativeRmse = 0, flip = 0;  // linear radiance; over its mean; mean FLIP, 0 .. 1
+};
+
 struct FrameStatistics {
   // Over the measured frames; without settling, read-back and PNG, which are rows of `other`.
   std::int64_t frames = 0;
@@ -97,6 +103,7 @@ struct FrameStatistics {
   TerrainStatistics terrain;
   GameStatistics game;
   WindowStatistics window;
+  SplitStatistics split;
   std::int64_t threads = 0;
   std::vector<std::string> effects;  // that are on
   // Of every effect of the program; last "frame", which is what belongs to none of them, and always on.

@@ -90,6 +90,12 @@ std::string statisticsJson(const core::FrameStatistics& s) {
         {"programsLoaded", s.window.programsLoaded},
         {"intervalMs", {{"median", s.window.medianIntervalMs}, {"p99", s.window.p99IntervalMs}}}};
   }
+  if (!s.split.reference.empty()) {
+    json["split"] = {{"reference", s.split.reference},
+                     {"rmse", s.split.rmse},
+                     {"relativeRmse", s.split.relativeRmse},
+                     {"flip", s.split.flip}};
+  }
   json["guards"] = s.guards;
   json["other"] = s.other;
   json["steps"] = s.steps;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "skydrop/ui/imgui_context.h"
 #include "skydrop/ui/loading_picture.h"
 #include "skydrop/ui/menu.h"
+#include "skydrop/ui/split_labels.h"
 
 namespace skydrop::app {
 
@@ -30,13 +32,15 @@ struct OverlayFrame {
   ui::MenuTools tools = {};
   const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
   ui::InterfaceScale scale = {};
+  const ui::SplitLabels* split = nullptr;  // of the split view, which takes the place of the HUD; null: none
   std::function<void()> begun = nullptr;  // called when the frame has taken the input (EventFeed::frameBuilt)
 };
 
 struct OverlayResult {
   ui::MenuResult menu;
   ui::EscapeAction escape = ui::EscapeAction::none;
-  bool fontsChanged = false;  // render::ImGuiPass::uploadFonts() is due before the frame is drawn
+  std::optional<double> divider;  // where the split view's was dragged, 0 .. 1 of the width
+  bool fontsChanged = false;      // render::ImGuiPass::uploadFonts() is due before the frame is drawn
 };
 
 class Overlay {
