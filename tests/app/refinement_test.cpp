@@ -17,6 +17,8 @@ TEST(Refinement, everyRoundDrawsEveryPixelOnceFromCoarseToFine) {
       std::vector<int> rounds;
       std::map<int, std::vector<int>> drawn;
       double before = -1;
+      for (int i = 0; i < Refinement::kProbes; ++i)
+        refinement.drawn(msPerPixel * refinement.next().side * refinement.next().side);
       while (!refinement.isDone()) {
         const Refinement::Part part = refinement.next();
         if (rounds.empty() || rounds.back() != part.pixelSize) rounds.push_back(part.pixelSize);
@@ -41,14 +43,20 @@ TEST(Refinement, everyRoundDrawsEveryPixelOnceFromCoarseToFine) {
 }
 
 TEST(Refinement, partsAreAsLargeAsTheTimeForOneAllows) {
-  // 40 ms a part: 16 x 16 at 0.1 ms a pixel, the least at 10 ms, the most where pixels cost nothing.
-  for (const auto& [msPerPixel, side] : {std::pair(0.1, 16), std::pair(10.0, 8), std::pair(0.0, 256)}) {
+  // 40 ms a part, by what a part takes anyway and for each pixel: the least side where pixels are dear; large
+  // ones where parts are dear and pixels cheap, for then small parts would take far longer together.
+  struct Case {
+    double anywayMs, msPerPixel;
+    int side;
+  };
+  for (const Case& c : {Case{0, 0.1, 16}, Case{5, 0.4, 8}, Case{0, 10, 8}, Case{1, 0, 256},
+                        Case{100, 0.001, 256}, Case{100, 0.02, 64}}) {
     Refinement refinement({640, 360}, 40);
     while (refinement.next().pixelSize == Refinement::kCoarsest) {
-      EXPECT_EQ(refinement.next().side, Refinement::kFirstSide);
-      refinement.drawn(msPerPixel * Refinement::kFirstSide * Refinement::kFirstSide);
+      EXPECT_LE(refinement.next().side, Refinement::kMostSideOfFirstRound);
+      refinement.drawn(c.anywayMs + c.msPerPixel * refinement.next().side * refinement.next().side);
     }
-    EXPECT_EQ(refinement.next().side, side);
+    EXPECT_EQ(refinement.next().side, c.side) << c.anywayMs << ' ' << c.msPerPixel;
   }
 }
 

@@ -29,6 +29,7 @@ enum class Action {
   fullScreen,
   screenshot,
   freeze,
+  split,
   escape,
   count_
 };

@@ -81,6 +81,7 @@ std::string statisticsJson(const core::FrameStatistics& s) {
         {"hidden", s.window.hidden},
         {"quality", s.window.quality},
         {"fault", s.window.fault},
+        {"splitShare", s.window.splitShare},
         {"costs",
          {{"passes", s.window.costs.passes},
           {"frames", s.window.costs.frames},

@@ -12,6 +12,7 @@
 #include "app/settings/quality_preset.h"
 #include "app/settings/user_settings.h"
 #include "app/window/fault_parts.h"
+#include "app/window/split_texts.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::app {
@@ -173,6 +174,7 @@ void WindowGame::buildScene() {
       overlay_->showEffects(next.simulation->effects());
       sound_ = std::move(next.sound);
       if (!sound_) audio_.reset();
+      endSplit();
       sceneRenderer_ = std::move(next.sceneRenderer);
       simulation_ = std::move(next.simulation);
       lastGood_ = choicesOf(*run_);
@@ -311,6 +313,9 @@ void WindowGame::handleAction(Action action) {
       toggle("view.freezeTime");
       notices_.add(isFrozen() ? "Time is frozen: the keys move the camera" : "Time goes on");
       break;
+    case Action::split:
+      toggleSplit();
+      break;
     case Action::mute:
       toggle("audio.mute");
       notices_.add(run_->settings.audio.mute ? "Sound off" : "Sound on");
@@ -367,6 +372,7 @@ game::Snapshot WindowGame::snapshotToDraw() {
 }
 
 void WindowGame::drawFrame(double seconds) {
+  releaseFreeze();
   const game::Snapshot snapshot = snapshotToDraw();
   const Size size = window_.size();
   if (sound_) {
@@ -378,7 +384,7 @@ void WindowGame::drawFrame(double seconds) {
   measureIfAsked();
   renewCosts();
 
-  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen;
+  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen || split_;
   window_.context().setPointerVisible(
       pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
   const OverlayResult result = buildInterface(snapshot, seconds);
@@ -401,8 +407,7 @@ void WindowGame::measureIfAsked() {
 // else is left out of it, for as long as it is.
 void WindowGame::drawScene(const game::Snapshot& snapshot, Size size) {
   if (changeNotDrawn_) {
-    const bool drawn =
-        attempt(part::kChange, [&] { sceneRenderer_->draw(snapshot, size, Streaming::asItComes); });
+    const bool drawn = attempt(part::kChange, [&] { drawSplit(snapshot, size); });
     if (drawn) {
       if (sceneRenderer_->isSwitching()) return;  // an effect that comes is not drawn yet
       lastGood_ = choicesOf(*run_);
@@ -411,7 +416,7 @@ void WindowGame::drawScene(const game::Snapshot& snapshot, Size size) {
     }
   }
   try {
-    sceneRenderer_->draw(snapshot, size, Streaming::asItComes);
+    drawSplit(snapshot, size);
     faults_.clear(part::kFrame);
   } catch (const core::DataError& broken) {
     tell(part::kFrame, broken.what());
@@ -432,6 +437,9 @@ OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double 
                      menuTools(snapshot, size),
                      &bindings,
                      window_.interfaceScale()};
+  const std::optional<ui::SplitLabels> labels =
+      split_ ? std::optional(splitLabels(*split_, run_->settings.view.split)) : std::nullopt;
+  if (labels) frame.split = &*labels;
   frame.begun = [this] { feed_->frameBuilt(); };
   const OverlayResult result = overlay_->build(frame);
   if (result.fontsChanged) sceneRenderer_->uploadFonts();
@@ -445,6 +453,7 @@ void WindowGame::serve(const OverlayResult& result) {
     attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(result.menu.changedPaths)); });
   }
   if (result.menu.preset) servePreset(*result.menu.preset);
+  if (result.divider && split_) dragDivider(*result.divider);
   if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
     nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it
     saveChoicesPending_ = true;

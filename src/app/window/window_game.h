@@ -20,6 +20,7 @@
 #include "app/session/preparations.h"
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
+#include "app/session/split_view.h"
 #include "app/types/command_line.h"
 #include "app/window/cursor_auto_hide.h"
 #include "app/window/faults.h"
@@ -74,6 +75,7 @@ class WindowGame {
   void advance(double seconds);
   void drawFrame(double seconds);
   void drawScene(const game::Snapshot& snapshot, Size size);
+  void drawSplit(const game::Snapshot& snapshot, Size size);
   OverlayResult buildInterface(const game::Snapshot& snapshot, double seconds);
   void serve(const OverlayResult& result);
   // Carries a change out. What fails leaves the last good state and a line about this part of the program.
@@ -84,6 +86,12 @@ class WindowGame {
   void registerDependents();
   // A change that was taken over into the run: loads the flight again where the description asks for that.
   void carryOut(const SettingsChange& change);
+  void toggleSplit();
+  void beginSplit();
+  void endSplit();
+  void followSplit(const SettingsChange& change);
+  void releaseFreeze();  // that was for the split view alone
+  void dragDivider(double divider);
   // Effects come and go: at once in the simulation and in what is heard, in steps in what is drawn.
   void switchEffects();
   void continueSwitch(double seconds);
@@ -121,6 +129,8 @@ class WindowGame {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Overlay> overlay_;  // before the sceneRenderer, whose pass draws its fonts
   std::unique_ptr<SceneRenderer> sceneRenderer_;
+  std::unique_ptr<SplitView> split_;            // while it is shown: draws by the renderer above
+  bool splitFroze_ = false;                     // time is held for it
   std::unique_ptr<audio::AudioManager> audio_;  // with sound only
   std::unique_ptr<audio::SoundScene> sound_;
   core::CpuMeter soundCost_;  // of its updates
