@@ -60,5 +60,29 @@ TEST(SplitWindow, theWindowGoesOnWhileTheReferenceIsRefined) {
   EXPECT_TRUE(flown.waitFor([](const json& s) { return share(s) == -1; }));
 }
 
+TEST(SplitWindow, theDividerIsDraggedByTheMouse) {
+  // From the middle to a quarter: the line is where it was let go.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown({"--set", "view.split.subject=land", "--set", "quality=low"});
+  flown.press("F3");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return s.contains("split"); }));
+  const auto isLineAt = [](const core::Image& picture, int x) {  // to two pixels: those of the pointer
+    const auto isWhite = [&](int at) {
+      const auto* pixel = picture.pixel(at, 80);
+      return pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255;
+    };
+    return isWhite(x - 2) || isWhite(x - 1) || isWhite(x) || isWhite(x + 1) || isWhite(x + 2);
+  };
+  ASSERT_TRUE(flown.waitForPicture([&](const core::Image& p) { return isLineAt(p, 320); }));
+  flown.moveMouse(320, 180);
+  flown.clickMouse("mousedown");
+  flown.moveMouse(240, 180);
+  flown.moveMouse(160, 180);
+  EXPECT_TRUE(flown.waitForPicture([&](const core::Image& p) { return isLineAt(p, 160); }));
+  flown.clickMouse("mouseup");
+  flown.moveMouse(400, 180);
+  EXPECT_TRUE(flown.waitForPicture([&](const core::Image& p) { return isLineAt(p, 160); }));
+}
+
 }  // namespace
 }  // namespace skydrop::test

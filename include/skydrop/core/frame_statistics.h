@@ -76,8 +76,9 @@ struct WindowStatistics {
   bool fullScreen = false, hidden = false;
   std::int64_t screenshots = 0;
   std::string quality;
-  std::string fault;       // the line that the menu shows of what is broken; empty: nothing is
-  double splitShare = -1;  // of the split view's reference that is drawn, 0 .. 1; -1: no split view
+  std::string fault;           // the line that the menu shows of what is broken; empty: nothing is
+  std::int64_t costRows = -1;  // of the panel of costs; -1: it is closed
+  double splitShare = -1;      // of the split view's reference that is drawn, 0 .. 1; -1: no split view
   ShownCosts costs;
   double firstPictureMs = 0, loadedMs = 0;  // after the program was started
   std::int64_t programsLoaded = 0;          // shader programs when the flight began: later ones hold it up

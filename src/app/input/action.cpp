@@ -27,6 +27,7 @@ constexpr std::array<ActionText, kActions> kTexts = {{{"thrust", "faster"},
                                                       {"screenshot", "screenshot"},
                                                       {"freeze", "freeze time"},
                                                       {"split", "beside a reference"},
+                                                      {"costs", "what a frame costs"},
                                                       {"escape", "resume, quit"}}};
 
 const ActionText& textOf(Action action) { return kTexts[static_cast<std::size_t>(action)]; }

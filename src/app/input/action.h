@@ -30,6 +30,7 @@ enum class Action {
   screenshot,
   freeze,
   split,
+  costs,
   escape,
   count_
 };

@@ -81,6 +81,7 @@ std::string statisticsJson(const core::FrameStatistics& s) {
         {"hidden", s.window.hidden},
         {"quality", s.window.quality},
         {"fault", s.window.fault},
+        {"costRows", s.window.costRows},
         {"splitShare", s.window.splitShare},
         {"costs",
          {{"passes", s.window.costs.passes},

@@ -94,6 +94,8 @@ class SceneRenderer {
 
   // Asks for the times of the passes, or no longer: what Setup::measuring says at first.
   void setMeasuring(bool measuring);
+  // CPU time of asking for land, of all frames that were measured.
+  double streamingMs() const { return streamingCost_.ms(); }
 
   // From where the snapshot is seen.
   render::View view(const game::Snapshot& snapshot, Size size) const;

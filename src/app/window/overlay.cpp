@@ -42,6 +42,7 @@ OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
       interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds, frame.scale);
   if (frame.begun) frame.begun();
   if (frame.split) result.divider = ui::drawSplitLabels(interface_, *frame.split);
+  if (frame.costs) result.costsClosed = !ui::drawCostPanel(interface_, *frame.costs);
   if (menuOpen) {
     ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error, frame.tools};
     content.bindings = frame.bindings;

@@ -257,7 +257,7 @@ void WindowGame::handleEvents() {
   for (const render::gl::WindowEvent& event : controls_.pollGamepad(overlay_->escapeOpen))
     feed_->addForInterface(event);
   feed_->deliver({[this](const render::gl::WindowEvent& event) { return takeEvent(event); },
-                  [this] { return overlay_->menuOpen || overlay_->escapeOpen; },
+                  [this] { return overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_; },
                   [this] { serve(buildInterface(snapshotToDraw(), 0)); }});
   // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and
   // come.
@@ -312,6 +312,9 @@ void WindowGame::handleAction(Action action) {
     case Action::freeze:
       toggle("view.freezeTime");
       notices_.add(isFrozen() ? "Time is frozen: the keys move the camera" : "Time goes on");
+      break;
+    case Action::costs:
+      toggleCosts();
       break;
     case Action::split:
       toggleSplit();
@@ -383,8 +386,9 @@ void WindowGame::drawFrame(double seconds) {
   events_.clear();
   measureIfAsked();
   renewCosts();
+  noteCosts();
 
-  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen || split_;
+  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_;
   window_.context().setPointerVisible(
       pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
   const OverlayResult result = buildInterface(snapshot, seconds);
@@ -396,7 +400,7 @@ void WindowGame::drawFrame(double seconds) {
 
 // From the next step and frame on.
 void WindowGame::measureIfAsked() {
-  const bool asked = stats_.has_value() || overlay_->showsCosts();
+  const bool asked = stats_.has_value() || overlay_->showsCosts() || costs_;
   sceneRenderer_->setMeasuring(asked);
   simulation_->setMeasuring(asked);
   overlay_->setMeasuring(asked);
@@ -440,6 +444,8 @@ OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double 
   const std::optional<ui::SplitLabels> labels =
       split_ ? std::optional(splitLabels(*split_, run_->settings.view.split)) : std::nullopt;
   if (labels) frame.split = &*labels;
+  const std::optional<ui::CostPanelContent> costs = costs_ ? std::optional(costContent()) : std::nullopt;
+  if (costs) frame.costs = &*costs;
   frame.begun = [this] { feed_->frameBuilt(); };
   const OverlayResult result = overlay_->build(frame);
   if (result.fontsChanged) sceneRenderer_->uploadFonts();
@@ -453,6 +459,7 @@ void WindowGame::serve(const OverlayResult& result) {
     attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(result.menu.changedPaths)); });
   }
   if (result.menu.preset) servePreset(*result.menu.preset);
+  if (result.costsClosed) costs_.reset();
   if (result.divider && split_) dragDivider(*result.divider);
   if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
     nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it

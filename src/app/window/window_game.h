@@ -15,6 +15,7 @@
 #include "app/input/glfw_joysticks.h"
 #include "app/input/imgui_input.h"
 #include "app/input/player_controls.h"
+#include "app/measure/cost_history.h"
 #include "app/measure/frame_times.h"
 #include "app/session/player_camera.h"
 #include "app/session/preparations.h"
@@ -26,6 +27,7 @@
 #include "app/window/faults.h"
 #include "app/window/file_watch.h"
 #include "app/window/game_window.h"
+#include "app/window/knob_stands.h"
 #include "app/window/loading.h"
 #include "app/window/menu_controller.h"
 #include "app/window/notices.h"
@@ -86,6 +88,9 @@ class WindowGame {
   void registerDependents();
   // A change that was taken over into the run: loads the flight again where the description asks for that.
   void carryOut(const SettingsChange& change);
+  void toggleCosts();
+  void noteCosts();  // of the frame before, while the panel of costs is open
+  ui::CostPanelContent costContent() const;
   void toggleSplit();
   void beginSplit();
   void endSplit();
@@ -158,6 +163,14 @@ class WindowGame {
   Notices notices_;
   std::vector<game::GameEvent> events_;  // of the steps since the last frame
   FrameTimes times_;
+  // While the panel of costs is open.
+  struct OpenCosts {
+    CostHistory history;
+    MeasuredFronts fronts;
+    std::vector<ui::KnobStand> knobs;  // of the settings as they are
+    std::string clock;
+  };
+  std::unique_ptr<OpenCosts> costs_;
   core::FrameStatistics shownStatistics_;  // what the menu shows of costs
   std::chrono::steady_clock::time_point nextWatch_, nextStatistics_, nextCosts_, nextFlush_;
   std::chrono::steady_clock::time_point lastFrame_;

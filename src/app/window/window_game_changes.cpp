@@ -36,6 +36,9 @@ void WindowGame::registerDependents() {
     camera_.follow(*sceneRenderer_, isFrozen());
   });
   presentationDependencies_.add({""}, [this](const SettingsChange& change) { followSplit(change); });
+  presentationDependencies_.add({""}, [this](const SettingsChange&) {
+    if (costs_) costs_->knobs = knobStands(costs_->fronts.results, run_->table);
+  });
   presentationDependencies_.add({"audio"}, [this](const SettingsChange&) {
     if (audio_) audio_->apply(run_->settings.audio);
     if (sound_) sound_->apply(run_->settings.audio);

@@ -305,6 +305,17 @@ void Renderer::finish() {
   noteTimes();
 }
 
+std::vector<std::pair<std::string_view, double>> Renderer::newestTimes() const {
+  std::vector<std::pair<std::string_view, double>> newest;
+  for (const Entry& entry : passes_) {
+    const std::string_view name = entry.pass->name();
+    const auto times = times_.find(name);
+    if (entry.held || skipped_.contains(name) || times == times_.end() || times->second.empty()) continue;
+    newest.emplace_back(name, times->second.back());
+  }
+  return newest;
+}
+
 void Renderer::clearTimes() {
   finish();
   times_.clear();

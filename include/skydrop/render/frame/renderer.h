@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skydrop/core/frame_statistics.h"
@@ -108,6 +109,11 @@ class Renderer {
   // Passes, GL objects, renderer, clock. `ms` of a pass is the median over the newest `frames` frames drawn
   // since the last clearTimes(); the caller fills the rest.
   void fillStatistics(core::FrameStatistics& statistics, std::size_t frames = kKeptTimes);
+  // Of each pass that the last frame drew, in its order, what it took when it was last measured, ms; empty
+  // while nothing is measured. Names are valid until the passes change.
+  std::vector<std::pair<std::string_view, double>> newestTimes() const;
+  // What times the passes (core::FrameStatistics::clock).
+  std::string_view clockName() const { return timer_.clockName(); }
   void clearTimes();
   // Waits until the GPU has done everything it was asked for.
   void finish();
