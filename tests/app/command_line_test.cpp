@@ -288,6 +288,10 @@ TEST(CommandLine, wrongWordsAreRefusedInOneLineThatNamesThem) {
   EXPECT_EQ(refusalOf({"render", "--out", "a.bmp"}), "--out: 'a.bmp' does not end in .png");
   EXPECT_EQ(refusalOf({"render", "--backend", "vulkan"}),
             "--backend: 'vulkan' is not one of egl osmesa window");
+  EXPECT_EQ(refusalOf({"render", "--heat"}), "--heat belongs to --split, which is not given");
+  EXPECT_EQ(refusalOf({"render", "--divider", "0.5"}), "--divider belongs to --split, which is not given");
+  EXPECT_EQ(refusalOf({"render", "--split", "clouds=reference", "--divider", "1.5"}),
+            "--divider: 1.5 is out of range 0 to 1");
   EXPECT_EQ(refusalOf({"render", "--fps", "0"}), "--fps: 0 is out of range 0.001 to 1000");
   EXPECT_EQ(refusalOf({"simulate", "--seconds", "-1"}), "--seconds: -1 is out of range 0 to 1e+06");
   EXPECT_EQ(refusalOf({"--autopilot", "--replay", "a"}), "--autopilot and --replay exclude each other");

@@ -396,6 +396,7 @@ constexpr std::string_view kElsewhere[] = {
     "view.frameCapHz",         // FrameSchedule, FramePacer: tests/app/frame_pacer_test.cpp
     "view.vsync",              // the driver's: no picture, no state
     "view.freezeTime",         // tests/window/comfort_test.cpp
+    "view.split.",             // tests/gl/split_view_test.cpp
     "render.",                 // all but the camera: tests/gl/settings_effect_test.cpp
     "clouds.",                 // tests/gl/settings_effect_test.cpp
     "cloudPlanes.",            // tests/gl/settings_effect_test.cpp

@@ -34,6 +34,17 @@ TEST(Statistics, theFileHasTheMembersOfTheContract) {
   EXPECT_EQ(json["effects"][0], "sky");
 }
 
+TEST(Statistics, aComparedPictureHasItsErrorAndOthersHaveNone) {
+  core::FrameStatistics statistics;
+  EXPECT_FALSE(nlohmann::json::parse(statisticsJson(statistics)).contains("split"));
+  statistics.split = {"clouds=reference", 0.25, 0.5, 0.125};
+  const auto json = nlohmann::json::parse(statisticsJson(statistics))["split"];
+  EXPECT_EQ(json["reference"], "clouds=reference");
+  EXPECT_EQ(json["rmse"], 0.25);
+  EXPECT_EQ(json["relativeRmse"], 0.5);
+  EXPECT_EQ(json["flip"], 0.125);
+}
+
 TEST(Statistics, theBillHasARowOfEachEffectAndTheReasonWhereItIsIdle) {
   core::FrameStatistics statistics;
   core::EffectStatistics clouds;

@@ -53,8 +53,8 @@ class ShaderVariantsGLTest : public test::GLTest {
 };
 
 // Entry files that no scene draws with.
-constexpr const char* kOfTools[] = {"clouds/noise.comp", "imgui/imgui.frag", "imgui/imgui.vert",
-                                    "noise/gradient_noise.comp", "noise/volume.comp"};
+constexpr const char* kOfTools[] = {"clouds/noise.comp",         "imgui/imgui.frag",  "imgui/imgui.vert",
+                                    "noise/gradient_noise.comp", "noise/volume.comp", "split/split.frag"};
 
 TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   // Of the scene with everything, in each tier and quality, and of those that lack what the others rest on.

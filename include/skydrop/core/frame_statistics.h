@@ -76,11 +76,19 @@ struct WindowStatistics {
   bool fullScreen = false, hidden = false;
   std::int64_t screenshots = 0;
   std::string quality;
-  std::string fault;  // the line that the menu shows of what is broken; empty: nothing is
+  std::string fault;           // the line that the menu shows of what is broken; empty: nothing is
+  std::int64_t costRows = -1;  // of the panel of costs; -1: it is closed
+  double splitShare = -1;      // of the split view's reference that is drawn, 0 .. 1; -1: no split view
   ShownCosts costs;
   double firstPictureMs = 0, loadedMs = 0;  // after the program was started
   std::int64_t programsLoaded = 0;          // shader programs when the flight began: later ones hold it up
   double medianIntervalMs = 0, p99IntervalMs = 0;  // between frames, waiting included
+};
+
+// How far the picture is from that of a reference, in the last frame that was compared with one.
+struct SplitStatistics {
+  std::string reference;                        // "clouds=reference"; empty: nothing was compared
+  double rmse = 0, relativeRmse = 0, flip = 0;  // linear radiance; over its mean; mean FLIP, 0 .. 1
 };
 
 struct FrameStatistics {
@@ -97,6 +105,7 @@ struct FrameStatistics {
   TerrainStatistics terrain;
   GameStatistics game;
   WindowStatistics window;
+  SplitStatistics split;
   std::int64_t threads = 0;
   std::vector<std::string> effects;  // that are on
   // Of every effect of the program; last "frame", which is what belongs to none of them, and always on.

@@ -342,6 +342,27 @@ class Parser {
     text(verb, "--time", "S", "simulated seconds before the first frame (0)",
          [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
     verb.add_flag("--menu", line_.menu, "with the menu open");
+    addSplit(verb);
+  }
+
+  // --heat and --divider are shorter words for --set.
+  void addSplit(CLI::App& verb) {
+    text(verb, "--split", "SUBJECT=REFERENCE",
+         "the picture left of a divider, that of a reference right of it, and the error between them: "
+         "clouds=reference (or any tier), land=reference",
+         [this](const std::string& t) { line_.split = t; });
+    verb.add_flag_callback(
+        "--heat",
+        [this] {
+          splitWords_.emplace_back("--heat");
+          line_.set.emplace_back("view.split.heat=true");
+        },
+        "of --split: right of the divider how visible the error is (view.split.heat=true)");
+    text(verb, "--divider", "X", "of --split: where it is, 0 to 1 of the width (view.split.divider=X)",
+         [this](const std::string& t) {
+           splitWords_.emplace_back("--divider");
+           line_.set.push_back("view.split.divider=" + std::to_string(number("--divider", t, 0, 1)));
+         });
   }
 
   void addAccuracy(CLI::App& verb) {
@@ -481,6 +502,8 @@ class Parser {
     if (line_.noise.check && !line_.noise.files.empty())
       throw UsageError("--check and --noise exclude each other");
     if (line_.verb != Verb::render) return;
+    if (!line_.split && !splitWords_.empty())
+      throw UsageError(splitWords_.front() + " belongs to --split, which is not given");
     if (!countsFrames(line_.out) && line_.frames - line_.firstFrame > 1) {
       throw UsageError("--out: '" + line_.out + "' needs %d for several frames");
     }
@@ -507,6 +530,7 @@ class Parser {
   std::optional<glm::dvec3> camera_;
   std::optional<double> heading_, pitch_, roll_;
   NoiseWords noiseWords_;
+  std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};
 };

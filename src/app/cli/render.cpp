@@ -17,15 +17,21 @@
 #include "app/session/preparations.h"
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
+#include "app/session/split_view.h"
 #include "app/session/start_camera.h"
 #include "app/window/menu_controller.h"
 #include "app/window/overlay.h"
+#include "app/window/split_texts.h"
+#include "skydrop/core/error.h"
 #include "skydrop/core/fixed_step.h"
 
 namespace skydrop::app {
 namespace {
 
 constexpr Size kDefaultSize{1280, 720};
+constexpr const char* kCoarserLand =
+    "--split: the land's reference is coarser than it should be: streaming.cacheMiB or streaming.gpuMiB is "
+    "full";
 
 // The step at which a frame is drawn: simulated time is a whole number of steps.
 std::uint64_t stepOfFrame(const CommandLine& line, int frame) {
@@ -73,6 +79,16 @@ std::string progressState(const CommandLine& line, int frame, std::uint64_t step
   return state;
 }
 
+// What --split asks for, judged before anything is drawn.
+std::optional<SplitReference> splitOf(const CommandLine& line, const RunConfig& run) {
+  if (!line.split) return std::nullopt;
+  try {
+    return splitReference(run.settings, effectsOf(run), *line.split);
+  } catch (const core::RangeError& refusal) {
+    throw core::UsageError(std::string("--split: ") + refusal.what());
+  }
+}
+
 // Effects that no pass draws.
 void noteIdle(core::FrameStatistics& statistics, const Overlay* overlay) {
   if (core::EffectStatistics* bill = statistics.billOf(scene::nameOf(scene::Effect::sound)))
@@ -85,6 +101,7 @@ void noteIdle(core::FrameStatistics& statistics, const Overlay* overlay) {
 
 int render(const CommandLine& line) {
   const std::unique_ptr<RunConfig> run = prepareRun(line);
+  const std::optional<SplitReference> reference = splitOf(line, *run);
   FrameFiles files(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
@@ -110,7 +127,7 @@ int render(const CommandLine& line) {
       warn(*warning);
   }
   std::unique_ptr<Overlay> overlay;
-  if (simulation.effects().contains(scene::Effect::hud) || line.menu) {
+  if (simulation.effects().contains(scene::Effect::hud) || line.menu || reference) {
     overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()),
                                         ui::InterfaceScale{run->settings.view.interfaceScale});
     overlay->menuOpen = line.menu;
@@ -125,6 +142,9 @@ int render(const CommandLine& line) {
     if (const auto warning = menuController.load(overlay->menu())) warn(*warning);
   }
 
+  std::unique_ptr<SplitView> split;
+  if (reference) split = std::make_unique<SplitView>(sceneRenderer, run->settings, *reference);
+
   FrameTimes times;
   core::FrameStatistics statistics, shown;  // the menu of a frame shows what those before it cost
   Progress progress("render", line.progress);
@@ -137,17 +157,27 @@ int render(const CommandLine& line) {
     }
     sceneRenderer.apply(simulation.takeLoggedChange());
     const game::Snapshot& now = simulation.world().now();
+    // The error is known when both pictures are drawn, and is written over them.
+    if (split) split->makeWhole(now, size);
+    if (split && split->isCoarser()) warn(kCoarserLand);
+    const std::optional<ui::SplitLabels> labels =
+        split ? std::optional(splitLabels(*split, run->settings.view.split)) : std::nullopt;
     if (overlay) {
       OverlayFrame content{now, size, 0, run->table};
       content.scale = {run->settings.view.interfaceScale};
       content.statistics = &shown;
+      if (labels) content.split = &*labels;
       content.tools =
           menuController.tools(run->baseTable, sceneRenderer.view(now, size), times.newest(times.count()));
       buildTwice(*overlay, content, sceneRenderer);
     }
     sceneRenderer.renderer().finish();
     const Stopwatch drawing;
-    sceneRenderer.draw(now, size, Streaming::settled);
+    if (split) {
+      split->draw(now, size, 0);
+    } else {
+      sceneRenderer.draw(now, size, Streaming::settled);
+    }
     sceneRenderer.renderer().finish();
     times.add(drawing.ms() - sceneRenderer.settleMs());
     statistics.other["settle"] += sceneRenderer.settleMs();
@@ -165,7 +195,11 @@ int render(const CommandLine& line) {
       noteIdle(shown, overlay.get());
     }
     progress.clear();
-    if (line.out != "-") print("%s\n", files.path(frame).c_str());
+    if (split) split->writeTo(statistics);
+    if (line.out != "-") {
+      print("%s\n", files.path(frame).c_str());
+      if (split) print("%s\n", splitLine(statistics.split).c_str());
+    }
     if (run->recorder) run->recorder->flush();
   }
   for (const std::string& message : sceneRenderer.takeMessages()) warn(message);

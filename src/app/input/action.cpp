@@ -26,6 +26,8 @@ constexpr std::array<ActionText, kActions> kTexts = {{{"thrust", "faster"},
                                                       {"fullScreen", "full screen"},
                                                       {"screenshot", "screenshot"},
                                                       {"freeze", "freeze time"},
+                                                      {"split", "beside a reference"},
+                                                      {"costs", "what a frame costs"},
                                                       {"escape", "resume, quit"}}};
 
 const ActionText& textOf(Action action) { return kTexts[static_cast<std::size_t>(action)]; }

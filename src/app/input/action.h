@@ -29,6 +29,8 @@ enum class Action {
   fullScreen,
   screenshot,
   freeze,
+  split,
+  costs,
   escape,
   count_
 };

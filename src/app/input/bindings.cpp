@@ -30,6 +30,8 @@ std::array<Inputs, kActions> defaultInputs() {
   bind(Action::camera, {keyInput('C'), buttonInput(pad::kY)});
   bind(Action::pause, {keyInput('P'), buttonInput(pad::kX)});
   bind(Action::freeze, {keyInput('F')});
+  bind(Action::costs, {keyInput(key::kF2)});
+  bind(Action::split, {keyInput(key::kF3)});
   bind(Action::help, {keyInput('H'), buttonInput(pad::kUp)});
   bind(Action::menu, {keyInput(key::kF1), buttonInput(pad::kRight)});
   bind(Action::mute, {keyInput('M'), buttonInput(pad::kDown)});
@@ -55,6 +57,8 @@ const std::vector<HelpEntry>& helpEntries() {
       {{Action::camera}, ""},
       {{Action::pause}, ""},
       {{Action::freeze}, ""},
+      {{Action::costs}, ""},
+      {{Action::split}, ""},
       {{Action::help}, "this help"},
       {{Action::menu}, ""},
       {{Action::mute}, ""},

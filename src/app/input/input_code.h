@@ -13,10 +13,10 @@ namespace skydrop::app {
 namespace key {
 inline constexpr int kSpace = 32, kEscape = 256, kEnter = 257, kTab = 258, kBackspace = 259, kInsert = 260,
                      kDelete = 261, kRight = 262, kLeft = 263, kDown = 264, kUp = 265, kPageUp = 266,
-                     kPageDown = 267, kHome = 268, kEnd = 269, kF1 = 290, kF11 = 300, kF12 = 301, kF25 = 314,
-                     kKeypad0 = 320, kKeypad9 = 329, kKeypadEnter = 335, kLeftShift = 340, kLeftControl = 341,
-                     kLeftAlt = 342, kLeftSuper = 343, kRightShift = 344, kRightControl = 345,
-                     kRightAlt = 346, kRightSuper = 347, kLast = 348;
+                     kPageDown = 267, kHome = 268, kEnd = 269, kF1 = 290, kF2 = 291, kF3 = 292, kF11 = 300,
+                     kF12 = 301, kF25 = 314, kKeypad0 = 320, kKeypad9 = 329, kKeypadEnter = 335,
+                     kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343,
+                     kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347, kLast = 348;
 // Letters and digits are their capital ASCII codes. A code is a place on the keyboard, named by what stands
 // there on an American one.
 }  // namespace key

@@ -81,6 +81,8 @@ std::string statisticsJson(const core::FrameStatistics& s) {
         {"hidden", s.window.hidden},
         {"quality", s.window.quality},
         {"fault", s.window.fault},
+        {"costRows", s.window.costRows},
+        {"splitShare", s.window.splitShare},
         {"costs",
          {{"passes", s.window.costs.passes},
           {"frames", s.window.costs.frames},
@@ -89,6 +91,12 @@ std::string statisticsJson(const core::FrameStatistics& s) {
         {"loadedMs", s.window.loadedMs},
         {"programsLoaded", s.window.programsLoaded},
         {"intervalMs", {{"median", s.window.medianIntervalMs}, {"p99", s.window.p99IntervalMs}}}};
+  }
+  if (!s.split.reference.empty()) {
+    json["split"] = {{"reference", s.split.reference},
+                     {"rmse", s.split.rmse},
+                     {"relativeRmse", s.split.relativeRmse},
+                     {"flip", s.split.flip}};
   }
   json["guards"] = s.guards;
   json["other"] = s.other;

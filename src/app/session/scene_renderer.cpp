@@ -207,6 +207,12 @@ void SceneRenderer::apply(const SettingsChange& change) {
   }
 }
 
+void SceneRenderer::useSettings(const Settings& settings) {
+  Settings before = *settings_, now = settings;
+  settings_ = &settings;
+  apply(SettingsChange::between(core::SettingsTable(before), core::SettingsTable(now)));
+}
+
 void SceneRenderer::freeCamera() {
   if (lastView_) camera_.standAt(*lastView_);
   camera_.setMode(render::CameraMode::free);
@@ -253,6 +259,26 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
     }
   }
   renderer_.draw(render::gameFrame(snapshot, view, features()));
+}
+
+bool SceneRenderer::updateLand(const render::View& view, Streaming streaming) {
+  if (!land_) return true;
+  if (streaming == Streaming::settled) {
+    land_->settle(view);
+  } else {
+    land_->update(view);
+  }
+  return land_->terrain().isSettled();
+}
+
+std::optional<std::vector<float>> SceneRenderer::drawUnseen(const game::Snapshot& snapshot,
+                                                            const render::View& view) {
+  return renderer_.drawUnseen(render::gameFrame(snapshot, view, features()));
+}
+
+void SceneRenderer::drawOverlays(const game::Snapshot& snapshot, Size size, std::string_view reason) {
+  drawnSize_ = size;
+  renderer_.drawOverlays(render::gameFrame(snapshot, view(snapshot, size), features()), reason);
 }
 
 // Frames with an aircraft, a package and a target in them: ahead; straight down, where clouds above are out

@@ -84,18 +84,34 @@ class SceneRenderer {
   // After the settings changed: takes over for the next frame what of them is drawn.
   void apply(const SettingsChange& change);
 
+  // From now on draws by these settings, which must outlive it as the first ones must; they differ from those
+  // before in nothing that makes another scene. Takes over what differs.
+  void useSettings(const Settings& settings);
+
   // From now on draws what Dear ImGui has built; the interface's context must exist.
   void addOverlay();
   void uploadFonts();  // after the interface changed its fonts
 
   // Asks for the times of the passes, or no longer: what Setup::measuring says at first.
   void setMeasuring(bool measuring);
+  // CPU time of asking for land, of all frames that were measured.
+  double streamingMs() const { return streamingCost_.ms(); }
 
   // From where the snapshot is seen.
   render::View view(const game::Snapshot& snapshot, Size size) const;
 
   // One frame of the size into the renderer's output.
   void draw(const game::Snapshot& snapshot, Size size, Streaming streaming);
+
+  // For a picture that is kept while it is shown (SplitView). Asks for the land of this view, or waits for
+  // it; whether all of it is there.
+  bool updateLand(const render::View& view, Streaming streaming);
+  // Linear light of the snapshot from this view, which nobody sees, with the land of the last update: see
+  // Renderer::drawUnseen(), whose targets are kept until endUnseen().
+  std::optional<std::vector<float>> drawUnseen(const game::Snapshot& snapshot, const render::View& view);
+  void endUnseen() { renderer_.endWarmUp(); }
+  // A frame whose picture one of the overlays has kept: Renderer::drawOverlays().
+  void drawOverlays(const game::Snapshot& snapshot, Size size, std::string_view reason);
 
   // Draws frames around this place into the output with an aircraft, a package and a target in them, with and
   // without clouds in view, from outside and from the cockpit: so that no later frame has to wait until a

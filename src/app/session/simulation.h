@@ -80,6 +80,9 @@ class Simulation {
 
   // Measures the CPU time of steps from the next one on, or no longer; no state depends on it.
   void setMeasuring(bool measuring);
+  // CPU time of all steps that were measured, ms: of parts of the world, and of everything.
+  game::StepCosts costs() const { return world_.costs(); }
+  double costMs() const { return cost_.ms(); }
 
   // Adds what its parts cost of a second of simulation to their rows of the bill.
   void writeTo(core::FrameStatistics& statistics) const;

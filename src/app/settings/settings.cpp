@@ -47,6 +47,7 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
                   .help = "Size of texts and menus; never so large that they would not fit.",
                   .slider = core::Range{0.5, 2.2},
                   .aliases = "UI scale, font size, text size"});
+  visitor.group("split", settings.split, "The picture beside a reference.");
 }
 
 void describe(core::SettingsVisitor& visitor, Settings& settings) {

@@ -10,6 +10,7 @@
 
 #include "app/input/gamepad.h"
 #include "app/settings/effect_switches.h"
+#include "app/settings/split_settings.h"
 #include "skydrop/audio/audio_settings.h"
 #include "skydrop/clouds/cloud_dome_settings.h"
 #include "skydrop/clouds/cloud_planes_settings.h"
@@ -39,6 +40,7 @@ struct ViewSettings {
   double frameCapHz = 0;    // 0: none
   bool vsync = true;
   double interfaceScale = 1;
+  SplitSettings split;
 };
 
 // How good the picture is and what it may cost: a file of settings (quality_preset.h). Automatic: by the

@@ -1,14 +1,14 @@
 #include "app/studies/picture_subject.h"
 
+#include <utility>
+
 #include "app/measure/system_info.h"
+#include "app/session/observed_picture.h"
 #include "app/studies/subjects.h"
 #include "skydrop/core/error.h"
-#include "skydrop/core/shared.h"
 
 namespace skydrop::app {
 namespace {
-
-namespace f64 = core::shared::f64;
 
 constexpr std::size_t kMostScenes = 8;  // each holds its land and textures
 
@@ -76,16 +76,9 @@ DrawnScene& PictureSubject::shown(const accuracy::Experiment& experiment) {
 
 accuracy::Observation PictureSubject::observe(const accuracy::Experiment& experiment) {
   DrawnScene& scene = shown(experiment);
-  accuracy::Observation observation;
-  observation.display = scene.picture();
-  observation.width = observation.display.width, observation.height = observation.display.height;
-  const std::vector<float> radiance = scene.radiance();
-  observation.values.assign(radiance.begin(), radiance.end());
-  for (std::size_t i = 0; i + 2 < radiance.size(); i += 3) {
-    const glm::dvec3 light(radiance[i], radiance[i + 1], radiance[i + 2]);
-    const glm::dvec3 seen = f64::srgbEncode(f64::toneMap(glm::max(light, 0.0)));
-    observation.seen.insert(observation.seen.end(), {seen.x, seen.y, seen.z});
-  }
+  core::Image display = scene.picture();
+  accuracy::Observation observation = observedPicture(scene.radiance(), display.width, display.height);
+  observation.display = std::move(display);
   return observation;
 }
 

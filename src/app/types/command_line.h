@@ -72,6 +72,7 @@ struct CommandLine {
   double fps = 60;     // simulated frames a second, (0, 1000]
   double timeS = 0;    // simulated seconds before the first frame
   bool menu = false;
+  std::optional<std::string> split;  // SUBJECT=REFERENCE that the picture is compared with
 
   // simulate
   static constexpr double kDefaultSeconds = 60;

@@ -41,6 +41,8 @@ OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
   result.fontsChanged =
       interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds, frame.scale);
   if (frame.begun) frame.begun();
+  if (frame.split) result.divider = ui::drawSplitLabels(interface_, *frame.split);
+  if (frame.costs) result.costsClosed = !ui::drawCostPanel(interface_, *frame.costs);
   if (menuOpen) {
     ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error, frame.tools};
     content.bindings = frame.bindings;
@@ -52,7 +54,7 @@ OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
   } else {
     escapeMenu_.reset();
   }
-  if (drawsHud_ && hudShown) {
+  if (drawsHud_ && hudShown && !frame.split) {
     ui::HudData data = ui::makeHudData(frame.snapshot);
     data.keys = keys_;
     if (escapeOpen) data.paused = false;  // the small menu covers that place and says so itself

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,10 +14,12 @@
 #include "skydrop/core/settings_table.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/scene/effect.h"
+#include "skydrop/ui/cost_panel.h"
 #include "skydrop/ui/hud.h"
 #include "skydrop/ui/imgui_context.h"
 #include "skydrop/ui/loading_picture.h"
 #include "skydrop/ui/menu.h"
+#include "skydrop/ui/split_labels.h"
 
 namespace skydrop::app {
 
@@ -30,13 +33,17 @@ struct OverlayFrame {
   ui::MenuTools tools = {};
   const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
   ui::InterfaceScale scale = {};
+  const ui::SplitLabels* split = nullptr;  // of the split view, which takes the place of the HUD; null: none
+  const ui::CostPanelContent* costs = nullptr;  // of the panel of costs; null: it is closed
   std::function<void()> begun = nullptr;  // called when the frame has taken the input (EventFeed::frameBuilt)
 };
 
 struct OverlayResult {
   ui::MenuResult menu;
   ui::EscapeAction escape = ui::EscapeAction::none;
-  bool fontsChanged = false;  // render::ImGuiPass::uploadFonts() is due before the frame is drawn
+  std::optional<double> divider;  // where the split view's was dragged, 0 .. 1 of the width
+  bool costsClosed = false;       // the cross of the panel of costs was clicked
+  bool fontsChanged = false;      // render::ImGuiPass::uploadFonts() is due before the frame is drawn
 };
 
 class Overlay {
@@ -66,6 +73,7 @@ class Overlay {
   // Measures the CPU time of build() from the next one on, or no longer; and adds it to the bill.
   void setMeasuring(bool measuring) { cost_.setMeasuring(measuring); }
   void writeTo(core::FrameStatistics& statistics) const;
+  double costMs() const { return cost_.ms(); }  // of all frames that were measured
 
   // The same with what is shown while the land is made. True if the fonts changed.
   bool buildLoading(Size size, const ui::LoadingProgress& progress, const ui::InterfaceScale& scale);

@@ -12,6 +12,7 @@
 #include "app/settings/quality_preset.h"
 #include "app/settings/user_settings.h"
 #include "app/window/fault_parts.h"
+#include "app/window/split_texts.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::app {
@@ -173,6 +174,7 @@ void WindowGame::buildScene() {
       overlay_->showEffects(next.simulation->effects());
       sound_ = std::move(next.sound);
       if (!sound_) audio_.reset();
+      endSplit();
       sceneRenderer_ = std::move(next.sceneRenderer);
       simulation_ = std::move(next.simulation);
       lastGood_ = choicesOf(*run_);
@@ -255,7 +257,7 @@ void WindowGame::handleEvents() {
   for (const render::gl::WindowEvent& event : controls_.pollGamepad(overlay_->escapeOpen))
     feed_->addForInterface(event);
   feed_->deliver({[this](const render::gl::WindowEvent& event) { return takeEvent(event); },
-                  [this] { return overlay_->menuOpen || overlay_->escapeOpen; },
+                  [this] { return overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_; },
                   [this] { serve(buildInterface(snapshotToDraw(), 0)); }});
   // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and
   // come.
@@ -310,6 +312,12 @@ void WindowGame::handleAction(Action action) {
     case Action::freeze:
       toggle("view.freezeTime");
       notices_.add(isFrozen() ? "Time is frozen: the keys move the camera" : "Time goes on");
+      break;
+    case Action::costs:
+      toggleCosts();
+      break;
+    case Action::split:
+      toggleSplit();
       break;
     case Action::mute:
       toggle("audio.mute");
@@ -367,6 +375,7 @@ game::Snapshot WindowGame::snapshotToDraw() {
 }
 
 void WindowGame::drawFrame(double seconds) {
+  releaseFreeze();
   const game::Snapshot snapshot = snapshotToDraw();
   const Size size = window_.size();
   if (sound_) {
@@ -377,8 +386,9 @@ void WindowGame::drawFrame(double seconds) {
   events_.clear();
   measureIfAsked();
   renewCosts();
+  noteCosts();
 
-  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen;
+  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_;
   window_.context().setPointerVisible(
       pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
   const OverlayResult result = buildInterface(snapshot, seconds);
@@ -390,7 +400,7 @@ void WindowGame::drawFrame(double seconds) {
 
 // From the next step and frame on.
 void WindowGame::measureIfAsked() {
-  const bool asked = stats_.has_value() || overlay_->showsCosts();
+  const bool asked = stats_.has_value() || overlay_->showsCosts() || costs_;
   sceneRenderer_->setMeasuring(asked);
   simulation_->setMeasuring(asked);
   overlay_->setMeasuring(asked);
@@ -401,8 +411,7 @@ void WindowGame::measureIfAsked() {
 // else is left out of it, for as long as it is.
 void WindowGame::drawScene(const game::Snapshot& snapshot, Size size) {
   if (changeNotDrawn_) {
-    const bool drawn =
-        attempt(part::kChange, [&] { sceneRenderer_->draw(snapshot, size, Streaming::asItComes); });
+    const bool drawn = attempt(part::kChange, [&] { drawSplit(snapshot, size); });
     if (drawn) {
       if (sceneRenderer_->isSwitching()) return;  // an effect that comes is not drawn yet
       lastGood_ = choicesOf(*run_);
@@ -411,7 +420,7 @@ void WindowGame::drawScene(const game::Snapshot& snapshot, Size size) {
     }
   }
   try {
-    sceneRenderer_->draw(snapshot, size, Streaming::asItComes);
+    drawSplit(snapshot, size);
     faults_.clear(part::kFrame);
   } catch (const core::DataError& broken) {
     tell(part::kFrame, broken.what());
@@ -432,6 +441,11 @@ OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double 
                      menuTools(snapshot, size),
                      &bindings,
                      window_.interfaceScale()};
+  const std::optional<ui::SplitLabels> labels =
+      split_ ? std::optional(splitLabels(*split_, run_->settings.view.split)) : std::nullopt;
+  if (labels) frame.split = &*labels;
+  const std::optional<ui::CostPanelContent> costs = costs_ ? std::optional(costContent()) : std::nullopt;
+  if (costs) frame.costs = &*costs;
   frame.begun = [this] { feed_->frameBuilt(); };
   const OverlayResult result = overlay_->build(frame);
   if (result.fontsChanged) sceneRenderer_->uploadFonts();
@@ -445,6 +459,8 @@ void WindowGame::serve(const OverlayResult& result) {
     attempt(part::kChange, [&] { applyMenuChanges(SettingsChange(result.menu.changedPaths)); });
   }
   if (result.menu.preset) servePreset(*result.menu.preset);
+  if (result.costsClosed) costs_.reset();
+  if (result.divider && split_) dragDivider(*result.divider);
   if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
     nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it
     saveChoicesPending_ = true;

@@ -15,16 +15,19 @@
 #include "app/input/glfw_joysticks.h"
 #include "app/input/imgui_input.h"
 #include "app/input/player_controls.h"
+#include "app/measure/cost_history.h"
 #include "app/measure/frame_times.h"
 #include "app/session/player_camera.h"
 #include "app/session/preparations.h"
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
+#include "app/session/split_view.h"
 #include "app/types/command_line.h"
 #include "app/window/cursor_auto_hide.h"
 #include "app/window/faults.h"
 #include "app/window/file_watch.h"
 #include "app/window/game_window.h"
+#include "app/window/knob_stands.h"
 #include "app/window/loading.h"
 #include "app/window/menu_controller.h"
 #include "app/window/notices.h"
@@ -74,6 +77,7 @@ class WindowGame {
   void advance(double seconds);
   void drawFrame(double seconds);
   void drawScene(const game::Snapshot& snapshot, Size size);
+  void drawSplit(const game::Snapshot& snapshot, Size size);
   OverlayResult buildInterface(const game::Snapshot& snapshot, double seconds);
   void serve(const OverlayResult& result);
   // Carries a change out. What fails leaves the last good state and a line about this part of the program.
@@ -84,6 +88,15 @@ class WindowGame {
   void registerDependents();
   // A change that was taken over into the run: loads the flight again where the description asks for that.
   void carryOut(const SettingsChange& change);
+  void toggleCosts();
+  void noteCosts();  // of the frame before, while the panel of costs is open
+  ui::CostPanelContent costContent() const;
+  void toggleSplit();
+  void beginSplit();
+  void endSplit();
+  void followSplit(const SettingsChange& change);
+  void releaseFreeze();  // that was for the split view alone
+  void dragDivider(double divider);
   // Effects come and go: at once in the simulation and in what is heard, in steps in what is drawn.
   void switchEffects();
   void continueSwitch(double seconds);
@@ -121,6 +134,8 @@ class WindowGame {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Overlay> overlay_;  // before the sceneRenderer, whose pass draws its fonts
   std::unique_ptr<SceneRenderer> sceneRenderer_;
+  std::unique_ptr<SplitView> split_;            // while it is shown: draws by the renderer above
+  bool splitFroze_ = false;                     // time is held for it
   std::unique_ptr<audio::AudioManager> audio_;  // with sound only
   std::unique_ptr<audio::SoundScene> sound_;
   core::CpuMeter soundCost_;  // of its updates
@@ -148,6 +163,14 @@ class WindowGame {
   Notices notices_;
   std::vector<game::GameEvent> events_;  // of the steps since the last frame
   FrameTimes times_;
+  // While the panel of costs is open.
+  struct OpenCosts {
+    CostHistory history;
+    MeasuredFronts fronts;
+    std::vector<ui::KnobStand> knobs;  // of the settings as they are
+    std::string clock;
+  };
+  std::unique_ptr<OpenCosts> costs_;
   core::FrameStatistics shownStatistics_;  // what the menu shows of costs
   std::chrono::steady_clock::time_point nextWatch_, nextStatistics_, nextCosts_, nextFlush_;
   std::chrono::steady_clock::time_point lastFrame_;

@@ -26,6 +26,7 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that 
 void WindowGame::registerDependents() {
   simulationDependencies_.add({"effects", "aircraft", "package", "game", "autopilot", "wind"},
                               [this](const SettingsChange& change) { simulation_->apply(change); });
+  presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { endSplit(); });
   presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { switchEffects(); });
   // Of every change, because the rows of the effect table say which settings they take.
   presentationDependencies_.add({""},
@@ -33,6 +34,10 @@ void WindowGame::registerDependents() {
   presentationDependencies_.add({"view"}, [this](const SettingsChange&) {
     window_.apply(run_->settings.view);
     camera_.follow(*sceneRenderer_, isFrozen());
+  });
+  presentationDependencies_.add({""}, [this](const SettingsChange& change) { followSplit(change); });
+  presentationDependencies_.add({""}, [this](const SettingsChange&) {
+    if (costs_) costs_->knobs = knobStands(costs_->fronts.results, run_->table);
   });
   presentationDependencies_.add({"audio"}, [this](const SettingsChange&) {
     if (audio_) audio_->apply(run_->settings.audio);

@@ -104,18 +104,9 @@ void Renderer::composeLayer(std::exception_ptr& failure) {
   tried(layer_->name(), {}, failure, [&] { layer_->compose(context_, shaders_); });
 }
 
-void Renderer::draw(const FrameInput& asked) { drawPasses(asked, Which::drawn, nullptr); }
+void Renderer::draw(const FrameInput& asked) { drawPasses(asked, Which::drawn, nullptr, {}); }
 
-bool Renderer::warmUp(const FrameInput& asked, double budgetMs, std::size_t& drawn) {
-  const auto begin = std::chrono::steady_clock::now();
-  const std::size_t before = drawn;
-  const auto goesOn = [&](std::size_t count) {
-    drawn = count;
-    if (count <= before) return true;
-    context_.api().Finish();  // a software renderer compiles when it draws
-    const auto passed = std::chrono::steady_clock::now() - begin;
-    return std::chrono::duration<double, std::milli>(passed).count() < budgetMs;
-  };
+bool Renderer::unseen(const std::function<void()>& work) {
   targets_ = &unseen_;
   timer_.setPaused(true);
   shaders_.limitCompiling(1);
@@ -127,9 +118,9 @@ bool Renderer::warmUp(const FrameInput& asked, double budgetMs, std::size_t& dra
     skipped_ = std::move(skippedInDraw);
   };
   try {
-    const bool complete = drawPasses(asked, Which::all, goesOn);
+    work();
     restore();
-    return complete;
+    return true;
   } catch (const gl::ShaderCache::CompileLater&) {
     restore();
     return false;
@@ -139,7 +130,34 @@ bool Renderer::warmUp(const FrameInput& asked, double budgetMs, std::size_t& dra
   }
 }
 
-bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& goesOn) {
+bool Renderer::warmUp(const FrameInput& asked, double budgetMs, std::size_t& drawn) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::size_t before = drawn;
+  const auto goesOn = [&](std::size_t count) {
+    drawn = count;
+    if (count <= before) return true;
+    context_.api().Finish();  // a software renderer compiles when it draws
+    const auto passed = std::chrono::steady_clock::now() - begin;
+    return std::chrono::duration<double, std::milli>(passed).count() < budgetMs;
+  };
+  bool complete = false;
+  return unseen([&] { complete = drawPasses(asked, Which::all, goesOn, {}); }) && complete;
+}
+
+std::optional<std::vector<float>> Renderer::drawUnseen(const FrameInput& input) {
+  std::vector<float> radiance;
+  const bool complete = unseen([&] {
+    drawPasses(input, Which::drawn, nullptr, {.last = RenderStage::weatherEffects});
+    radiance = radianceOf(unseen_.scene);
+  });
+  return complete ? std::optional(std::move(radiance)) : std::nullopt;
+}
+
+void Renderer::drawOverlays(const FrameInput& input, std::string_view reason) {
+  drawPasses(input, Which::drawn, nullptr, {.first = RenderStage::hud, .others = reason});
+}
+
+bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& goesOn, const Stages& stages) {
   requireValid(asked.view);
   context_.makeCurrent();
   resize(asked.view.width, asked.view.height);
@@ -156,7 +174,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   timer_.begin(kBegin);
   uniforms_.writeValue(0, uniforms);
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kFrameUniformsBinding);
-  targets_->scene.clear();
+  if (stages.first <= RenderStage::models) targets_->scene.clear();
   targets_->output.clear();
   timer_.end();
   FrameResources made;
@@ -171,7 +189,11 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
                      targets_->scene.colorTexture(),
                      targets_->scene.depthTexture()};
   skipped_.clear();
-  if (layer_) skipped_.emplace(layer_->name(), layer_->skipReason(settings_, {}).value_or(""));
+  if (layer_) {
+    const bool left = !stages.contains(layer_->stage());
+    skipped_.emplace(layer_->name(),
+                     left ? std::string(stages.others) : layer_->skipReason(settings_, {}).value_or(""));
+  }
   bool layered = false;  // the layer is the target
   bool complete = true;
   std::size_t count = 0;
@@ -179,6 +201,10 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   for (const Entry& entry : passes_) {
     if (entry.held && which == Which::drawn) continue;
     Pass& pass = *entry.pass;
+    if (!stages.contains(pass.stage())) {
+      skipped_.emplace(pass.name(), stages.others);
+      continue;
+    }
     if (const std::optional<std::string> reason = pass.skipReason(input)) {
       skipped_.emplace(pass.name(), *reason);
       continue;
@@ -255,8 +281,9 @@ core::Image Renderer::readBack() {
   return image;
 }
 
-std::vector<float> Renderer::readRadiance() {
-  const gl::FrameBuffer& scene = screen_.scene;
+std::vector<float> Renderer::readRadiance() { return radianceOf(screen_.scene); }
+
+std::vector<float> Renderer::radianceOf(const gl::FrameBuffer& scene) {
   if (!scene) return {};
   const std::size_t row = static_cast<std::size_t>(scene.width()) * 3;
   std::vector<float> bottomUp(row * static_cast<std::size_t>(scene.height())), radiance;
@@ -276,6 +303,17 @@ void Renderer::finish() {
   context_.api().Finish();
   timer_.finish();
   noteTimes();
+}
+
+std::vector<std::pair<std::string_view, double>> Renderer::newestTimes() const {
+  std::vector<std::pair<std::string_view, double>> newest;
+  for (const Entry& entry : passes_) {
+    const std::string_view name = entry.pass->name();
+    const auto times = times_.find(name);
+    if (entry.held || skipped_.contains(name) || times == times_.end() || times->second.empty()) continue;
+    newest.emplace_back(name, times->second.back());
+  }
+  return newest;
 }
 
 void Renderer::clearTimes() {

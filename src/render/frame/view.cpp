@@ -21,6 +21,7 @@ bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(
 
 void requireValid(const View& view) {
   if (!isFinite(view.position)) refuse("position is not finite");
+  if (!std::isfinite(view.offAxis.x) || !std::isfinite(view.offAxis.y)) refuse("axis is not finite");
   const glm::dmat3& m = view.worldToView;
   if (!isFinite(m[0]) || !isFinite(m[1]) || !isFinite(m[2])) refuse("orientation is not finite");
   const glm::dmat3 product = m * glm::transpose(m);
@@ -39,11 +40,23 @@ void requireValid(const View& view) {
   }
 }
 
+View partOf(const View& whole, const glm::ivec2& corner, int side, int pixelSize) {
+  View part = whole;
+  part.width = part.height = side;
+  const double ofPixel = whole.pixelAngleRad() * pixelSize;
+  part.fovYRad = 2 * std::atan(0.5 * ofPixel * side);
+  const glm::dvec2 middle = glm::dvec2(corner) + 0.5 * side * pixelSize;
+  part.offAxis += (middle - 0.5 * glm::dvec2(whole.width, whole.height)) * whole.pixelAngleRad();
+  return part;
+}
+
 glm::mat4 projection(const View& view) {
   const double focal = 1 / std::tan(view.fovYRad / 2);
   glm::mat4 m(0);
   m[0][0] = static_cast<float>(focal / view.aspect());
   m[1][1] = static_cast<float>(focal);
+  m[2][0] = static_cast<float>(focal / view.aspect() * view.offAxis.x);
+  m[2][1] = static_cast<float>(focal * view.offAxis.y);
   m[2][3] = -1;
   m[3][2] = static_cast<float>(view.nearM);
   return m;
@@ -62,7 +75,8 @@ glm::mat4 bodyMatrix(const View& view, const glm::dvec3& position, const glm::dq
 
 glm::dmat3 rayMatrix(const View& view) {
   const double tangent = std::tan(view.fovYRad / 2);
-  return glm::dmat3(view.right() * (tangent * view.aspect()), view.up() * tangent, view.forward());
+  return glm::dmat3(view.right() * (tangent * view.aspect()), view.up() * tangent,
+                    view.forward() + view.right() * view.offAxis.x + view.up() * view.offAxis.y);
 }
 
 glm::dvec3 rayDirection(const View& view, const glm::dvec2& pixel) {

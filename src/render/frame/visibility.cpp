@@ -12,9 +12,13 @@ bool isPotentiallyVisible(const View& view, const glm::dvec3& middle, double rad
   const double ahead = -seen.z;
   if (ahead < -radiusM) return false;
   const double tanY = std::tan(view.fovYRad / 2), tanX = tanY * view.aspect();
-  // Distance to the plane through the eye and the picture's edge.
-  if ((std::abs(seen.x) - ahead * tanX) / std::sqrt(1 + tanX * tanX) > radiusM) return false;
-  if ((std::abs(seen.y) - ahead * tanY) / std::sqrt(1 + tanY * tanY) > radiusM) return false;
+  // Distance to the plane through the eye and an edge of the picture, whose tangent it has.
+  const auto liesBeyond = [&](double aside, double tangent) {
+    return (aside - ahead * tangent) / std::sqrt(1 + tangent * tangent) > radiusM;
+  };
+  const glm::dvec2 axis = view.offAxis;
+  if (liesBeyond(seen.x, tanX + axis.x) || liesBeyond(-seen.x, tanX - axis.x)) return false;
+  if (liesBeyond(seen.y, tanY + axis.y) || liesBeyond(-seen.y, tanY - axis.y)) return false;
   const double pixels = radiusM / glm::length(seen) / view.pixelAngleRad();
   return pixels > 1.0 / 6;
 }
@@ -26,10 +30,10 @@ bool isPotentiallyVisible(const View& view, const std::array<glm::dvec3, 8>& cor
     const glm::dvec3 seen = view.worldToView * corner;
     const double ahead = -seen.z;
     beyond[0] += ahead < view.nearM;
-    beyond[1] += seen.x > ahead * tangentX;
-    beyond[2] += -seen.x > ahead * tangentX;
-    beyond[3] += seen.y > ahead * tangentY;
-    beyond[4] += -seen.y > ahead * tangentY;
+    beyond[1] += seen.x > ahead * (tangentX + view.offAxis.x);
+    beyond[2] += -seen.x > ahead * (tangentX - view.offAxis.x);
+    beyond[3] += seen.y > ahead * (tangentY + view.offAxis.y);
+    beyond[4] += -seen.y > ahead * (tangentY - view.offAxis.y);
   }
   return std::none_of(beyond.begin(), beyond.end(), [&](std::size_t n) { return n == corners.size(); });
 }
@@ -43,7 +47,8 @@ PixelBox pixelsOf(const View& view, const glm::mat4& toEye, const glm::dvec3& lo
                            corner & 4 ? high.z : low.z);
     const glm::dvec3 seen = view.worldToView * (glm::dmat3(glm::dmat4(toEye)) * place + glm::dvec3(toEye[3]));
     if (-seen.z < view.nearM) return all;
-    const glm::dvec2 pixel = glm::dvec2(seen) * (scale / -seen.z) + 0.5 * glm::dvec2(view.width, view.height);
+    const glm::dvec2 pixel =
+        (glm::dvec2(seen) / -seen.z - view.offAxis) * scale + 0.5 * glm::dvec2(view.width, view.height);
     first = glm::min(first, pixel);
     last = glm::max(last, pixel);
   }

@@ -26,6 +26,7 @@ Program& ShaderCache::madeOnce(Entry<Program>& entry, const std::string& key, Ma
     failed_.insert_or_assign(key, error);
     throw;
   }
+  entry.number = ++made_;
   return *entry.program;
 }
 
@@ -81,6 +82,18 @@ void ShaderCache::deleteUnused() {
   const auto eraseFrom = [this](auto& entries) {
     std::erase_if(entries, [this](const auto& entry) {
       if (entry.second.lastUse == use_) return false;
+      stale_.erase(entry.first);
+      return true;
+    });
+  };
+  eraseFrom(shaders_);
+  eraseFrom(computeShaders_);
+}
+
+void ShaderCache::deleteMadeAfter(std::uint64_t count) {
+  const auto eraseFrom = [&](auto& entries) {
+    std::erase_if(entries, [&](const auto& entry) {
+      if (entry.second.number <= count) return false;
       stale_.erase(entry.first);
       return true;
     });

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skydrop/core/frame_statistics.h"
@@ -77,6 +78,16 @@ class Renderer {
   bool warmUp(const FrameInput& input, double budgetMs, std::size_t& drawn);
   void endWarmUp() { unseen_ = {}; }
 
+  // Draws the scene of a frame that nobody sees, without tone map and interface, and returns its linear light
+  // as readRadiance() does. Nothing where a second program would have to be compiled: call again. Targets of
+  // its size are kept until endWarmUp(); times and counts of draw() are left alone. Throws what draw()
+  // throws.
+  std::optional<std::vector<float>> drawUnseen(const FrameInput& input);
+
+  // Draws the stages after the tone map over black into the output: a frame whose picture is one that was
+  // kept (SplitPass). The passes that it leaves out are given as skipped, with this reason.
+  void drawOverlays(const FrameInput& input, std::string_view reason);
+
   // Linear light of the last frame.
   const gl::Texture& sceneColor() const { return screen_.scene.colorTexture(); }
   // The output of the last frame; waits for the GPU. Black before the first.
@@ -98,6 +109,11 @@ class Renderer {
   // Passes, GL objects, renderer, clock. `ms` of a pass is the median over the newest `frames` frames drawn
   // since the last clearTimes(); the caller fills the rest.
   void fillStatistics(core::FrameStatistics& statistics, std::size_t frames = kKeptTimes);
+  // Of each pass that the last frame drew, in its order, what it took when it was last measured, ms; empty
+  // while nothing is measured. Names are valid until the passes change.
+  std::vector<std::pair<std::string_view, double>> newestTimes() const;
+  // What times the passes (core::FrameStatistics::clock).
+  std::string_view clockName() const { return timer_.clockName(); }
   void clearTimes();
   // Waits until the GPU has done everything it was asked for.
   void finish();
@@ -116,8 +132,16 @@ class Renderer {
   void resize(int width, int height);
   // Asked after each pass whether to go on with the next.
   using GoesOn = std::function<bool(std::size_t passesDrawn)>;
+  struct Stages {
+    RenderStage first = RenderStage::shadows, last = RenderStage::menu;
+    std::string_view others = {};  // why those that are left out are
+    bool contains(RenderStage stage) const { return stage >= first && stage <= last; }
+  };
   // False when it ended before the last pass.
-  bool drawPasses(const FrameInput& input, Which which, const GoesOn& goesOn);
+  bool drawPasses(const FrameInput& input, Which which, const GoesOn& goesOn, const Stages& stages);
+  // The work with the targets, the times and the counts of frames that nobody sees. False where more programs
+  // would have to be compiled at once.
+  bool unseen(const std::function<void()>& work);
   void bindTarget(RenderStage stage);
   // Whether the passes of the layer's stage go into it in this frame; it is then the target.
   bool beginLayer(const FrameInput& input, Which which);
@@ -127,6 +151,7 @@ class Renderer {
   void tried(std::string_view name, const Group& group, std::exception_ptr& failure,
              const std::function<void()>& draw);
   void noteTimes();
+  static std::vector<float> radianceOf(const gl::FrameBuffer& scene);
 
   gl::Context& context_;
   RenderSettings settings_;

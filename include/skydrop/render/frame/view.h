@@ -21,6 +21,9 @@ struct View {
   int width = 1280;               // pixels, [1, 16384]
   int height = 720;
   double nearM = 0.1;  // near plane, m, > 0
+  // Where the axis of the picture's middle meets the plane 1 m ahead: metres right and up. 0 but for a part
+  // of a larger picture (partOf).
+  glm::dvec2 offAxis{0};
 
   double aspect() const { return static_cast<double>(width) / height; }
   // Of a pixel in the middle of the picture; elsewhere it is seen under a smaller angle.
@@ -33,6 +36,11 @@ struct View {
 // Throws core::RangeError in one line for anything above that does not hold: a camera that is not finite can
 // give a plausible picture without one NaN pixel, so it is refused here.
 void requireValid(const View& view);
+
+// A square part of a picture as a view of its own: `side` x `side` pixels, each as large as pixelSize x
+// pixelSize of the whole, the first at `corner` (pixels of the whole from its lower left corner). It may
+// reach beyond the whole. Of pixel size 1 its rays are those of the whole, but for rounding.
+View partOf(const View& whole, const glm::ivec2& corner, int side, int pixelSize);
 
 // Clip space of OpenGL with glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE).
 glm::mat4 projection(const View& view);

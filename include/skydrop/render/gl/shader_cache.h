@@ -55,11 +55,17 @@ class ShaderCache {
   void beginUse() { ++use_; }
   void deleteUnused();
 
+  // Programs made so far, and the way back to that: deletes those that were made after the first `count`.
+  // References to those become invalid; who asks for one again has it compiled again.
+  std::uint64_t madeSoFar() const { return made_; }
+  void deleteMadeAfter(std::uint64_t count);
+
  private:
   template <class Program>
   struct Entry {
     std::unique_ptr<Program> program;
     std::uint64_t lastUse = 0;
+    std::uint64_t number = 0;  // of the programs that were made, from 1 on; 0: not made
   };
 
   // The program of the entry, made there by `make` the first time.
@@ -70,7 +76,7 @@ class ShaderCache {
   Context* context_;
   std::map<std::string, Entry<Shader>> shaders_;
   std::map<std::string, Entry<ComputeShader>> computeShaders_;
-  std::uint64_t use_ = 0;
+  std::uint64_t use_ = 0, made_ = 0;
   std::optional<int> mayCompile_;                  // nullopt: as many as are asked for
   std::map<std::string, core::DataError> failed_;  // never compiled
   std::map<std::string, std::string> stale_;       // compiled once, not since: the line that says why
