@@ -25,7 +25,7 @@ shared uint firstOfGroup;
 // Halfway between the second and the third of four in a row: the cubic through them.
 vec4 halfway(vec4 a, vec4 b, vec4 c, vec4 d) { return 0.5625 * (b + c) - 0.0625 * (a + d); }
 
-vec4 bend(vec4 a, vec4 b, vec4 c, vec4 d) { return max(abs(a - 2.0 * b + c), abs(b - 2.0 * c + d)); }
+vec4 secondDifference(vec4 a, vec4 b, vec4 c, vec4 d) { return max(abs(a - 2.0 * b + c), abs(b - 2.0 * c + d)); }
 
 float largest(vec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
 
@@ -46,8 +46,10 @@ Surroundings surroundingsOf(ivec2 cell) {
 // How much the rays around a cell bend. All three new rays of a cell are judged together: by what is beside each of them
 // alone, an edge would be seen too late.
 float curvatureOf(Surroundings s) {
-  vec4 across = max(bend(s.rows[4], s.rows[5], s.rows[6], s.rows[7]), bend(s.rows[8], s.rows[9], s.rows[10], s.rows[11]));
-  vec4 up = max(bend(s.rows[1], s.rows[5], s.rows[9], s.rows[13]), bend(s.rows[2], s.rows[6], s.rows[10], s.rows[14]));
+  vec4 across = max(secondDifference(s.rows[4], s.rows[5], s.rows[6], s.rows[7]),
+                    secondDifference(s.rows[8], s.rows[9], s.rows[10], s.rows[11]));
+  vec4 up = max(secondDifference(s.rows[1], s.rows[5], s.rows[9], s.rows[13]),
+                secondDifference(s.rows[2], s.rows[6], s.rows[10], s.rows[14]));
   return largest(across + up);
 }
 

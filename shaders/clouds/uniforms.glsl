@@ -14,7 +14,7 @@ layout(std140, binding = 1) uniform Clouds {
   vec4 sunLight;      // rgb: illuminance of the sun in the layer
   vec4 skyLight;      // rgb: illuminance by the sky on a level surface
   vec4 groundLight;   // rgb: illuminance from below
-  vec4 march;         // step (m), where steps begin to grow (m), least opacity of a stretch, transmittanceCutoff
+  vec4 march;         // step (m), where steps begin to grow (m), least opacity of a segment, transmittanceCutoff
   vec4 strides;       // of clear air: shape up to which there is none but that; m of it for a unit of shape less: to the eye, to the sun
   vec4 sunSteps;      // towards the sun: the first (m), growth, m longer with a unit of optical depth
   vec4 exact;         // of the exact march: maxSegmentOpticalDepth

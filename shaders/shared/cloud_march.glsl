@@ -11,9 +11,9 @@ CONST int kMaxStepsPerSegment = 4;
 // drivers.
 CONST int kMostIterations = 30000;
 
-// Of the march of the tiers to play with: samples of a turn of its loops; stretches that a ray's light is worked out for at
+// Of the march of the tiers to play with: samples of a turn of its loops; segments that a ray's light is worked out for at
 // most, and how many of them may be as thin as lightOpacity says.
 CONST int kSamplesATurn = 2;
 CONST int kSunSamplesATurn = 2;
-CONST int kMostStretches = 32;
-CONST int kStretchesAtWill = 24;
+CONST int kMostSegments = 32;
+CONST int kThinSegments = 24;

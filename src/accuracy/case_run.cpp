@@ -11,6 +11,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/image.h"
+#include "skydrop/core/joined.h"
 
 namespace skydrop::accuracy {
 namespace {
@@ -84,7 +85,7 @@ CaseResult CaseRun::described(const StudyCase& where, std::size_t index) const {
     result.points.push_back(of);
   }
   for (const Experiment& reference : plan_.references)
-    result.references.push_back({joined(reference.set), {}, ""});
+    result.references.push_back({core::joined(reference.set), {}, ""});
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include "accuracy/report_text.h"
 #include "skydrop/core/csv.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/joined.h"
 
 namespace skydrop::accuracy {
 namespace {
@@ -37,8 +38,8 @@ void addTable(const CaseResult& of, std::string& out) {
     out += "|" + cell(point.label);
     for (std::size_t m = 0; m < of.metrics.size(); ++m)
       out += cell(m < point.errors.size() ? shownNumber(point.errors[m]) : "");
-    out +=
-        cell(timeText(point)) + cell(isOnFront(of, 0, i) ? "yes" : "") + cell(joined(point.shipped)) + "\n";
+    out += cell(timeText(point)) + cell(isOnFront(of, 0, i) ? "yes" : "") +
+           cell(core::joined(point.shipped)) + "\n";
   }
   for (const ReferenceResult& reference : of.references) {
     if (reference.changes.empty()) continue;
@@ -82,11 +83,11 @@ std::string csvReport(const Results& results) {
       const PointResult& point = of.points[i];
       for (std::size_t m = 0; m < point.errors.size(); ++m) {
         out += csvField(of.study) + "," + csvField(of.name) + "," + csvField(point.label) + "," +
-               csvField(joined(point.set)) + "," + of.metrics[m].name + "," + csvField(of.metrics[m].unit) +
-               "," + exactNumber(point.errors[m]) + "," + exactNumber(point.medianMs()) + "," +
-               exactNumber(point.leastMs()) + "," + exactNumber(point.mostMs()) + "," +
-               csvField(of.timeUnit) + "," + csvField(of.clock) + "," + (isOnFront(of, m, i) ? "yes" : "no") +
-               "," + csvField(joined(point.shipped)) + "\r\n";
+               csvField(core::joined(point.set)) + "," + of.metrics[m].name + "," +
+               csvField(of.metrics[m].unit) + "," + exactNumber(point.errors[m]) + "," +
+               exactNumber(point.medianMs()) + "," + exactNumber(point.leastMs()) + "," +
+               exactNumber(point.mostMs()) + "," + csvField(of.timeUnit) + "," + csvField(of.clock) + "," +
+               (isOnFront(of, m, i) ? "yes" : "no") + "," + csvField(core::joined(point.shipped)) + "\r\n";
       }
     }
   }

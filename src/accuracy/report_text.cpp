@@ -18,12 +18,6 @@ std::string inText(const char* format, double value) {
 std::string shownNumber(double value) { return inText("%.3g", value); }
 std::string exactNumber(double value) { return inText("%.17g", value); }
 
-std::string joined(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& one : all) text += (text.empty() ? "" : ", ") + one;
-  return text;
-}
-
 std::string titled(const MetricColumn& metric) {
   return metric.unit.empty() || metric.unit == "1" ? metric.title : metric.title + ", " + metric.unit;
 }

@@ -8,10 +8,9 @@
 
 namespace skydrop::accuracy {
 
-std::string shownNumber(double value);                    // three digits
-std::string exactNumber(double value);                    // reads back to the same bits
-std::string joined(const std::vector<std::string>& all);  // "a, b"
-std::string titled(const MetricColumn& metric);           // "distance, m"
+std::string shownNumber(double value);           // three digits
+std::string exactNumber(double value);           // reads back to the same bits
+std::string titled(const MetricColumn& metric);  // "distance, m"
 // The lines of a case beneath its table: doubts, observed orders, failure. Plain text.
 std::vector<std::string> remarksOf(const CaseResult& result);
 bool isOnFront(const CaseResult& result, std::size_t metric, std::size_t point);

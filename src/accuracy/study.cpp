@@ -10,6 +10,7 @@
 #include "skydrop/core/assets.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/joined.h"
 #include "skydrop/core/json.h"
 #include "skydrop/core/nearest_names.h"
 
@@ -203,9 +204,8 @@ Study loadStudy(const std::string& nameOrFile) {
   if (isFile) return parseStudy(core::readTextFile(nameOrFile, kMostStudyBytes), nameOrFile);
   const std::vector<std::string> known = listStudies();
   if (std::ranges::find(known, nameOrFile) == known.end()) {
-    std::string names;
-    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-    throw core::UsageError("accuracy: there is no study '" + nameOrFile + "'; there are: " + names);
+    throw core::UsageError("accuracy: there is no study '" + nameOrFile +
+                           "'; there are: " + core::joined(known));
   }
   const std::filesystem::path file = core::assetPath("studies/" + nameOrFile + ".json");
   return parseStudy(core::readTextFile(file, kMostStudyBytes), file.string());

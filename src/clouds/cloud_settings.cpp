@@ -114,19 +114,7 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
                     .min = min,
                     .max = max,
                     .help = help,
-                    .logarithmic = true,
-                    .slider = slider,
-                    .aliases = aliases,
-                    .note = std::move(note)});
-  };
-  const auto share = [&](std::string_view name, double& value, double min, double max, std::string_view help,
-                         std::string_view aliases, core::FieldNote note, std::string_view unit = "1",
-                         std::optional<core::Range> slider = std::nullopt) {
-    visitor.number(name, value,
-                   {.unit = unit,
-                    .min = min,
-                    .max = max,
-                    .help = help,
+                    .logarithmic = min > 0,
                     .slider = slider,
                     .aliases = aliases,
                     .note = std::move(note)});
@@ -161,8 +149,8 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
       "stepGrowth", s.stepGrowth, "1", 0.0002, 0.1,
       "Length of a step far from the eye, about, as a share of the distance; less finds smaller wisps there.",
       "step size, LOD", {}, core::Range{0.001, 0.1});
-  share(
-      "clearStride", s.clearStride, 0, 2,
+  number(
+      "clearStride", s.clearStride, "1", 0, 2,
       "How far clear air is crossed at once, of the way in which the noise may hide no cloud; 0 goes step by "
       "step, more than 1 may miss thin cloud.",
       "stride, empty space", unlessExact());
@@ -175,16 +163,16 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
   number("sunStepM", s.sunStepM, "m", 1, 100,
          "First step from an opaque place towards the sun; less is more exact where cloud is lit.",
          "light samples, shadow samples", unlessExact());
-  share("sunStepGrowth", s.sunStepGrowth, 0, 1,
-        "How much longer a step towards the sun gets with each metre of the way; less is more exact.",
-        "light samples, shadow samples", unlessExact());
-  share("sunStepPerDepthM", s.sunStepPerDepthM, 0, 100,
-        "How much longer a step towards the sun gets with each unit of optical depth; less is more exact in "
-        "dense cloud.",
-        "light samples, shadow samples", unlessExact(), "m");
-  share("sunClearStride", s.sunClearStride, 0, 2,
-        "How far clear air is crossed at once on the way to the sun, as clearStride.", "stride, empty space",
-        unlessExact(), "1", core::Range{0.4, 2});
+  number("sunStepGrowth", s.sunStepGrowth, "1", 0, 1,
+         "How much longer a step towards the sun gets with each metre of the way; less is more exact.",
+         "light samples, shadow samples", unlessExact());
+  number("sunStepPerDepthM", s.sunStepPerDepthM, "m", 0, 100,
+         "How much longer a step towards the sun gets with each unit of optical depth; less is more exact in "
+         "dense cloud.",
+         "light samples, shadow samples", unlessExact());
+  number("sunClearStride", s.sunClearStride, "1", 0, 2,
+         "How far clear air is crossed at once on the way to the sun, as clearStride.", "stride, empty space",
+         unlessExact(), core::Range{0.4, 2});
   visitor.flag("detail", s.detail,
                {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
                 .takesEffect = core::TakesEffect::variant,

@@ -6,6 +6,7 @@
 #include "skydrop/core/assets.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/joined.h"
 #include "skydrop/core/json.h"
 #include "skydrop/core/nearest_names.h"
 #include "skydrop/flight/environment.h"
@@ -108,12 +109,6 @@ class SceneReader {
   std::string file_;
 };
 
-std::string knownScenes() {
-  std::string names;
-  for (const std::string& name : listScenes()) names += (names.empty() ? "" : ", ") + name;
-  return names;
-}
-
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& file) {
@@ -132,7 +127,8 @@ Scene loadScene(std::string_view nameOrFile) {
   const std::filesystem::path file = isPath ? std::filesystem::path(nameOrFile) : sceneFile(nameOrFile);
   std::error_code ignored;
   if (!isPath && !std::filesystem::exists(file, ignored)) {
-    throw DataError(nameOrFile, "scene", "there is none of this name; there are: " + knownScenes());
+    throw DataError(nameOrFile, "scene",
+                    "there is none of this name; there are: " + core::joined(listScenes()));
   }
   Scene scene = parseScene(core::readTextFile(file, kMostSceneBytes), file);
   if (!isPath) scene.source = nameOrFile;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "skydrop/core/joined.h"
 #include "ui/frame_graph.h"
 #include "ui/menu_item.h"
 
@@ -132,8 +133,7 @@ void drawStatistics(const core::FrameStatistics& statistics, std::span<const dou
     ImGui::PopTextWrapPos();
   }
   drawResidency(statistics, table);
-  std::string effects;
-  for (const std::string& effect : statistics.effects) effects += (effects.empty() ? "" : ", ") + effect;
+  const std::string effects = core::joined(statistics.effects);
   if (!effects.empty()) ImGui::TextWrapped("Effects: %s", effects.c_str());
   if (!statistics.renderer.empty()) ImGui::TextWrapped("%s", statistics.renderer.c_str());
 }

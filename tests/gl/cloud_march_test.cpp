@@ -188,7 +188,7 @@ void main() {
   ivec2 pixel = tile * 16 + 2 * placeInSquare(gl_LocalInvocationIndex, 8u);
   vec3 direction = normalize(rayThrough(vec2(pixel) + 0.5));
   float transmittance;
-  int count = gatherStretches(direction, (tile.y * tileCount.x + tile.x) * kPlacesOfSpans, kFarMarker, transmittance);
+  int count = gatherSegments(direction, (tile.y * tileCount.x + tile.x) * kPlacesOfSpans, kFarMarker, transmittance);
   atomicMax(turns.most[0], samples);
   atomicMax(turns.most[1], uint(count));
   samples = 0u;
@@ -214,7 +214,7 @@ void main() {
     turns.read(0, std::as_writable_bytes(std::span(most)));
   }
 
-  std::array<GLuint, 4> most{};  // of a ray: samples of its own, stretches, all samples
+  std::array<GLuint, 4> most{};  // of a ray: samples of its own, segments, all samples
 
  private:
   const CloudSystem& system_;
@@ -223,7 +223,7 @@ void main() {
 
 TEST_F(CloudMarchGLTest, noRayRunsMoreLoopsThanADriverAllows) {
   // In mist that rays go through for 24 km, with the finest steps that can be set, and with those of each
-  // tier: no ray has more stretches than there is room for, and all its samples stay far below the 65 535
+  // tier: no ray has more segments than there is room for, and all its samples stay far below the 65 535
   // turns at which llvmpipe ends a loop: so one dispatch reaches the end of every ray.
   test::TemporaryFolder folder;
   addClouds(test::sharedNoise());
@@ -235,7 +235,7 @@ TEST_F(CloudMarchGLTest, noRayRunsMoreLoopsThanADriverAllows) {
   for (const CloudTier tier : {CloudTier::low, CloudTier::medium, CloudTier::high, CloudTier::ultra}) {
     clouds_.march = test::rowsOf(tier);
     sceneFrom(small({0, 2400, 0}, 40, 3));
-    EXPECT_LE(turns.most[1], static_cast<GLuint>(core::shared::f32::kMostStretches));
+    EXPECT_LE(turns.most[1], static_cast<GLuint>(core::shared::f32::kMostSegments));
     EXPECT_GT(turns.most[1], 5u);
     EXPECT_LT(turns.most[0], 4000u);
     EXPECT_LT(turns.most[2], 12000u);

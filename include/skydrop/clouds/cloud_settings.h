@@ -32,9 +32,9 @@ struct MarchSettings {
   double stepGrowth = 0.0025;  // 2e-4 .. 0.1: a step is about this share of its distance, at least half of it
   double clearStride = 1;      // 0 .. 2: through clear air, of the way that is safe by the noise's slope
   double lightOpacity =
-      0.01;  // 0.001 .. 0.2: least opacity of a stretch whose light is worked out at one place
+      0.01;  // 0.001 .. 0.2: least opacity of a segment whose light is worked out at one place
   double transmittanceCutoff = 0.018;  // 1e-5 .. 0.1: a ray ends where no more comes through
-  // Towards the sun: m, 1 .. 100, the first step, for a stretch of opacity 1 (over its root for others); 0 ..
+  // Towards the sun: m, 1 .. 100, the first step, for a segment of opacity 1 (over its root for others); 0 ..
   // 1, how much longer they get a metre; m, 0 .. 100, and with each unit of optical depth.
   double sunStepM = 8, sunStepGrowth = 0.07, sunStepPerDepthM = 5;
   double sunClearStride = 1;  // 0 .. 2: as clearStride

@@ -1,6 +1,7 @@
 // The linear light of a frame as it is seen and measured. Pure functions; any thread.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -13,11 +14,14 @@ namespace skydrop::app {
 // and rounds.
 glm::dvec3 seenColor(const glm::dvec3& light);
 
+// The same, rounded to 8 bits, into three bytes.
+void writeSeen(const glm::dvec3& light, std::uint8_t* rgb);
+
 // Values and `seen` of an observation. Three values a pixel, the top row first
 // (render::Renderer::readRadiance).
 accuracy::Observation observedPicture(const std::vector<float>& radiance, int width, int height);
 
-// What is seen, rounded to 8 bits.
+// Of all pixels.
 core::Image seenPicture(const std::vector<float>& radiance, int width, int height);
 
 }  // namespace skydrop::app

@@ -6,6 +6,7 @@
 #include "app/settings/cloud_tier.h"
 #include "app/settings/settings_change.h"
 #include "skydrop/core/error.h"
+#include "skydrop/core/joined.h"
 #include "skydrop/core/message.h"
 #include "skydrop/core/nearest_names.h"
 
@@ -16,17 +17,11 @@ namespace {
 constexpr std::string_view kLandReference = "streaming.pixelError=0.2";
 constexpr std::string_view kLandRow = "streaming.pixelError";
 
-std::string joined(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
-  return text;
-}
-
 void takeTier(const core::SettingsTable& table, Settings& settings, std::string_view name) {
   const auto found = std::ranges::find(clouds::kCloudTierNames, name);
   if (found == clouds::kCloudTierNames.end() || name == "off")
     throw core::RangeError("clouds have no reference '" + core::printable(name) + "'; possible are " +
-                           joined(std::span(clouds::kCloudTierNames).subspan(1)));
+                           core::joined(std::span(clouds::kCloudTierNames).subspan(1)));
   settings.clouds.tier = static_cast<clouds::CloudTier>(found - clouds::kCloudTierNames.begin());
   Settings defaults;
   const core::SettingsTable defaultTable(defaults);
@@ -86,7 +81,7 @@ SplitReference splitReference(const Settings& present, const scene::EffectSet& e
                                 ? "the sky's reference integral is not drawn (skydrop accuracy "
                                   "sky-scattering compares it in numbers)"
                                 : "'" + core::printable(subject) + "' has no reference that can be drawn";
-    throw core::RangeError(why + "; possible are " + joined(kSplitSubjectNames));
+    throw core::RangeError(why + "; possible are " + core::joined(kSplitSubjectNames));
   }
   return splitReference(present, effects, static_cast<SplitSubject>(found - kSplitSubjectNames.begin()),
                         assignment.substr(equals + 1));

@@ -138,8 +138,7 @@ void SplitView::take(const Refinement::Part& part, const std::vector<float>& rad
       if (isRepeated) {
         std::copy(shown - 4, shown, shown);
       } else {
-        const glm::dvec3 seen = seenColor({radiance[from], radiance[from + 1], radiance[from + 2]});
-        for (int k = 0; k < 3; ++k) shown[k] = static_cast<std::uint8_t>(std::lround(255 * seen[k]));
+        writeSeen({radiance[from], radiance[from + 1], radiance[from + 2]}, shown);
       }
       for (std::size_t k = 0; k < 3; ++k) {
         const float value = radiance[from + k];

@@ -7,6 +7,7 @@
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/joined.h"
 #include "skydrop/core/output_file.h"
 #include "skydrop/core/settings_file.h"
 
@@ -58,13 +59,6 @@ std::vector<std::string> readGroups(const nlohmann::json& json, const std::strin
     groups.push_back(path);
   }
   return groups;
-}
-
-// "aircraft, game"
-std::string inWords(const std::vector<std::string>& groups) {
-  std::string words;
-  for (const std::string& group : groups) words += (words.empty() ? "" : ", ") + group;
-  return words;
 }
 
 struct Preset {
@@ -135,7 +129,7 @@ std::vector<ui::PresetEntry> PresetStore::list() const {
     if (!presetNameRefusal(name).empty()) continue;
     ui::PresetEntry entry{name, "", true};
     try {
-      entry.holds = inWords(readWhole(at->path()).groups);
+      entry.holds = core::joined(readWhole(at->path()).groups);
     } catch (const core::DataError& refusal) {
       entry.holds = refusal.what();
       entry.usable = false;

@@ -257,7 +257,7 @@ void WindowGame::handleEvents() {
   for (const render::gl::WindowEvent& event : controls_.pollGamepad(overlay_->escapeOpen))
     feed_->addForInterface(event);
   feed_->deliver({[this](const render::gl::WindowEvent& event) { return takeEvent(event); },
-                  [this] { return overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_; },
+                  [this] { return interfaceUsesPointer(); },
                   [this] { serve(buildInterface(snapshotToDraw(), 0)); }});
   // What comes back at once was not lost: a window that opens under the mouse sees the focus come, go and
   // come.
@@ -388,9 +388,8 @@ void WindowGame::drawFrame(double seconds) {
   renewCosts();
   noteCosts();
 
-  const bool pointerNeeded = overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_;
   window_.context().setPointerVisible(
-      pointer_.isShown(seconds, std::exchange(pointerMoved_, false), pointerNeeded));
+      pointer_.isShown(seconds, std::exchange(pointerMoved_, false), interfaceUsesPointer()));
   const OverlayResult result = buildInterface(snapshot, seconds);
   drawScene(snapshot, size);
   if (screenshotWanted_) saveScreenshot();

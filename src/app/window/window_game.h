@@ -122,6 +122,7 @@ class WindowGame {
 
   // A pause holds everything; a freeze holds simulated time, and the keys move the free camera.
   bool isPaused() const { return paused_ || overlay_->escapeOpen; }
+  bool interfaceUsesPointer() const { return overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_; }
   bool isFrozen() const { return run_->settings.view.freezeTime; }
 
   CommandLine line_;
