@@ -34,9 +34,11 @@ run_tests() {  # run_tests PRESET CTEST_ARGUMENTS...
 
 # The CPU suites: no OpenGL, so a sanitizer sees all that runs. Without the tests of Python scripts and those that read
 # the sources, and with the clouds' noise that the first build has made.
-cpu_suites() {
+cpu_suites() {  # cpu_suites PRESET CTEST_ARGUMENTS...
+  local preset=$1
+  shift
   SKYDROP_TEST_CACHE="$PWD/build/ci/tests/cache" \
-    run_tests "$1" -R '^(unit|stability)[.]' -E '^unit[.](AssetScripts|NoiseScripts|IncludeRule|PrintRule|ReaderRule)[.]'
+    run_tests "$preset" "$@" -R '^(unit|stability)[.]' -E '^unit[.](AssetScripts|NoiseScripts|IncludeRule|PrintRule|ReaderRule)[.]'
 }
 
 count_of() { sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p" "$2" | head -n 1; }  # count_of tests|skipped REPORT
@@ -65,11 +67,11 @@ phase "install" ./install_dependencies.sh
 phase "build" build ci all
 phase "test" run_tests ci
 if [ "$quick" != "--quick" ]; then
-  phase "build with address and undefined-behaviour sanitizers" build dev all
+  phase "build with address and undefined-behaviour sanitizers" build dev skydrop unit_tests stability_tests gl_tests
   phase "test with address and undefined-behaviour sanitizers" cpu_suites dev
   phase "frames and effects with address and undefined-behaviour sanitizers" gl_smoke
   phase "build with the thread sanitizer" build tsan unit_tests stability_tests
-  phase "test with the thread sanitizer" cpu_suites tsan
+  phase "test with the thread sanitizer" cpu_suites tsan -L threads
 fi
 
 echo
