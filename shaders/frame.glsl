@@ -30,10 +30,11 @@ layout(std140, binding = 0) uniform Frame {
 
 #include "sky/atmosphere.glsl"
 
-// Light that a matt surface sends out: albedo in [0, 1], unit normal, share of the sun that is not in shadow.
-vec3 shadeLambert(vec3 albedo, vec3 normal, float sunShare) {
+// Light that a matt surface sends out: albedo in [0, 1], unit normal, shares of the light of the sun, and of sky and
+// ground, that reach it.
+vec3 shadeLambert(vec3 albedo, vec3 normal, vec2 shares) {
   float up = 0.5 + 0.5 * normal.y;
-  vec3 light = frame.sunLight.xyz * (max(dot(normal, frame.toSun.xyz), 0.0) * sunShare) +
-               mix(frame.groundLight.xyz, frame.skyLight.xyz, up);
+  vec3 light = frame.sunLight.xyz * (max(dot(normal, frame.toSun.xyz), 0.0) * shares.x) +
+               mix(frame.groundLight.xyz, frame.skyLight.xyz, up) * shares.y;
   return albedo / kPi * light;
 }

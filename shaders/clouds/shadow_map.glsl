@@ -1,13 +1,25 @@
-// What clouds leave of the sun at a place (include/skydrop/render/clouds/cloud_shadow_map.h).
+// What clouds leave of the light at a place (include/skydrop/render/clouds/cloud_shadow_map.h).
 #include "frame.glsl"
 #include "shared/cloud_light.glsl"
 
-layout(binding = 10) uniform sampler3D fineShadowMap;    // one layer: optical depth of the clouds along a sun ray
+layout(binding = 12) uniform sampler2D skyShareMap;  // of the light of the sky, below the layer
+uniform vec4 skySharePlace;   // the eye in that texture; its coordinates a metre; where clouds have faded (m)
+uniform vec2 shadowMapLayer;  // base above the eye (m), 1 / thickness
+
+// Share of the layer above a place: within it the clouds below do not shade. Taken as even from base to top.
+float layerAbove(vec3 relative) { return 1.0 - saturate((relative.y - shadowMapLayer.x) * shadowMapLayer.y); }
+
+float skyThroughClouds(vec3 relative) {
+  float below = texture(skyShareMap, skySharePlace.xy + relative.xz * skySharePlace.z).x;
+  return 1.0 - (1.0 - below) * (layerAbove(relative) * cloudFade(length(relative), skySharePlace.w));
+}
+
+#ifdef SUN_SHADOW
+layout(binding = 10) uniform sampler3D fineShadowMap;  // one layer: optical depth of the clouds along a sun ray
 layout(binding = 11) uniform sampler3D coarseShadowMap;
-uniform vec4 inFineShadowMap[2];    // rows: a place relative to the eye, and 1, to the texture
+uniform vec4 inFineShadowMap[2];  // rows: a place relative to the eye, and 1, to the texture
 uniform vec4 inCoarseShadowMap[2];
-uniform vec2 shadowMapLayer;        // base above the eye (m), 1 / thickness
-uniform vec2 shadowRadii;        // how far the fine and the coarse map reach for certain (m)
+uniform vec2 shadowRadii;  // how far the fine and the coarse map reach for certain (m)
 
 vec2 placeInShadowMap(vec4 rows[2], vec3 relative) {
   return vec2(dot(rows[0], vec4(relative, 1.0)), dot(rows[1], vec4(relative, 1.0)));
@@ -27,7 +39,9 @@ float sunThroughClouds(vec3 relative) {
   vec2 coarse = placeInShadowMap(inCoarseShadowMap, relative);
   float depth = mix(texture(coarseShadowMap, vec3(coarse, 0.5)).x, texture(fineShadowMap, vec3(fine, 0.5)).x,
                     insideShadowMap(inFineShadowMap, relative, shadowRadii.x));
-  // Within the layer the clouds below a place do not shade it: taken as even from base to top.
-  float above = 1.0 - saturate((relative.y - shadowMapLayer.x) * shadowMapLayer.y);
-  return mix(1.0, sunBelowCloud(depth * above), insideShadowMap(inCoarseShadowMap, relative, shadowRadii.y));
+  return mix(1.0, sunBelowCloud(depth * layerAbove(relative)),
+             insideShadowMap(inCoarseShadowMap, relative, shadowRadii.y));
 }
+#else
+float sunThroughClouds(vec3 relative) { return 1.0; }  // it is below the horizon
+#endif

@@ -1,5 +1,6 @@
 // Light of a model's surface.
 #include "sky/sky.glsl"
+#include "models/light_shares.glsl"
 #include "models/material.glsl"
 
 // Fresnel's equations for a polished surface (Schlick 1994); a matt one hides most of it at grazing angles.
@@ -29,12 +30,12 @@ vec3 modelLight(Material material, vec3 normal, vec3 relative) {
   vec3 mirrored = reflect(-toEye, normal);
   float facing = max(dot(normal, frame.toSun.xyz), 0.0);
   vec3 shine = fresnel(material.reflectance, dot(normal, toEye), material.gloss);
-  vec3 light = shadeLambert(material.albedo * (1.0 - shine), normal, 1.0) +
-               shine * surroundings(mirrored, material.gloss) +
-               shine * frame.sunLight.xyz * (facing * highlight(normal, toEye, material.gloss));
+  vec3 light = shadeLambert(material.albedo * (1.0 - shine), normal, lightShares) +
+               shine * surroundings(mirrored, material.gloss) * lightShares.y +
+               shine * frame.sunLight.xyz * (lightShares.x * facing * highlight(normal, toEye, material.gloss));
 #ifdef CLOTH
   // Thin cloth lets a third of the light through: the side in the shade glows.
-  light += shadeLambert(material.albedo * material.albedo, -normal, 1.0) * 0.35;
+  light += shadeLambert(material.albedo * material.albedo, -normal, lightShares) * 0.35;
 #endif
   return applyAerialPerspective(min(light, vec3(kBrightest)), relative);
 }

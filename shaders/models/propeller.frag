@@ -9,5 +9,6 @@ out vec4 color;
 void main() {
   discardIfHidden();
   vec4 veil = propellerOpacity(surfaceUv.y, surfaceUv.x);
-  color = vec4(applyAerialPerspective(shadeLambert(veil.rgb, normalize(surfaceNormal), 1.0), relative) * veil.a, veil.a);
+  vec3 light = shadeLambert(veil.rgb, normalize(surfaceNormal), lightShares);
+  color = vec4(applyAerialPerspective(light, relative) * veil.a, veil.a);
 }

@@ -1,4 +1,5 @@
 // Three blades that turn too fast to be seen: a veil, denser where the blades were last, with bright tips.
+#include "models/light_shares.glsl"
 #include "sky/sky.glsl"
 
 // turn: angle from the first blade in turns; radius in radii of the propeller.

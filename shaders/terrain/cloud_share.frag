@@ -1,7 +1,10 @@
-// What clouds leave of the sun at the pixels of the land.
+// What clouds leave of sun and sky at the pixels of the land.
 #include "clouds/shadow_map.glsl"
 #include "terrain/surface.glsl"
 
-out float share;
+out vec2 shares;
 
-void main() { share = sunThroughClouds(landPlace(ivec2(gl_FragCoord.xy))); }
+void main() {
+  vec3 place = landPlace(ivec2(gl_FragCoord.xy));
+  shares = vec2(sunThroughClouds(place), skyThroughClouds(place));
+}

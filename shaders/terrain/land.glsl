@@ -106,19 +106,19 @@ LandNoise coarseNoise(LandSight sight) {
   return noise;
 }
 
-vec3 litLand(LandSurface land, vec3 normal, float sunShare) {
-  vec3 light = frame.sunLight.xyz * (max(dot(normal, frame.toSun.xyz), 0.0) * sunShare) +
-               mix(frame.groundLight.xyz, frame.skyLight.xyz, 0.5 + 0.5 * normal.y) * land.open;
+vec3 litLand(LandSurface land, vec3 normal, vec2 lightShares) {
+  vec3 light = frame.sunLight.xyz * (max(dot(normal, frame.toSun.xyz), 0.0) * lightShares.x) +
+               mix(frame.groundLight.xyz, frame.skyLight.xyz, 0.5 + 0.5 * normal.y) * (land.open * lightShares.y);
   return land.albedo / kPi * light;
 }
 
 // Light from the land (or the sea's floor) at a place `relative` to the eye, without what lies between;
-// `sunShare` of the sun is not in shadow.
+// `lightShares` of the sun, and of sky and ground, reach it.
 #ifdef RICH_LAND
 const float kClodMetres = 8.0;
 const float kGrainMetres = 1.333;
 
-vec3 landLight(vec3 relative, float sunShare) {
+vec3 landLight(vec3 relative, vec2 lightShares) {
   LandSight sight = landSight(relative);
   LandNoise noise = coarseNoise(sight);
   vec4 clod = spaceNoiseAt(sight.place, sight.heightM, 120) * resolved(kClodMetres, sight.footprint);
@@ -140,18 +140,18 @@ vec3 landLight(vec3 relative, float sunShare) {
                vec3(0.0, strata.y * 3.0 * smoothstep(0.85, 0.6, normal.y), 0.0);
   slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * sight.treeShare), land.wooded);
   vec3 bumped = normalize(normal - (slope - normal * dot(slope, normal)));
-  return litLand(land, bumped, sunShare);
+  return litLand(land, bumped, lightShares);
 }
 #else
-vec3 landLight(vec3 relative, float sunShare) {
+vec3 landLight(vec3 relative, vec2 lightShares) {
   LandSight sight = landSight(relative);
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
   LandSurface land = landSurface(sight.heightM, sight.normal.y, 0.0, coarseNoise(sight), 0.0, noCrowns, 0.0);
-  return litLand(land, sight.normal, sunShare);
+  return litLand(land, sight.normal, lightShares);
 }
 #endif
 
 vec3 landAsSeen(vec3 relative, ivec2 pixel) {
-  vec3 light = landLight(relative, sunShareAt(pixel));
+  vec3 light = landLight(relative, lightSharesAt(pixel));
   return mix(horizonRadiance(normalize(relative)), applyAerialPerspective(light, relative), leftOfLight(relative));
 }

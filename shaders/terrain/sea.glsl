@@ -42,8 +42,8 @@ struct SeaLight {
   vec3 passed;  // share of the floor's light that comes through
 };
 
-// At a place of the surface `relative` to the eye, over a floor at a depth; `sunShare` of the sun is not in shadow.
-SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
+// At a place of the surface `relative` to the eye, over a floor at a depth; `shares` of sun and sky reach it.
+SeaLight seaLight(vec3 relative, float depthM, vec2 shares) {
   float distanceM = length(relative);
   vec3 toEye = -relative / distanceM;
   Waves waves = wavesAt(eyeFromBase.xz + relative.xz, distanceM * frame.depthToSea.w / max(toEye.y, 0.05));
@@ -53,17 +53,17 @@ SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
 
   vec3 mirrored = reflect(-toEye, normal);
   mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.02), mirrored.z));
-  vec3 sky = skyTowards(mirrored);
+  vec3 sky = skyTowards(mirrored) * shares.y;
 
   // Waves that pixels do not show tilt the mirror: the slope that would send the sun here, against that of
   // the waves that they show.
   vec3 halfway = normalize(toEye + frame.toSun.xyz);
   vec3 tilted = normalize(vec3(halfway.x - normal.x * halfway.y, halfway.y, halfway.z - normal.z * halfway.y));
-  vec3 glitter = frame.sunLight.xyz * (sunShare * step(0.0, frame.toSun.y) *
+  vec3 glitter = frame.sunLight.xyz * (shares.x * step(0.0, frame.toSun.y) *
                  sunGlitter(tilted, cosView, dot(halfway, toEye), waves.hidden));
 
   vec3 through = throughWater(depthM);
-  vec3 body = shadeLambert(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), sunShare) * (1.0 - through);
+  vec3 body = shadeLambert(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), shares) * (1.0 - through);
   SeaLight light;
   light.own = min(sky * reflectance + glitter + body * (1.0 - reflectance), vec3(kBrightest));
   light.passed = through * (1.0 - reflectance);
@@ -75,7 +75,7 @@ SeaLight seaLight(vec3 relative, float depthM, float sunShare) {
 struct SeaSight {
   vec3 relative;
   float floorShare;
-  float sunShare;  // that shadows leave, told by the floor's
+  vec2 shares;  // of sun and sky that shadows leave, told by the floor's
 };
 
 SeaSight seaSightOf(vec3 fragCoord) {
@@ -86,7 +86,7 @@ SeaSight seaSightOf(vec3 fragCoord) {
   SeaSight sight;
   sight.relative = ray * viewZ;
   sight.floorShare = floorViewZ < kFarMarker ? floorViewZ / viewZ : 0.0;
-  sight.sunShare = sunShareAt(ivec2(fragCoord.xy));
+  sight.shares = lightSharesAt(ivec2(fragCoord.xy));
   return sight;
 }
 
@@ -95,7 +95,7 @@ SeaSight seaSightOf(vec3 fragCoord) {
 SeaLight seaAsSeen(SeaSight sight) {
   vec3 relative = sight.relative;
   SeaLight light = seaLight(relative, sight.floorShare > 0.0 ? eyeFromBase.y * (sight.floorShare - 1.0) : seaFloorM,
-                            sight.sunShare);
+                            sight.shares);
   float left = leftOfLight(relative);
   vec3 horizon = horizonRadiance(normalize(relative));
   if (sight.floorShare <= 0.0) light.passed = vec3(0.0);

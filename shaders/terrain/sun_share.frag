@@ -1,11 +1,11 @@
-// What one caster leaves of the sun at the pixels of the land where its shadow may fall.
+// What one caster leaves of the sun, and all of the sky, at the pixels of the land where its shadow may fall.
 #include "shadow/cast_shadows.glsl"
 #include "terrain/surface.glsl"
 
-out float share;
+out vec2 shares;
 
 void main() {
   BehindCaster at = behindCaster(landPlace(ivec2(gl_FragCoord.xy)));
   if (!mayBeInShadow(at)) discard;
-  share = shareOfSun(at);
+  shares = vec2(shareOfSun(at), 1.0);
 }

@@ -113,7 +113,7 @@ class BallPass final : public Pass {
   void draw(FrameContext& frame) override {
     frame.gl.api().Enable(GL_CULL_FACE);
     model_.draw(frame.shaders, "models/model.vert", "models/model.frag", {},
-                bodyMatrix(frame.frame.view, {0, 0, 0}, glm::dquat(1, 0, 0, 0)), ModelPose(model_));
+                bodyMatrix(frame.frame.view, {0, 0, 0}, glm::dquat(1, 0, 0, 0)), ModelPose(model_), {});
   }
 
  private:
@@ -379,7 +379,7 @@ TEST_F(ModelPassGLTest, severalTexturesOfAKindMultiply) {
     RenderStage stage() const override { return RenderStage::models; }
     void draw(FrameContext& frame) override {
       model_->draw(frame.shaders, "models/model.vert", "models/model.frag", {},
-                   bodyMatrix(frame.frame.view, {0, 0, 0}, glm::dquat(1, 0, 0, 0)), ModelPose(*model_));
+                   bodyMatrix(frame.frame.view, {0, 0, 0}, glm::dquat(1, 0, 0, 0)), ModelPose(*model_), {});
     }
 
    private:
@@ -394,6 +394,47 @@ TEST_F(ModelPassGLTest, severalTexturesOfAKindMultiply) {
   EXPECT_TRUE(test::imagesMatch(multiplied, draw(view), {2, 1}, "two_textures"));
   data.materials = {{"five", {0, 0, 0, 0, 0}, {}}};
   EXPECT_THROW(Model(context(), data, "five"), core::DataError);
+}
+
+TEST_F(ModelPassGLTest, lightIsTheSumOfTheSharesOfSunAndSky) {
+  // Half the sun and a quarter of the sky give half the light of the sun alone and a quarter of that of the
+  // sky alone, within what half floats keep (2^-11).
+  ModelData data;
+  data.nodes = {{"part", -1, glm::mat4(1), {0}}};
+  data.meshes = {{"part", planeMesh(100, 100, 1, 1), 0}};
+  data.materials = {{"plain", {}, {}}};
+  const Model model(context(), data, "plain");
+  LightShares shares;
+  class Drawing final : public Pass {
+   public:
+    Drawing(const Model& model, const LightShares& shares) : model_(model), shares_(shares) {}
+    std::string_view name() const override { return "drawing"; }
+    RenderStage stage() const override { return RenderStage::models; }
+    void draw(FrameContext& frame) override {
+      model_.draw(frame.shaders, "models/model.vert", "models/model.frag", {},
+                  bodyMatrix(frame.frame.view, {0, 0, 0}, glm::dquat(1, 0, 0, 0)), ModelPose(model_),
+                  shares_);
+    }
+
+   private:
+    const Model& model_;
+    const LightShares& shares_;
+  };
+  std::vector<glm::vec4> light;
+  renderer().add(std::make_unique<Drawing>(model, shares));
+  renderer().add(std::make_unique<test::LightProbe>(light));
+  snapshot_ = {};
+  const auto lightOf = [&](double sun, double sky) {
+    shares = {sun, sky};
+    draw(pose({0, 50, 0}, 0, -90, 0));
+    return glm::vec3(light[light.size() / 2 + 10]);
+  };
+  const glm::vec3 sun = lightOf(1, 0), sky = lightOf(0, 1), both = lightOf(0.5, 0.25);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_GT(sun[c], 0.01f);
+    EXPECT_GT(sky[c], 0.001f);
+    EXPECT_NEAR(both[c], 0.5f * sun[c] + 0.25f * sky[c], 1e-3f * both[c]);
+  }
 }
 
 }  // namespace

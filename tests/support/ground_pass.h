@@ -20,7 +20,7 @@ class GroundPass final : public render::Pass {
   void draw(render::FrameContext& context) override {
     model_.draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
                 render::bodyMatrix(context.frame.view, middle_, glm::dquat(1, 0, 0, 0)),
-                render::ModelPose(model_));
+                render::ModelPose(model_), {});
   }
 
  private:

@@ -2,7 +2,7 @@
 
 #include "app/session/cloud_noise.h"
 #include "app/session/scene_renderer.h"
-#include "skydrop/render/clouds/cloud_system.h"
+#include "skydrop/render/clouds/cloud_shade_pass.h"
 
 namespace skydrop::app {
 
@@ -20,6 +20,11 @@ void addCloudShadows(SceneRenderer& sceneRenderer) {
 
 void removeCloudShadows(SceneRenderer& sceneRenderer) {
   sceneRenderer.renderer().find<render::CloudSystem>()->forgetShadowMap();
+}
+
+void addCloudShade(SceneRenderer& sceneRenderer) {
+  render::Renderer& renderer = sceneRenderer.renderer();
+  renderer.add(std::make_unique<render::CloudShadePass>(*renderer.find<render::CloudSystem>()));
 }
 
 void applyClouds(SceneRenderer& sceneRenderer, const SettingsChange& change) {

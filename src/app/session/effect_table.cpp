@@ -74,7 +74,7 @@ const std::vector<EffectDescriptor>& effectTable() {
        .menuSections = {{"game", "Game"}, {"package", "Package"}}},
       {.effect = Effect::clouds,
        .addPasses = addClouds,
-       .joints = {{Effect::terrain, addCloudShadows, removeCloudShadows}},
+       .joints = {{Effect::terrain, addCloudShadows, removeCloudShadows}, {Effect::aircraft, addCloudShade}},
        .apply = applyClouds,
        .prepare = prepareClouds,
        .menuSections = {{"clouds", "Weather", false, {"wind"}}, {"clouds.march", "Cloud quality"}}},

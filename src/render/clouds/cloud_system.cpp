@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "render/clouds/cloud_textures.h"
 #include "render/clouds/cloud_uniforms.h"
 #include "render/clouds/sun_optical_depth_grid.h"
 #include "skydrop/clouds/raised_sun.h"
+#include "skydrop/clouds/sun_depth.h"
 #include "skydrop/core/shared.h"
 
 namespace skydrop::render {
@@ -137,9 +139,9 @@ std::optional<std::string> CloudSystem::skipReason(const FrameInput& frame) cons
   return std::nullopt;
 }
 
-glm::dvec3 CloudSystem::eyeInField(const FrameInput& frame) const {
+glm::dvec3 CloudSystem::inField(const glm::dvec3& place, const FrameInput& frame) const {
   const glm::dvec2 drift = core::windDrift(wind_, frame.simulatedSeconds);
-  return frame.view.position - glm::dvec3(drift.x, 0, drift.y);
+  return place - glm::dvec3(drift.x, 0, drift.y);
 }
 
 void CloudSystem::resize(const View& view) {
@@ -188,14 +190,21 @@ void CloudSystem::update(FrameContext& context, SunOpticalDepthGrid& grid, doubl
 std::optional<std::string> CloudSystem::shadowSkipReason(const FrameInput& frame) const {
   if (settings_.tier == clouds::CloudTier::off) return "switched off";
   if (textures_->isEmpty(kMarchedLayer)) return "no cloud anywhere";
-  if (frame.toSun.y <= 0) return "the sun is below the horizon";
   if (frame.view.position.y > layer().cloudHeight + settings_.fadeDistance) return "the eye is too far above";
   return std::nullopt;
 }
 
 CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
-  textures_->bind(kMarchedLayer);
   const glm::dvec3 eye = eyeInField(context.frame);
+  const clouds::SkyCover& skyCover = textures_->skyCover(kMarchedLayer);
+  const glm::dvec2 periods = glm::dvec2(eye.x, eye.z) / skyCover.periodM();
+  CloudShadowMap::Sky sky{
+      &textures_->skyShares(kMarchedLayer),
+      glm::vec4(glm::vec2(periods - glm::floor(periods)), static_cast<float>(1 / skyCover.periodM()),
+                static_cast<float>(settings_.fadeDistance))};
+  const glm::dvec2 baseAndThickness(layer().cloudHeight - context.frame.view.position.y, layer().thickness);
+  if (context.frame.toSun.y <= 0) return CloudShadowMap(sky, baseAndThickness);
+  textures_->bind(kMarchedLayer);
   // What shades the land around the eye stands where the sun's rays to that land pass the base.
   const glm::dvec3 toSun = clouds::raisedSun(context.light.toSun);
   const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (layer().cloudHeight / toSun.y);
@@ -206,8 +215,20 @@ CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
     return CloudShadowMap::Map{&grid.depths(), {rows[0], rows[1]}, reach};
   };
   const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadowRadiusM);
-  const CloudShadowMap::Map coarse = map(*coarseShadowMap_, kCoarseShadowMapM, settings_.fadeDistance);
-  return {fine, coarse, layer().cloudHeight - context.frame.view.position.y, layer().thickness};
+  return CloudShadowMap(sky, baseAndThickness, fine,
+                        map(*coarseShadowMap_, kCoarseShadowMapM, settings_.fadeDistance));
+}
+
+LightShares CloudSystem::lightAt(const glm::dvec3& place, const FrameInput& frame) const {
+  const double distance = glm::distance(place, frame.view.position);
+  const double reach = core::shared::f64::cloudFade(distance, settings_.fadeDistance);
+  if (reach <= 0) return {};
+  const glm::dvec3 at = inField(place, frame);
+  const double depth =
+      clouds::sunOpticalDepth(textures_->field(kMarchedLayer), at, clouds::raisedSun(frame.toSun));
+  const double above = 1 - std::clamp((at.y - layer().cloudHeight) / layer().thickness, 0.0, 1.0);
+  const double sky = 1 - (1 - textures_->skyCover(kMarchedLayer).share({at.x, at.z})) * above;
+  return {std::lerp(1.0, core::shared::f64::sunBelowCloud(depth), reach), std::lerp(1.0, sky, reach)};
 }
 
 void CloudSystem::marchMultiDispatch() {

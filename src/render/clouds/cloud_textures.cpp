@@ -1,7 +1,9 @@
 #include "render/clouds/cloud_textures.h"
 
 #include <algorithm>
+#include <future>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "skydrop/clouds/occupancy.h"
@@ -40,15 +42,26 @@ CloudTextures::CloudTextures(gl::Context& context, std::shared_ptr<const clouds:
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     layers_[i].distances = gl::Texture::make3D(context, GL_R8UI, Occupancy::kSide, Occupancy::kRows,
                                                Occupancy::kSide, "cloud occupancy");
+    layers_[i].skyShares = gl::Texture::make2D(context, GL_R32F, clouds::SkyCover::kSide,
+                                               clouds::SkyCover::kSide, "sky light below clouds");
+    layers_[i].skyShares.setWrap(GL_REPEAT);
     rebuild(settings, i);
   }
 }
 
 void CloudTextures::rebuild(const clouds::CloudSettings& settings, std::size_t layer) {
+  Layer& l = layers_[layer];
+  // Beside the occupancy, which takes as long as the rest together.
+  std::future<void> rest = std::async(std::launch::async, [&] {
+    l.clearAir = clouds::measureClearAir(noise_, settings, layer);
+    l.skyCover.emplace(noise_, settings, layer);
+  });
   const Occupancy occupancy(*noise_, settings, layer);
-  layers_[layer].isEmpty = occupancy.isEmpty();
-  layers_[layer].clearAir = clouds::measureClearAir(noise_, settings, layer);
-  layers_[layer].distances.upload(GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::as_bytes(occupancy.distances()));
+  rest.get();
+  l.isEmpty = occupancy.isEmpty();
+  l.field.emplace(noise_, settings, layer);
+  l.distances.upload(GL_RED_INTEGER, GL_UNSIGNED_BYTE, std::as_bytes(occupancy.distances()));
+  l.skyShares.upload(GL_RED, GL_FLOAT, std::as_bytes(std::span(l.skyCover->shares())));
 }
 
 void CloudTextures::bind(std::size_t layer) const {

@@ -94,7 +94,8 @@ void AircraftPass::draw(FrameContext& context) {
   if (!isInsideCabin(context.frame)) pose.hide("cockpit");
   context.gl.api().Enable(GL_CULL_FACE);
   model_->draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
-               bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose);
+               bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose,
+               lightAt(context.resources, aircraft.position));
 }
 
 ShadowSource aircraftShadow(std::shared_ptr<const Model> model) {
@@ -127,7 +128,8 @@ void PropellerPass::draw(FrameContext& context) {
   api.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   context.sceneDepth.bind(Model::kFreeUnit);
   model_->draw(context.shaders, "models/model.vert", "models/propeller.frag", context.defines,
-               bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose);
+               bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose,
+               lightAt(context.resources, aircraft.position));
 }
 
 }  // namespace skydrop::render

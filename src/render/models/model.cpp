@@ -113,7 +113,8 @@ int Model::node(std::string_view name) const {
 }
 
 void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std::string& fragment,
-                 std::span<const std::string> defines, const glm::mat4& toEye, const ModelPose& pose) const {
+                 std::span<const std::string> defines, const glm::mat4& toEye, const ModelPose& pose,
+                 const LightShares& light) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const int index = static_cast<int>(i);
     if (nodes_[i].meshes.empty() || !pose.isShown(index)) continue;
@@ -127,6 +128,7 @@ void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std:
       shader.use();
       shader.setMatrix("toEye", meshToEye);
       shader.setMatrix("normalToEye", glm::inverseTranspose(glm::mat3(meshToEye)));
+      shader.setVec2("lightShares", {static_cast<float>(light.sun), static_cast<float>(light.sky)});
       for (std::size_t k = 0; k < material.diffuse.size(); ++k) {
         textures_[static_cast<std::size_t>(material.diffuse[k])].bind(static_cast<GLuint>(k));
       }

@@ -118,14 +118,16 @@ void PackagePass::draw(FrameContext& context) {
   const View& view = context.frame.view;
   std::vector<std::string> cloth(context.defines.begin(), context.defines.end());
   cloth.emplace_back("CLOTH");
+  LightShares light;  // at the package
   const auto with = [&](std::span<const std::string> defines) {
-    return [&context, defines](const Model& model, const glm::mat4& toEye, const ModelPose& pose) {
-      model.draw(context.shaders, "models/model.vert", "models/model.frag", defines, toEye, pose);
+    return [&context, &light, defines](const Model& model, const glm::mat4& toEye, const ModelPose& pose) {
+      model.draw(context.shaders, "models/model.vert", "models/model.frag", defines, toEye, pose, light);
     };
   };
   context.gl.api().Enable(GL_CULL_FACE);
   for (const game::PackageSnapshot& package : context.frame.game->packages) {
     if (!isSeen(context.frame, package)) continue;
+    light = lightAt(context.resources, package.position);
     drawCrate(*models_, package, view, with(context.defines));
     drawParachute(*models_, package, context.frame.game->wind, view, with(cloth));
   }

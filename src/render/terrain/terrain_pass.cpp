@@ -12,7 +12,7 @@ namespace skydrop::render {
 namespace {
 
 constexpr GLuint kHeightsUnit = 0, kNormalsUnit = 1, kTableUnit = 2, kDepthUnit = 3;  // as in shaders/terrain
-constexpr GLuint kSunShareUnit = 4;
+constexpr GLuint kLightSharesUnit = 4;
 constexpr GLsizei kSeaVertices = 12;  // four triangles (shaders/terrain/sea.glsl)
 constexpr int kPatchSide = terrain::kPatchCells + 1;
 constexpr GLsizei kPatchIndices = 3 * terrain::kTrianglesPerPatch;
@@ -138,7 +138,7 @@ void TerrainPass::drawDepth(FrameContext& context) {
   const View& view = context.frame.view;
   if (!surface_) {
     surface_ =
-        gl::FrameBuffer(context_, view.width, view.height, {GL_R16F, GL_DEPTH_COMPONENT32F}, "land surface");
+        gl::FrameBuffer(context_, view.width, view.height, {GL_RG16F, GL_DEPTH_COMPONENT32F}, "land surface");
     surface_.setClearColor(1, 1, 1, 1);
   }
   surface_.resize(view.width, view.height);
@@ -170,7 +170,13 @@ void TerrainPass::drawShadows(FrameContext& context, const CastShadows& shadows)
 }
 
 void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap) {
-  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/cloud_share.frag");
+  // Both are asked for, so that none is compiled when the sun rises or sets.
+  const auto variant = [&](bool hasSun) -> gl::Shader& {
+    return context.shaders.shader("fullscreen.vert", "terrain/cloud_share.frag",
+                                  CloudShadowMap::defines(hasSun));
+  };
+  variant(!shadowMap.hasSun());
+  gl::Shader& shader = variant(shadowMap.hasSun());
   shader.use();
   setSurface(shader, context.frame.view);
   shadowMap.bind(shader);
@@ -189,7 +195,7 @@ void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
   textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
   if (!surface_) return;
   surface_.depthTexture().bind(kDepthUnit);
-  surface_.colorTexture().bind(kSunShareUnit);
+  surface_.colorTexture().bind(kLightSharesUnit);
 }
 
 void TerrainPass::setLand(gl::Shader& shader, const View& view) const {

@@ -1,4 +1,4 @@
-// What clouds leave of the sun on a level square, a place a pixel.
+// What clouds leave of the light of sun (red) and sky (green) on a level square, a place a pixel.
 #include "frame.glsl"
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
@@ -11,5 +11,6 @@ out vec4 color;
 
 void main() {
   vec2 place = floor(gl_FragCoord.xy) * spacing;
-  color = vec4(sunThroughClouds(corner + vec3(place.x, 0.0, place.y)));
+  vec3 relative = corner + vec3(place.x, 0.0, place.y);
+  color = vec4(sunThroughClouds(relative), skyThroughClouds(relative), 0.0, 1.0);
 }

@@ -1,12 +1,14 @@
-// What clouds leave of the sun on land and sea: the optical depth of the whole layer along each sun ray, in a
-// fine grid near the eye and a coarse one out to where clouds have faded. A resource of the frame
-// (FrameResources), published by CloudShadowPass, read by whoever lights a surface below the layer
-// (shaders/clouds/shadow_map.glsl).
+// What clouds leave of the light on land and sea. Of the sun: the optical depth of the whole layer along each
+// sun ray, in a fine grid near the eye and a coarse one out to where clouds have faded. Of the sky:
+// clouds::SkyCover. A resource of the frame (FrameResources), published by CloudShadowPass, read by whoever
+// lights a surface below the layer (shaders/clouds/shadow_map.glsl).
 #pragma once
 
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <string>
+#include <vector>
 
 #include "skydrop/render/gl/shader.h"
 #include "skydrop/render/gl/texture.h"
@@ -23,18 +25,38 @@ class CloudShadowMap {
     double radiusM = 0;
   };
 
+  // A texture that repeats, kept alive by the cloud system. place: x and y of the eye in it, texture
+  // coordinates a metre, and where clouds have faded (m from the eye).
+  struct Sky {
+    const gl::Texture* shares = nullptr;
+    glm::vec4 place{0};
+  };
+
   // Nothing to bind.
   CloudShadowMap() = default;
-  // baseM: of the layer, above the eye.
-  CloudShadowMap(const Map& fine, const Map& coarse, double baseM, double thicknessM)
-      : fine_(fine), coarse_(coarse), layer_(baseM, 1 / thicknessM) {}
+  // baseAndThickness: of the layer, m, the base above the eye. Without maps of the sun while it is below the
+  // horizon.
+  CloudShadowMap(const Sky& sky, const glm::dvec2& baseAndThickness)
+      : sky_(sky), layer_(baseAndThickness.x, 1 / baseAndThickness.y) {}
+  CloudShadowMap(const Sky& sky, const glm::dvec2& baseAndThickness, const Map& fine, const Map& coarse)
+      : CloudShadowMap(sky, baseAndThickness) {
+    fine_ = fine;
+    coarse_ = coarse;
+  }
 
-  // Textures and uniforms for a program that includes shaders/clouds/shadow_map.glsl.
+  // Of the programs that include shaders/clouds/shadow_map.glsl: with what the clouds leave of the sun, or
+  // without.
+  static std::vector<std::string> defines(bool hasSun);
+  bool hasSun() const { return fine_.depths != nullptr; }
+
+  // Textures and uniforms for such a program of defines(hasSun()).
   void bind(gl::Shader& shader) const;
 
  private:
-  static constexpr GLuint kFineUnit = 10, kCoarseUnit = 11;  // as in shaders/clouds/shadow_map.glsl
+  // As in shaders/clouds/shadow_map.glsl.
+  static constexpr GLuint kFineUnit = 10, kCoarseUnit = 11, kSkyUnit = 12;
 
+  Sky sky_;
   Map fine_, coarse_;
   glm::vec2 layer_{0};
 };

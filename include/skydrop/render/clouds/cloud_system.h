@@ -13,6 +13,7 @@
 #include "skydrop/core/wind.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
+#include "skydrop/render/frame/light_shares.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/gl/buffer.h"
 
@@ -33,9 +34,10 @@ class CloudSystem final : public Pass {
   ~CloudSystem() override;
 
   // Takes the settings over for the next frame, between frames. Where the field of a layer changed
-  // (clouds::isSameField) its occupancy is built again before this returns (clouds::Occupancy has the time)
-  // and clouds::ClearAir measured again, and shadow maps are filled again in the next frame; where only
-  // MarchSettings::detail changed, the shadow maps alone; else it costs nothing.
+  // (clouds::isSameField) its occupancy is built again before this returns (clouds::Occupancy has the time),
+  // beside it on a thread that ends with it clouds::ClearAir and clouds::SkyCover, and shadow maps are filled
+  // again in the next frame; where only MarchSettings::detail changed, the shadow maps alone; else it costs
+  // nothing.
   void apply(const clouds::CloudSettings& settings, const core::WindSettings& wind);
 
   std::string_view name() const override { return "clouds"; }
@@ -44,13 +46,15 @@ class CloudSystem final : public Pass {
   // Only where skipReason() gave none. Throws core::DataError where a shader does not compile.
   void draw(FrameContext& context) override;
 
-  // What the clouds leave of the sun in this frame, within its draw: CloudShadowPass asks for it. Its
-  // textures belong to the system and are valid until it is asked for in the next frame. Only where
+  // What the clouds leave of sun and sky on surfaces in this frame, within its draw: CloudShadowPass asks for
+  // it. Its textures belong to the system and are valid until it is asked for in the next frame. Only where
   // shadowSkipReason() gives no reason why there are no shadows. Throws core::DataError where a shader does
   // not compile.
   CloudShadowMap shadowMap(FrameContext& context);
   // Gives up what shadowMap() has made; it is made again when it is asked for.
   void forgetShadowMap();
+  // The same at a place in the world, worked out on the processor (clouds::sunOpticalDepth(): 4 us).
+  LightShares lightAt(const glm::dvec3& place, const FrameInput& frame) const;
   std::optional<std::string> shadowSkipReason(const FrameInput& frame) const;
 
   // What the last frame that was not skipped marched; 0 before the first. Waits for the GPU.
@@ -73,8 +77,9 @@ class CloudSystem final : public Pass {
   void update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
               const glm::dvec3& middle);
   void setUniforms(FrameContext& context);
-  // The eye in the field: what the wind has carried it by is taken off.
-  glm::dvec3 eyeInField(const FrameInput& frame) const;
+  // What the wind has carried the field by is taken off.
+  glm::dvec3 inField(const glm::dvec3& place, const FrameInput& frame) const;
+  glm::dvec3 eyeInField(const FrameInput& frame) const { return inField(frame.view.position, frame); }
   const clouds::CloudLayerSettings& layer() const { return settings_.layers[kMarchedLayer]; }
   using Defines = std::span<const std::string>;  // of the variant
   void classify(FrameContext& context, Defines defines);
@@ -99,26 +104,6 @@ class CloudSystem final : public Pass {
   glm::ivec2 tileCount_{0};
   CloudTransmittance transmittance_;  // published by draw()
   gl::Texture rayLight_, rayState_;   // of marches in parts
-};
-
-// Publishes the CloudShadowMap, for surfaces that are lit after it. The system must outlive it.
-class CloudShadowPass final : public Pass {
- public:
-  explicit CloudShadowPass(CloudSystem& system) : system_(system) {}
-
-  std::string_view name() const override { return "cloudShadows"; }
-  RenderStage stage() const override { return RenderStage::shadows; }
-  std::optional<std::string> skipReason(const FrameInput& frame) const override {
-    return system_.shadowSkipReason(frame);
-  }
-  void draw(FrameContext& context) override {
-    map_ = system_.shadowMap(context);
-    context.resources.publish(map_);
-  }
-
- private:
-  CloudSystem& system_;
-  CloudShadowMap map_;
 };
 
 }  // namespace skydrop::render

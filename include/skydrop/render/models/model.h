@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "skydrop/render/frame/light_shares.h"
 #include "skydrop/render/gl/shader_cache.h"
 #include "skydrop/render/gl/texture.h"
 #include "skydrop/render/models/mesh.h"
@@ -66,7 +67,8 @@ class Model {
   // Draws what the pose shows with programs of these entry points. `defines` are added to the model's own.
   // toEye: of the model's frame to eye-relative world axes; no shear without scale of one node's own.
   void draw(gl::ShaderCache& shaders, const std::string& vertex, const std::string& fragment,
-            std::span<const std::string> defines, const glm::mat4& toEye, const ModelPose& pose) const;
+            std::span<const std::string> defines, const glm::mat4& toEye, const ModelPose& pose,
+            const LightShares& light) const;
   // Draws the shape alone, with a program that knows `uniform mat4 toClip` and needs no texture.
   // modelToClip: of the model's frame to clip space.
   void drawOutline(gl::Shader& shader, const glm::mat4& modelToClip, const ModelPose& pose) const;
