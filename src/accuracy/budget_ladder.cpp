@@ -19,6 +19,17 @@ Assignments part(const Assignments& of, std::string_view knob, bool inside) {
   return all;
 }
 
+// What is left to turn: "scale 0.5".
+std::string labelOf(const Assignments& set) {
+  std::string label;
+  for (const std::string& one : set) {
+    const std::string_view path = pathOf(one);
+    label += (label.empty() ? "" : ", ") + std::string(path.substr(path.rfind('.') + 1)) + " " +
+             one.substr(std::min(path.size() + 1, one.size()));
+  }
+  return label;
+}
+
 // A point over all cases; nothing where it was not measured in one of them.
 std::optional<PointResult> overCases(const Results& results, const PointResult& first) {
   PointResult point = first;
@@ -31,6 +42,7 @@ std::optional<PointResult> overCases(const Results& results, const PointResult& 
     squares += error * error;
     ms += time;
   }
+  if (!std::isfinite(squares) || !std::isfinite(ms)) return std::nullopt;
   const auto count = static_cast<double>(results.cases.size());
   point.errors = {std::sqrt(squares / count)};
   point.ms = {ms / count};
@@ -51,7 +63,10 @@ void hold(std::vector<PointResult>& points, std::string_view knob, const Assignm
   };
   const Assignments& value = std::ranges::any_of(points, has(wanted)) ? wanted : last;
   std::erase_if(points, [&](const PointResult& point) { return !has(value)(point); });
-  for (PointResult& point : points) point.set = part(point.set, knob, false);
+  for (PointResult& point : points) {
+    point.set = part(point.set, knob, false);
+    if (!point.set.empty()) point.label = labelOf(point.set);
+  }
 }
 
 }  // namespace

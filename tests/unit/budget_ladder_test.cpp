@@ -63,11 +63,10 @@ TEST(BudgetLadder, stepsThatAreNotWorthAChangeAreOne) {
 
 TEST(BudgetLadder, aKnobThatOthersHoldIsTakenOut) {
   const auto scaled = budgetLadder(measured(), {"clouds.tier=low"});
-  EXPECT_THAT(labels(scaled), ElementsAre("low at 0.5", "low at 1"));
+  EXPECT_THAT(labels(scaled), ElementsAre("scale 0.5", "scale 1"));
   EXPECT_THAT(scaled[0].set, ElementsAre("render.picture.scale=0.5"));
   // A value that was not measured: those of the most exact point, whose times are the closest guess.
-  EXPECT_THAT(labels(budgetLadder(measured(), {"clouds.tier=ultra"})),
-              ElementsAre("high at 0.5", "high at 1"));
+  EXPECT_THAT(labels(budgetLadder(measured(), {"clouds.tier=ultra"})), ElementsAre("scale 0.5", "scale 1"));
   const auto none = budgetLadder(measured(), {"clouds.tier=low", "render.picture.scale=1"});
   ASSERT_EQ(none.size(), 1u);
   EXPECT_TRUE(none[0].set.empty());
