@@ -1,6 +1,9 @@
 // The frame budget in the real window.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "support/process.h"
 #include "support/temporary_folder.h"
 #include "window/flown_game.h"
@@ -36,6 +39,36 @@ TEST(FrameBudgetWindow, aWideBudgetTakesTheBestRungAndStays) {
   EXPECT_EQ(budget.at("changes"), 0);
 }
 
+TEST(FrameBudgetWindow, aRowThatIsSetByHandIsThePlayersUntilTheBudgetIsSetAnew) {
+  // And the player's file has what was set by hand, not what the budget turned.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown({"--set", "quality=low"});
+  flown.press("F1");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return s.at("window").at("menuOpen").get<bool>(); }));
+  const auto set = [&](const std::string& assignment) {
+    flown.press("ctrl+f");
+    flown.type(assignment);
+    flown.press("Return");
+  };
+  const auto waitForRung = [&](int rung) {
+    return flown.waitFor(
+        [&](const json& s) { return !budgetOf(s).is_null() && budgetOf(s).at("rung") == rung; });
+  };
+  set("view.frameBudgetMs=1");
+  ASSERT_TRUE(waitForRung(0)) << flown.statistics().at("window").dump();
+  set("render.picture.scale=0.9");
+  ASSERT_TRUE(waitForRung(-1)) << flown.statistics().at("window").dump();
+  set("view.frameBudgetMs=2");
+  ASSERT_TRUE(waitForRung(0)) << flown.statistics().at("window").dump();
+  flown.press("F1");
+  ASSERT_TRUE(flown.waitFor([](const json& s) { return !s.at("window").at("menuOpen").get<bool>(); }));
+  flown.process().askToEnd();
+  ASSERT_EQ(flown.process().wait(60), 0) << flown.log();
+  std::ifstream file(flown.userFolder() / "settings.json");
+  const json expected = {{"render", {{"picture", {{"scale", 0.9}}}}}, {"view", {{"frameBudgetMs", 2}}}};
+  EXPECT_EQ(json::parse(file).at("settings"), expected);
+}
+
 TEST(FrameBudgetWindow, withoutABudgetThereIsNothingOfIt) {
   SKIP_WITHOUT_DISPLAY();
   FlownGame flown({"--set", "quality=low"});
@@ -58,6 +91,25 @@ TEST(FrameBudgetWindow, aFlightThatABudgetGovernsReplaysToTheSameState) {
   }
   const ProcessResult replay = runSkydrop({"simulate", "--replay", log});
   EXPECT_EQ(replay.exitCode, 0) << replay.err;
+}
+
+TEST(FrameBudgetProgram, whatCannotBeIsRefusedInOneLine) {
+  const auto line = [](std::vector<std::string> words) {
+    const ProcessResult result = runSkydrop(std::move(words));
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+    return result.err;
+  };
+  EXPECT_NE(line({"--frame-budget", "0"}).find("--frame-budget: 0 is out of range 1 to 1000"),
+            std::string::npos);
+  EXPECT_NE(line({"--frame-budget", "nan"}).find("is not a finite number"), std::string::npos);
+  EXPECT_NE(line({"render", "--set", "view.frameBudgetMs=33"}).find("does not depend on the time"),
+            std::string::npos);
+  EXPECT_NE(line({"accuracy", "calibrate", "cost"}).find("cost"), std::string::npos);
+  EXPECT_NE(line({"accuracy", "calibrate", "landing"}).find("without other studies"), std::string::npos);
+  for (const char* flag : {"--quick", "--resume"})
+    EXPECT_NE(line({"accuracy", "calibrate", flag}).find(flag), std::string::npos);
+  EXPECT_NE(line({"accuracy", "calibrate", "--out", "x"}).find("--out"), std::string::npos);
 }
 
 }  // namespace
