@@ -118,20 +118,22 @@ void plot(const KnobStand& knob) {
   list.AddCircle(mark, 0.4f * ImGui::GetFontSize(), ImGui::GetColorU32(kMarkColor), 16, 2);
 }
 
+void wrapped(std::string_view text) {
+  if (text.empty()) return;
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+}
+
 void knobs(const CostPanelContent& content) {
   ImGui::Spacing();
   ImGui::TextDisabled("Error against time, as measured");
   for (const KnobStand& knob : content.knobs) {
     ImGui::TextUnformatted(knob.title.c_str());
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(knob.text.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped(knob.text);
     if (!knob.points.empty()) plot(knob);
   }
-  if (content.note.empty()) return;
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(content.note.data(), content.note.data() + content.note.size());
-  ImGui::PopTextWrapPos();
+  wrapped(content.note);
 }
 
 }  // namespace
@@ -147,6 +149,7 @@ bool drawCostPanel(const Interface& context, const CostPanelContent& content) {
       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
   if (ImGui::Begin("What a frame costs###cost panel", &open, kFlags)) {
     drawFrameGraph(content.frameMs);
+    wrapped(content.budget);
     rows(content);
     if (!content.clock.empty()) {
       ImGui::PushTextWrapPos(0);

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -251,6 +252,21 @@ TEST(CommandLine, wrongWordsAreEchoedPrintableAndBounded) {
     EXPECT_EQ(line, core::printable(line));
   }
   EXPECT_LE(refusalOf({bad.c_str()}).size(), core::kLongestMessage);
+}
+
+TEST(CommandLine, aFrameBudgetIsItsSettingInAWindowAndRefusedElsewhere) {
+  EXPECT_THAT(parse({"--set", "view.frameBudgetMs=5", "--frame-budget", "33.5"}).commandLine.set,
+              testing::ElementsAre("view.frameBudgetMs=5", "view.frameBudgetMs=33.5"));
+  EXPECT_EQ(refusalOf({"--frame-budget", "0"}), "--frame-budget: 0 is out of range 1 to 1000");
+  EXPECT_EQ(refusalOf({"--frame-budget", "-33"}), "--frame-budget: -33 is out of range 1 to 1000");
+  EXPECT_EQ(refusalOf({"--frame-budget", "1001"}), "--frame-budget: 1001 is out of range 1 to 1000");
+  for (const std::string bad : {"nan", "inf", "fast", "33ms", ""})
+    EXPECT_EQ(refusalOf({"--frame-budget", bad.c_str()}),
+              "--frame-budget: '" + bad + "' is not a finite number");
+  for (const char* verb : {"render", "simulate"}) {
+    EXPECT_EQ(refusalOf({verb, "--frame-budget", "33"}), std::string("--frame-budget: ") + kNoBudgetHere)
+        << verb;
+  }
 }
 
 TEST(CommandLine, wrongWordsAreRefusedInOneLineThatNamesThem) {

@@ -394,6 +394,7 @@ const std::vector<Probe> kProbes = {
 constexpr std::string_view kElsewhere[] = {
     "streaming.farDistanceM",  // tests/gl/settings_effect_test.cpp
     "view.frameCapHz",         // FrameSchedule, FramePacer: tests/app/frame_pacer_test.cpp
+    "view.frameBudgetMs",      // FrameBudget: tests/app/frame_budget_test.cpp
     "view.vsync",              // the driver's: no picture, no state
     "view.freezeTime",         // tests/window/comfort_test.cpp
     "view.split.",             // tests/gl/split_view_test.cpp

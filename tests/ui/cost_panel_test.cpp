@@ -54,6 +54,19 @@ class CostPanelTest : public testing::Test {
   core::SettingsTable table_{settings_};
 };
 
+TEST_F(CostPanelTest, showsTheLineOfTheFrameBudget) {
+  ui::CostPanelContent content;  // nothing else, so that nothing is scrolled out of the panel
+  const auto vertices = [&] {
+    for (int i = 0; i < 3; ++i) build(&content);  // a window finds its size in the first frames
+    return ImGui::GetDrawData()->TotalVtxCount;
+  };
+  const int before = vertices();
+  content.budget = "Frame budget: 29.0 of 33 ms: scale 0.5";
+  EXPECT_GE(vertices(), before + 4 * 30) << "a quad a letter";
+  content.budget = {};
+  EXPECT_EQ(vertices(), before);
+}
+
 TEST_F(CostPanelTest, costsLessThanAFifthOfAMillisecondAFrame) {
   // CPU time of noting 20 parts and drawing them with five plots, mean of 600 frames, less that of frames
   // without the panel: 0.2 ms, the promise of docs/accuracy-in-flight.md.

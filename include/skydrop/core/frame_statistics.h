@@ -68,6 +68,18 @@ struct ShownCosts {
   std::int64_t passes = 0, frames = 0, bytes = 0;
 };
 
+// A frame budget that is in force.
+struct BudgetStatistics {
+  double budgetMs = 0;     // 0: there is none
+  double medianMs = 0;     // of the newest frames
+  std::int64_t rung = -1;  // that is chosen, of `rungs`, the cheapest being 0; -1: nothing is turned
+  std::int64_t rungs = 0;
+  std::int64_t changes = 0;  // since it was set
+  bool holds = true;         // false: the cheapest rung does not fit
+  bool measured = false;     // by fronts of this machine, or by shipped ones
+  std::string choice, text;  // the rung's name; the line that the panel shows
+};
+
 // The state of a window and of what is open in it; empty in headless runs.
 struct WindowStatistics {
   std::int64_t width = 0, height = 0;  // pixels
@@ -78,7 +90,8 @@ struct WindowStatistics {
   std::string quality;
   std::string fault;           // the line that the menu shows of what is broken; empty: nothing is
   std::int64_t costRows = -1;  // of the panel of costs; -1: it is closed
-  double splitShare = -1;      // of the split view's reference that is drawn, 0 .. 1; -1: no split view
+  BudgetStatistics budget;
+  double splitShare = -1;  // of the split view's reference that is drawn, 0 .. 1; -1: no split view
   ShownCosts costs;
   double firstPictureMs = 0, loadedMs = 0;  // after the program was started
   std::int64_t programsLoaded = 0;          // shader programs when the flight began: later ones hold it up

@@ -39,7 +39,8 @@ struct CostPanelContent {
   std::span<const double> frameMs;  // of the last frames, oldest first
   std::string_view clock;           // that timed the passes
   std::span<const KnobStand> knobs;
-  std::string_view note;  // in place of the knobs, or about them; empty: none
+  std::string_view note;         // in place of the knobs, or about them; empty: none
+  std::string_view budget = {};  // a line about the frame budget that is held; empty: there is none
 };
 
 // Returns false when the player has closed it in this frame.

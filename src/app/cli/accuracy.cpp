@@ -25,6 +25,7 @@ using core::UsageError;
 
 constexpr Size kQuickSize{160, 90}, kDefaultSize{320, 180};
 constexpr const char* kCost = "cost";
+constexpr const char* kCalibrate = "calibrate";
 
 void refuseWith(bool given, const std::string& flag, const std::string& with) {
   if (given) throw UsageError("accuracy: " + flag + " does not go with " + with);
@@ -49,6 +50,18 @@ int costReport(const CommandLine& line) {
   out.write(reportOf(tables, line.reportFormat, kCostHeading));
   if (!out.isStandardOutput()) print("%s\n", path.c_str());
   return 0;
+}
+
+int calibrate(const CommandLine& line) {
+  if (line.studies.size() > 1)
+    throw UsageError("accuracy: calibrate is done by itself, without other studies");
+  if (line.scenes.size() > 1) throw UsageError("accuracy: calibrate takes one --scene");
+  refuseWith(line.resume, "--resume", "calibrate");
+  refuseWith(line.parts > 1, "--part", "calibrate");
+  refuseWith(!line.merge.empty(), "--merge", "calibrate");
+  refuseWith(line.quick, "--quick", "calibrate");
+  refuseWith(!line.out.empty(), "--out", "calibrate, whose results belong to the cache folder");
+  return calibrateBudget(line);
 }
 
 // Writes the report; a line for each case that failed, which makes it 1, or whose reference is not justified,
@@ -107,8 +120,9 @@ accuracy::Results resultsBefore(const CommandLine& line, const fs::path& folder,
 
 int accuracy(const CommandLine& line) {
   if (std::ranges::find(line.studies, kCost) != line.studies.end()) return costReport(line);
+  if (std::ranges::find(line.studies, kCalibrate) != line.studies.end()) return calibrate(line);
   if (!line.scenes.empty())
-    throw UsageError("accuracy: --scene belongs to the study cost, which is not named");
+    throw UsageError("accuracy: --scene belongs to cost and calibrate, which are not named");
   const fs::path folder = line.out.empty() ? "accuracy" : line.out;
   if (!line.merge.empty()) return mergeReport(line, folder);
 

@@ -101,6 +101,7 @@ class Parser {
     checkCamera();
     if (camera_) line_.pose = poseOfCamera();
     // After every --set: the flag is the shorter word for the same.
+    if (frameBudget_) line_.set.push_back("view.frameBudgetMs=" + *frameBudget_);
     if (hud_ || noHud_) line_.set.push_back(std::string("view.hud=") + (hud_ ? "true" : "false"));
     return {line_, std::nullopt, {}};
   }
@@ -153,6 +154,13 @@ class Parser {
     path(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
     path(verb, "--record", "FILE|-", "record the flight as an input log; FILE must be new or empty",
          line_.record);
+    text(verb, "--frame-budget", "MS",
+         "most milliseconds of a frame, 1 to 1000: chooses the settings with the least error within it, of "
+         "flights in a window alone (view.frameBudgetMs=MS)",
+         [this](const std::string& t) {
+           number("--frame-budget", t, 1, 1000);
+           frameBudget_ = t;
+         });
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
   }
 
@@ -366,9 +374,11 @@ class Parser {
   }
 
   void addAccuracy(CLI::App& verb) {
-    verb.add_option("STUDY", line_.studies,
-                    "studies by name, or files of the same form; or cost alone: what each effect costs. None "
-                    "named: all but cost")
+    verb.add_option(
+            "STUDY", line_.studies,
+            "studies by name, or files of the same form; or cost alone: what each effect costs; or "
+            "calibrate alone: what a frame budget chooses from, for the cache folder. None named: all "
+            "but those two")
         ->type_name("NAME|FILE");
     verb.add_option_function<std::vector<std::string>>(
             "--scene",
@@ -376,7 +386,8 @@ class Parser {
               if (std::ranges::find(all, "") != all.end()) throw UsageError("--scene: the name is empty");
               line_.scenes = all;
             },
-            "a scene that cost measures, and no others (all); may stand several times")
+            "a scene that cost measures, and no others (all), may stand several times; or that of calibrate "
+            "(fair)")
         ->type_name("NAME|FILE")
         ->allow_extra_args(false)
         ->expected(1, 1000);
@@ -494,6 +505,8 @@ class Parser {
 
   void check() const {
     checkFiles();
+    if (frameBudget_ && line_.verb != Verb::fly)
+      throw UsageError(std::string("--frame-budget: ") + kNoBudgetHere);
     if (line_.autopilot && line_.replay) throw UsageError("--autopilot and --replay exclude each other");
     if (line_.replay && (line_.scene || line_.seed)) {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
@@ -529,6 +542,7 @@ class Parser {
   bool version_ = false, listScenes_ = false;
   std::optional<glm::dvec3> camera_;
   std::optional<double> heading_, pitch_, roll_;
+  std::optional<std::string> frameBudget_;
   NoiseWords noiseWords_;
   std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;

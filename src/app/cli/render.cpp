@@ -101,6 +101,8 @@ void noteIdle(core::FrameStatistics& statistics, const Overlay* overlay) {
 
 int render(const CommandLine& line) {
   const std::unique_ptr<RunConfig> run = prepareRun(line);
+  if (sets(line, "view.frameBudgetMs") && run->settings.view.frameBudgetMs > 0)
+    throw core::UsageError(std::string("--set: view.frameBudgetMs: ") + kNoBudgetHere);
   const std::optional<SplitReference> reference = splitOf(line, *run);
   FrameFiles files(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);

@@ -9,6 +9,7 @@ int fly(const CommandLine& line);
 int render(const CommandLine& line);
 int simulate(const CommandLine& line);
 int accuracy(const CommandLine& line);
+int calibrateBudget(const CommandLine& line);  // accuracy calibrate
 int noise(const CommandLine& line);
 int generateNoise(const CommandLine& line);  // noise --generate
 int sky(const CommandLine& line);

@@ -20,6 +20,13 @@ ordered_json passJson(const core::PassStatistics& pass) {
   return json;
 }
 
+ordered_json budgetJson(const core::BudgetStatistics& budget) {
+  if (budget.budgetMs <= 0) return nullptr;
+  return {{"ms", budget.budgetMs},       {"medianMs", budget.medianMs}, {"rung", budget.rung},
+          {"rungs", budget.rungs},       {"changes", budget.changes},   {"holds", budget.holds},
+          {"measured", budget.measured}, {"choice", budget.choice},     {"text", budget.text}};
+}
+
 ordered_json billJson(const std::vector<core::EffectStatistics>& bill) {
   ordered_json json = ordered_json::object();
   for (const core::EffectStatistics& row : bill) {
@@ -90,6 +97,7 @@ std::string statisticsJson(const core::FrameStatistics& s) {
         {"firstPictureMs", s.window.firstPictureMs},
         {"loadedMs", s.window.loadedMs},
         {"programsLoaded", s.window.programsLoaded},
+        {"budget", budgetJson(s.window.budget)},
         {"intervalMs", {{"median", s.window.medianIntervalMs}, {"p99", s.window.p99IntervalMs}}}};
   }
   if (!s.split.reference.empty()) {

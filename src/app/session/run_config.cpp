@@ -90,6 +90,21 @@ void keepFixed(const RunConfig& run, const core::SettingsTable& next) {
   }
 }
 
+// Sets the rows; what they were comes back.
+GovernedRows put(const GovernedRows& rows, const core::SettingsTable& table) {
+  GovernedRows before;
+  for (const auto& [path, value] : rows) {
+    const core::Field& field = table.at(path);
+    before.emplace_back(path, field.get());
+    field.set(value);
+  }
+  return before;
+}
+
+bool holdsRow(const GovernedRows& rows, const std::string& path) {
+  return std::ranges::any_of(rows, [&](const auto& row) { return row.first == path; });
+}
+
 // All settings, layer upon layer; `player` applies the player's own. All or nothing: throws core::DataError.
 void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, When when) {
   // Which files lie at the bottom is reported by the layers above them: first the quality, then, with its
@@ -125,6 +140,7 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
   applyOverrides(allTable, run.overrides);
   if (const std::string missing = scene::unmetNeed(all.effects.set()); !missing.empty())
     throw core::UsageError("effects: " + missing);
+  run.beneath = put(run.governed, allTable);
   if (when == When::flying) keepFixed(run, allTable);
 
   run.quality = quality;
@@ -199,8 +215,8 @@ void forgetOverrides(RunConfig& run, const std::string& path) {
 }  // namespace
 
 Choices choicesOf(const RunConfig& run) {
-  return {run.settings,  run.base,    run.player,      run.bindings,  run.userSettings,
-          run.overrides, run.quality, run.setup.scene, run.setup.seed};
+  return {run.settings, run.base,    run.player,  run.bindings,    run.userSettings, run.overrides,
+          run.governed, run.beneath, run.quality, run.setup.scene, run.setup.seed};
 }
 
 SettingsChange goBackTo(const Choices& choices, RunConfig& run) {
@@ -211,6 +227,8 @@ SettingsChange goBackTo(const Choices& choices, RunConfig& run) {
   run.bindings = choices.bindings;
   run.userSettings = choices.userSettings;
   run.overrides = choices.overrides;
+  run.governed = choices.governed;
+  run.beneath = choices.beneath;
   run.quality = choices.quality;
   run.setup.scene = choices.scene;
   run.setup.seed = choices.seed;
@@ -277,6 +295,25 @@ SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked) {
   SettingsChange change = changeSince(before, run);
   change.add(picked);
   return change;
+}
+
+SettingsChange govern(RunConfig& run, GovernedRows rows) {
+  const Settings before = run.settings;
+  for (const auto& [path, value] : run.beneath) {
+    if (!holdsRow(rows, path)) run.table.at(path).set(value);
+  }
+  std::erase_if(run.beneath, [&](const auto& row) { return !holdsRow(rows, row.first); });
+  for (auto& row : put(rows, run.table)) {
+    if (!holdsRow(run.beneath, row.first)) run.beneath.push_back(std::move(row));
+  }
+  run.governed = std::move(rows);
+  return changeSince(before, run);
+}
+
+Settings ungoverned(const RunConfig& run) {
+  Settings settings = run.settings;
+  put(run.beneath, core::SettingsTable(settings));
+  return settings;
 }
 
 SettingsChange reloadScene(RunConfig& run, const CommandLine& line) {

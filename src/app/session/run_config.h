@@ -8,6 +8,7 @@
 
 #include "app/input/bindings.h"
 #include "app/session/simulation.h"
+#include "app/settings/governed_rows.h"
 #include "app/settings/settings.h"
 #include "app/settings/settings_change.h"
 #include "app/settings/user_settings.h"
@@ -29,6 +30,8 @@ struct RunConfig {
   core::SettingsTable playerTable;
   Bindings bindings;                   // the player's
   std::vector<std::string> overrides;  // --set, without what the menu changed since
+  // By a frame budget: over all of these, and nobody's choice; and what these rows are without it.
+  GovernedRows governed, beneath;
   bool softwareRenderer = false;
   Quality quality = Quality::high;  // in force: never automatic
   SimulationSetup setup;
@@ -50,6 +53,7 @@ struct Choices {
   Bindings bindings;
   UserSettings userSettings;
   std::vector<std::string> overrides;
+  GovernedRows governed, beneath;
   Quality quality = Quality::high;
   scene::Scene scene;
   std::uint64_t seed = 1;
@@ -77,6 +81,13 @@ void useSoftwareRenderer(RunConfig& run);
 //
 // In this and the two below, settings that are fixed for the flight (simulation.h) keep their values.
 SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked);
+
+// Puts these rows in force in place of those that a frame budget had; rows that it gives up go back to what
+// they are without it. Returns what changed. Throws core::DataError.
+SettingsChange govern(RunConfig& run, GovernedRows rows);
+
+// The settings as they are without what a frame budget governs.
+Settings ungoverned(const RunConfig& run);
 
 // Reads the scene's file again, and all settings in their order of precedence; what the menu changed stays.
 // Returns what changed. All or nothing: throws core::DataError and changes nothing.

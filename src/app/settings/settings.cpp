@@ -37,6 +37,15 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
                   .max = 1000,
                   .help = "Most frames a second, evenly spaced; 0 for as many as there can be.",
                   .aliases = "FPS, frame rate limit"});
+  visitor.number(
+      "frameBudgetMs", settings.frameBudgetMs,
+      {.unit = "ms",
+       .min = 0,
+       .max = 1000,
+       .help = "Chooses how exactly clouds are drawn, and in how many pixels, so that a frame takes "
+               "no longer; 0 leaves that to their own rows.",
+       .slider = core::Range{0, 100},
+       .aliases = "FPS, frame rate, budget, dynamic resolution, automatic"});
   visitor.flag("vsync", settings.vsync,
                {.help = "Waits for the screen with each frame: no tearing, a little more delay.",
                 .aliases = "vertical sync, tearing, FPS"});

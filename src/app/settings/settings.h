@@ -36,8 +36,9 @@ namespace skydrop::app {
 struct ViewSettings {
   render::CameraMode camera = render::CameraMode::chase;
   bool hud = true;
-  bool freezeTime = false;  // of this run alone: not kept
-  double frameCapHz = 0;    // 0: none
+  bool freezeTime = false;   // of this run alone: not kept
+  double frameCapHz = 0;     // 0: none
+  double frameBudgetMs = 0;  // that frames may take; 0: none
   bool vsync = true;
   double interfaceScale = 1;
   SplitSettings split;

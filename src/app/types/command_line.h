@@ -95,6 +95,12 @@ struct CommandLine {
   ReportFormat reportFormat = ReportFormat::markdown;
 };
 
+// Why the verbs without a window take no frame budget.
+inline constexpr const char* kNoBudgetHere =
+    "a picture or a simulated flight does not depend on the time that it takes; a flight in the window holds "
+    "a "
+    "budget, with --autopilot too";
+
 // Whether the words set this setting, by --set or by a flag that stands for it.
 bool sets(const CommandLine& line, std::string_view path);
 

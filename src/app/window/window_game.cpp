@@ -100,6 +100,7 @@ WindowGame::WindowGame(const CommandLine& line)
   for (const std::string& warning : warnings) tell(part::kStart, warning);
   tellOfSoftware();
   buildScene();
+  attempt(part::kChange, [this] { renewBudget(); });
   loadedMs_ = 1000 * secondsSinceStart();
   if (!line_.replay) sceneFile_ = FileWatch(run_->setup.scene.file);
   if (run_->userFolder) playerFile_ = FileWatch(userSettingsFile(*run_->userFolder));
@@ -187,6 +188,7 @@ void WindowGame::buildScene() {
   }
   preparations_.keepOnly(simulation_ ? simulation_->effects() : scene::EffectSet());
   if (lostFocus) paused_ = true;
+  if (budget_) budget_->forgetFrames();
   if (sceneRenderer_) sceneRenderer_->uploadFonts();  // the loading picture had its own
   programsLoaded_ = window_.context().resources().live(render::gl::ObjectKind::program);
   lastFrame_ = Clock::now();
@@ -233,8 +235,12 @@ void WindowGame::fly() {
     continueSwitch(seconds);
     if (!window_.isHidden()) {
       drawFrame(seconds);
+      const auto drawn = Clock::now();
       window_.swap();
-      times_.add(std::chrono::duration<double, std::milli>(Clock::now() - now).count());
+      const std::chrono::duration<double, std::milli> frame = Clock::now() - now;
+      times_.add(frame.count());
+      if (budget_)
+        followBudget(std::chrono::duration<double, std::milli>(drawn - now).count(), frame.count());
       window_.waitForNextFrame();
     }
     report();
@@ -391,6 +397,7 @@ void WindowGame::drawFrame(double seconds) {
   window_.context().setPointerVisible(
       pointer_.isShown(seconds, std::exchange(pointerMoved_, false), interfaceUsesPointer()));
   const OverlayResult result = buildInterface(snapshot, seconds);
+  if (budget_) drawingSince_ = Clock::now();
   drawScene(snapshot, size);
   if (screenshotWanted_) saveScreenshot();
   sceneRenderer_->renderer().present(size.width, size.height);

@@ -17,6 +17,7 @@
 #include "app/input/player_controls.h"
 #include "app/measure/cost_history.h"
 #include "app/measure/frame_times.h"
+#include "app/session/frame_budget.h"
 #include "app/session/player_camera.h"
 #include "app/session/preparations.h"
 #include "app/session/run_config.h"
@@ -91,6 +92,11 @@ class WindowGame {
   void toggleCosts();
   void noteCosts();  // of the frame before, while the panel of costs is open
   ui::CostPanelContent costContent() const;
+  // The budget that the settings ask for in place of the one there is, or none. Throws core::DataError, and
+  // then changes nothing.
+  void renewBudget();
+  void followBudget(double drawnMs, double frameMs);  // of the frame that was drawn last
+  SettingsChange takeByHand(const SettingsChange& picked);
   void toggleSplit();
   void beginSplit();
   void endSplit();
@@ -172,7 +178,10 @@ class WindowGame {
     std::string clock;
   };
   std::unique_ptr<OpenCosts> costs_;
-  core::FrameStatistics shownStatistics_;  // what the menu shows of costs
+  std::unique_ptr<FrameBudget> budget_;                 // while one is set
+  std::string budgetText_;                              // of it, for the panel
+  std::chrono::steady_clock::time_point drawingSince_;  // of the frame, while a budget is set
+  core::FrameStatistics shownStatistics_;               // what the menu shows of costs
   std::chrono::steady_clock::time_point nextWatch_, nextStatistics_, nextCosts_, nextFlush_;
   std::chrono::steady_clock::time_point lastFrame_;
   double loadedMs_ = 0;

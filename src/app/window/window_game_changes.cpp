@@ -89,6 +89,7 @@ void WindowGame::carryOut(const SettingsChange& change) {
     changeNotDrawn_ = true;
   }
   apply(change);
+  if (change.touches("view.frameBudgetMs") || change.touches("effects")) renewBudget();
 }
 
 void WindowGame::apply(const SettingsChange& change) {
@@ -98,13 +99,16 @@ void WindowGame::apply(const SettingsChange& change) {
 
 void WindowGame::applyMenuChanges(SettingsChange picked) {
   tellOfRefusals(simulation_->takeBackFixed(picked));
-  if (!picked.empty()) carryOut(takeMenuChanges(*run_, picked));
+  if (!picked.empty()) carryOut(takeByHand(picked));
 }
 
 void WindowGame::servePreset(const ui::PresetRequest& request) {
   MenuController::Served served;
+  Settings own = ungoverned(*run_);  // a preset keeps what the player chose, not what a budget turned
+  const bool saves = request.kind == ui::PresetRequest::Kind::save;
+  const core::SettingsTable ownTable(own);
   try {
-    served = menuController_.serve(request, run_->table, overlay_->menu());
+    served = menuController_.serve(request, saves ? ownTable : run_->table, overlay_->menu());
   } catch (const std::exception& refusal) {
     return tell(part::kPreset, refusal.what());
   }
@@ -134,9 +138,14 @@ bool WindowGame::attempt(std::string_view part, const std::function<void()>& cha
 
 // Settings, bindings, scene and the menu's steps as they were in the last frame that could be drawn.
 void WindowGame::goBack() {
-  const SettingsChange change = goBackTo(lastGood_, *run_);
+  SettingsChange change = goBackTo(lastGood_, *run_);
   if (std::exchange(menuChangedIt_, false)) overlay_->menu().takeBack();
   changeNotDrawn_ = false;
+  if (budget_ && run_->governed != budget_->rows()) {  // what it chose last cannot be drawn
+    budget_.reset();
+    change.add(govern(*run_, {}));
+    announce("the frame budget has ended: what it chose cannot be drawn", "The frame budget has ended");
+  }
   if (!(controls_.input().bindings() == run_->bindings)) controls_.bindingsWereReplaced();
   apply(change);
 }

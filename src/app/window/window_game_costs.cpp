@@ -40,7 +40,8 @@ ui::CostPanelContent WindowGame::costContent() const {
           .frameMs = times_.newest(kShownFrames),
           .clock = costs_->clock,
           .knobs = costs_->knobs,
-          .note = costs_->fronts.note};
+          .note = costs_->fronts.note,
+          .budget = budget_ ? std::string_view(budgetText_) : std::string_view()};
 }
 
 }  // namespace skydrop::app

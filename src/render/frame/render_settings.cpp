@@ -139,6 +139,13 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
                   .max = 6,
                   .help = "Brightness on top of the automatic exposure; each step doubles it.",
                   .aliases = "brightness, gamma, exposure compensation"});
+  visitor.number("scale", s.scale,
+                 {.unit = "1",
+                  .min = 0.25,
+                  .max = 1,
+                  .help = "Share of the picture's width and height in which the scene is drawn before it is "
+                          "stretched; less is faster and blurred. The interface stays sharp.",
+                  .aliases = "resolution, render scale, upscaling, pixels"});
   visitor.flag("smoothModels", s.smoothModels,
                {.help = "Draws the edges of aircraft and packages with four samples a pixel; off, they are "
                         "jagged.",

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "render/frame/stretch.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/quantile.h"
 
@@ -56,16 +57,19 @@ void Renderer::setLayer(std::unique_ptr<StageLayer> layer) {
   layer_ = std::move(layer);
 }
 
-void Renderer::resize(int width, int height) {
+void Renderer::resize(const View& scene, const View& picture) {
   Targets& t = *targets_;
-  if (t.scene && t.scene.width() == width && t.scene.height() == height) return;
+  const auto isOf = [](const gl::FrameBuffer& target, const View& view) {
+    return target && target.width() == view.width && target.height() == view.height;
+  };
+  if (isOf(t.scene, scene) && isOf(t.output, picture)) return;
   if (!t.scene) {
-    t.scene = gl::FrameBuffer(context_, width, height, kSceneFormat, "scene");
-    t.output = gl::FrameBuffer(context_, width, height, kOutputFormat, "output");
+    t.scene = gl::FrameBuffer(context_, scene.width, scene.height, kSceneFormat, "scene");
+    t.output = gl::FrameBuffer(context_, picture.width, picture.height, kOutputFormat, "output");
     t.output.setClearColor(0, 0, 0, 1);
   } else {
-    t.scene.resize(width, height);
-    t.output.resize(width, height);
+    if (!isOf(t.scene, scene)) t.scene.resize(scene.width, scene.height);
+    if (!isOf(t.output, picture)) t.output.resize(picture.width, picture.height);
   }
   t.sceneColorOnly = {};  // made where a pass needs it
 }
@@ -148,7 +152,7 @@ std::optional<std::vector<float>> Renderer::drawUnseen(const FrameInput& input) 
   std::vector<float> radiance;
   const bool complete = unseen([&] {
     drawPasses(input, Which::drawn, nullptr, {.last = RenderStage::weatherEffects});
-    radiance = radianceOf(unseen_.scene);
+    radiance = radianceOf(unseen_);
   });
   return complete ? std::optional(std::move(radiance)) : std::nullopt;
 }
@@ -160,10 +164,12 @@ void Renderer::drawOverlays(const FrameInput& input, std::string_view reason) {
 bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& goesOn, const Stages& stages) {
   requireValid(asked.view);
   context_.makeCurrent();
-  resize(asked.view.width, asked.view.height);
   const SkyLight light = skyLight(settings_, asked.view.position.y, asked.simulatedSeconds);
-  FrameInput input = asked;
-  input.toSun = light.toSun;
+  FrameInput picture = asked;  // of what is drawn over the scene, which may have fewer pixels
+  picture.toSun = light.toSun;
+  FrameInput input = picture;
+  input.view = scaled(asked.view, settings_.scale);
+  resize(input.view, picture.view);
   const FrameUniforms uniforms = frameUniforms(input.view, light, input.simulatedSeconds);
   const std::vector<std::string> defines = definesOf(input.features);
 
@@ -178,16 +184,19 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   targets_->output.clear();
   timer_.end();
   FrameResources made;
-  FrameContext frame{context_,
-                     shaders_,
-                     input,
-                     light,
-                     uniforms,
-                     settings_,
-                     defines,
-                     made,
-                     targets_->scene.colorTexture(),
-                     targets_->scene.depthTexture()};
+  const auto contextOf = [&](const FrameInput& of) {
+    return FrameContext{context_,
+                        shaders_,
+                        of,
+                        light,
+                        uniforms,
+                        settings_,
+                        defines,
+                        made,
+                        targets_->scene.colorTexture(),
+                        targets_->scene.depthTexture()};
+  };
+  FrameContext sceneFrame = contextOf(input), pictureFrame = contextOf(picture);
   skipped_.clear();
   if (layer_) {
     const bool left = !stages.contains(layer_->stage());
@@ -205,7 +214,8 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
       skipped_.emplace(pass.name(), stages.others);
       continue;
     }
-    if (const std::optional<std::string> reason = pass.skipReason(input)) {
+    const bool isOfScene = pass.stage() < RenderStage::toneMap;
+    if (const std::optional<std::string> reason = pass.skipReason(isOfScene ? input : picture)) {
       skipped_.emplace(pass.name(), *reason);
       continue;
     }
@@ -216,7 +226,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
     if (!layered && layer_ && pass.stage() == layer_->stage()) layered = beginLayer(input, which);
     if (!layered) bindTarget(pass.stage());
     context_.setDefaultState();
-    tried(pass.name(), entry.group, failure, [&] { pass.draw(frame); });
+    tried(pass.name(), entry.group, failure, [&] { pass.draw(isOfScene ? sceneFrame : pictureFrame); });
     if (goesOn && !goesOn(++count) && &entry != &passes_.back()) {
       complete = false;
       break;
@@ -281,9 +291,10 @@ core::Image Renderer::readBack() {
   return image;
 }
 
-std::vector<float> Renderer::readRadiance() { return radianceOf(screen_.scene); }
+std::vector<float> Renderer::readRadiance() { return radianceOf(screen_); }
 
-std::vector<float> Renderer::radianceOf(const gl::FrameBuffer& scene) {
+std::vector<float> Renderer::radianceOf(const Targets& targets) {
+  const gl::FrameBuffer& scene = targets.scene;
   if (!scene) return {};
   const std::size_t row = static_cast<std::size_t>(scene.width()) * 3;
   std::vector<float> bottomUp(row * static_cast<std::size_t>(scene.height())), radiance;
@@ -292,7 +303,9 @@ std::vector<float> Renderer::radianceOf(const gl::FrameBuffer& scene) {
   for (std::size_t y = bottomUp.size(); y > 0; y -= row)
     radiance.insert(radiance.end(), bottomUp.begin() + static_cast<std::ptrdiff_t>(y - row),
                     bottomUp.begin() + static_cast<std::ptrdiff_t>(y));
-  return radiance;
+  if (scene.width() == targets.output.width() && scene.height() == targets.output.height()) return radiance;
+  return stretched({scene.width(), scene.height(), radiance},
+                   {targets.output.width(), targets.output.height()});
 }
 
 void Renderer::present(int width, int height) {

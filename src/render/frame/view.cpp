@@ -1,5 +1,6 @@
 #include "skydrop/render/frame/view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <string>
@@ -60,6 +61,16 @@ glm::mat4 projection(const View& view) {
   m[2][3] = -1;
   m[3][2] = static_cast<float>(view.nearM);
   return m;
+}
+
+View scaled(const View& view, double share) {
+  const auto side = [share](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(share * pixels)));
+  };
+  View result = view;
+  result.width = side(view.width);
+  result.height = side(view.height);
+  return result;
 }
 
 glm::mat4 viewProjection(const View& view) {

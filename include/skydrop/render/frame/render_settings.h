@@ -59,6 +59,7 @@ struct RenderSettings {
   SunSettings sun;
   AtmosphereSettings atmosphere;
   double exposureStops = 0;  // EV, -6 .. 6, on top of the automatic exposure
+  double scale = 1;          // of the sides in which the scene is drawn, .25 .. 1 of the picture's
   bool smoothModels = true;  // four samples a pixel for aircraft and packages
   LandDetail landDetail = LandDetail::rich;
   bool wireframe = false;       // the land as lines

@@ -88,12 +88,13 @@ class Renderer {
   // kept (SplitPass). The passes that it leaves out are given as skipped, with this reason.
   void drawOverlays(const FrameInput& input, std::string_view reason);
 
-  // Linear light of the last frame.
+  // Linear light of the last frame, in the size in which the scene was drawn.
   const gl::Texture& sceneColor() const { return screen_.scene.colorTexture(); }
   // The output of the last frame; waits for the GPU. Black before the first.
   core::Image readBack();
   // Linear light of the last frame, red, green and blue of each pixel, the top row first; empty before the
-  // first. Waits for the GPU.
+  // first. Where the scene has fewer pixels than the picture (RenderSettings::scale) it is stretched as the
+  // tone map does. Waits for the GPU.
   std::vector<float> readRadiance();
   // Copies the output to the window's own frame buffer of this size. The caller swaps.
   void present(int width, int height);
@@ -129,7 +130,7 @@ class Renderer {
   };
   enum class Which { drawn, all };
 
-  void resize(int width, int height);
+  void resize(const View& scene, const View& picture);
   // Asked after each pass whether to go on with the next.
   using GoesOn = std::function<bool(std::size_t passesDrawn)>;
   struct Stages {
@@ -151,7 +152,8 @@ class Renderer {
   void tried(std::string_view name, const Group& group, std::exception_ptr& failure,
              const std::function<void()>& draw);
   void noteTimes();
-  static std::vector<float> radianceOf(const gl::FrameBuffer& scene);
+  // Of the picture's size, whatever that of the scene.
+  static std::vector<float> radianceOf(const Targets& targets);
 
   gl::Context& context_;
   RenderSettings settings_;

@@ -42,6 +42,9 @@ void requireValid(const View& view);
 // reach beyond the whole. Of pixel size 1 its rays are those of the whole, but for rounding.
 View partOf(const View& whole, const glm::ivec2& corner, int side, int pixelSize);
 
+// The same picture of fewer pixels: of either side this share, rounded, at least one.
+View scaled(const View& view, double share);
+
 // Clip space of OpenGL with glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE).
 glm::mat4 projection(const View& view);
 // Of positions relative to the eye, in world axes, to clip space.
