@@ -44,6 +44,7 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
        .max = 1000,
        .help = "Chooses how exactly clouds are drawn, and in how many pixels, so that a frame takes "
                "no longer; 0 leaves that to their own rows.",
+       .takesEffect = core::TakesEffect::rebuild,  // of the ladder, once the slider is released
        .slider = core::Range{0, 100},
        .aliases = "FPS, frame rate, budget, dynamic resolution, automatic"});
   visitor.flag("vsync", settings.vsync,
