@@ -86,8 +86,16 @@ bool surfacesDiffer(ivec2 cell, Task task, Surroundings s, float farthestCloudM)
   return !(farthest <= 1.1 * nearest || isBehind || farthest <= task.begin);
 }
 
-// Fills a cell; whether its three new rays may be left at that.
-bool isFilled(ivec2 cell, Task task) {
+// HISTORY: cells are listed that bend by this share of the tolerance. Where most rays need not be marched, so many more of them
+// make the picture better than it is without.
+#ifdef HISTORY
+const float kListed = 0.25;
+#else
+const float kListed = 1.0;
+#endif
+
+// Fills a cell; whether its three new rays may be left at that, and if not, whether they may for want of anything better.
+bool isFilled(ivec2 cell, Task task, out bool mayBeLeft) {
   Surroundings s = surroundingsOf(cell);
   vec2 a = distanceAndOpacity(cell, s.rows[5]);
   vec2 b = distanceAndOpacity(cell + ivec2(1, 0), s.rows[6]);
@@ -104,7 +112,9 @@ bool isFilled(ivec2 cell, Task task) {
   keep(texel + ivec2(1, 1), halfway(low, middle, high, highest), a + b + c + d);
   float cloudM = max(max(a.x, b.x), max(c.x, d.x));  // of opaque rays
   float tolerance = RAY_SPACING > 1 ? clouds.sight.y : clouds.sight.z;
-  return curvatureOf(s) <= tolerance && !surfacesDiffer(cell, task, s, cloudM);
+  float curvature = curvatureOf(s);
+  mayBeLeft = curvature <= tolerance && !surfacesDiffer(cell, task, s, cloudM);
+  return mayBeLeft && curvature <= kListed * tolerance;
 }
 
 void refineTile(uint group, uint invocation) {
@@ -114,11 +124,12 @@ void refineTile(uint group, uint invocation) {
   uint index = (group * 64u + invocation) / (side * side);
   uint slot = 0u;
   bool isListed = false;
+  bool mayBeLeft = false;
   ivec2 cell = ivec2(0);
   if (index < tiles.groups.w) {
     Task task = tiles.tasks[index];
     cell = taskPlace(task) * int(side) + placeInSquare((group * 64u + invocation) % (side * side), side);
-    isListed = all(lessThan(cell * 2, imageSize(light))) && !isFilled(cell, task);
+    isListed = all(lessThan(cell * 2, imageSize(light))) && !isFilled(cell, task, mayBeLeft);
     if (isListed) slot = atomicAdd(listedInGroup, 3u);
   }
   barrier();
@@ -131,7 +142,8 @@ void refineTile(uint group, uint invocation) {
   barrier();
   if (!isListed) return;
   uint first = firstOfGroup + slot;
-  rays.texels[first] = packedPlace(2 * cell + ivec2(1, 0));
-  rays.texels[first + 1u] = packedPlace(2 * cell + ivec2(0, 1));
-  rays.texels[first + 2u] = packedPlace(2 * cell + ivec2(1, 1));
+  uint how = mayBeLeft ? kMayBeLeft : 0u;
+  rays.texels[first] = packedPlace(2 * cell + ivec2(1, 0)) | how;
+  rays.texels[first + 1u] = packedPlace(2 * cell + ivec2(0, 1)) | how;
+  rays.texels[first + 2u] = packedPlace(2 * cell + ivec2(1, 1)) | how;
 }

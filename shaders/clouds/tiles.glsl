@@ -19,6 +19,8 @@ const uint kGroupsARow = 1024u;
 
 uint packedPlace(ivec2 at) { return uint(at.x) | uint(at.y) << 16u; }
 ivec2 unpackedPlace(uint at) { return ivec2(at & 0xffffu, at >> 16u); }
+// Set in a listed ray's place: it is filled well enough, should the last frame know nothing better.
+const uint kMayBeLeft = 0x80000000u;
 ivec2 taskPlace(Task task) { return unpackedPlace(task.at); }
 
 // The place of an invocation in a square of `side` (a multiple of 4): neighbours in blocks of 4 x 2, which a software

@@ -177,6 +177,13 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
                {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
                 .takesEffect = core::TakesEffect::variant,
                 .aliases = "erosion"});
+  visitor.choice(
+      "history", s.history, kMarchHistoryNames,
+      {.help = "In flight, the share of the rays that is marched in each frame; the rest is what the last "
+               "frame saw of the same cloud. Single pictures are always marched whole.",
+       .takesEffect = core::TakesEffect::variant,
+       .aliases = "temporal, reprojection, accumulation, upscaling, ghosting",
+       .note = unlessExact()});
   visitor.flag(
       "exact", s.exact,
       {.help = "Marches as the tier reference does: each step and each sample towards the sun as long as "

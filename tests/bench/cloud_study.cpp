@@ -48,7 +48,8 @@ class TimedPass final : public render::Pass {
 render::View viewOf(const CloudView& from, app::Size size) {
   render::Camera camera;
   camera.setMode(render::CameraMode::free);
-  camera.setPose(from.position, glm::radians(from.yawDegrees), glm::radians(from.pitchDegrees), 0);
+  camera.setPose(from.position, glm::radians(from.yawDegrees), glm::radians(from.pitchDegrees),
+                 glm::radians(from.rollDegrees));
   return camera.view(game::Snapshot{}, render::CameraSettings{}, size.width, size.height);
 }
 
@@ -109,7 +110,10 @@ void CloudStudy::use(const clouds::CloudSettings& settings) {
 
 void CloudStudy::drawFrame(const CloudView& view, bool plain) {
   if (plain_) plain_->asked = plain;
-  renderer_.draw({.view = viewOf(view, size_), .features = {.haze = true}});
+  renderer_.draw({.view = viewOf(view, size_),
+                  .features = {.haze = true},
+                  .simulatedSeconds = view.seconds,
+                  .followsLast = view.followsLast});
   renderer_.finish();
 }
 

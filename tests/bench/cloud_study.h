@@ -23,6 +23,9 @@ struct CloudView {
   const char* name;
   glm::dvec3 position;              // metres
   double yawDegrees, pitchDegrees;  // as in app::Pose
+  double rollDegrees = 0;
+  double seconds = 0;        // simulated
+  bool followsLast = false;  // as render::FrameInput
 };
 
 // Under the layer, in it, over it, and along it to where clouds have faded.

@@ -189,7 +189,7 @@ void main() {
     shader.setFloat("poison", poison);
     shader.dispatch(8, 8);
     const std::array<float, 4> none = {poison, poison, poison, poison};
-    for (const CloudSystem::Rays& rays : system_.rays()) {
+    for (const CloudRays& rays : system_.rays()) {
       if (!rays.light) continue;
       context.gl.api().ClearTexImage(rays.light.id(), 0, GL_RGBA, GL_FLOAT, none.data());
       context.gl.api().ClearTexImage(rays.distances.id(), 0, GL_RED, GL_FLOAT, none.data());

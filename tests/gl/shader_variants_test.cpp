@@ -32,10 +32,13 @@ class ShaderVariantsGLTest : public test::GLTest {
     line.set = set;
     const auto run = prepareRun(line);
     Simulation simulation(run->setup, run->settings, run->table);
-    SceneRenderer sceneRenderer(
-        context(),
-        {simulation.effects(), simulation.ground(), 1, false, PreparedResources(test::sharedNoise())},
-        run->settings);
+    SceneRenderer sceneRenderer(context(),
+                                {.effects = simulation.effects(),
+                                 .ground = simulation.ground(),
+                                 .workers = 1,
+                                 .prepared = PreparedResources(test::sharedNoise()),
+                                 .framesFollow = true},
+                                run->settings);
     sceneRenderer.warmUp(simulation.world().now(), {64, 36});
     for (const render::gl::ShaderProgram* program : sceneRenderer.renderer().shaders().programs()) {
       for (const render::gl::ShaderProgram::File& file : program->files())
@@ -66,6 +69,8 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("plane3", {"effects.haze=false", "cloudPlanes.resolution=quarter"});
   draw("fair", {"render.land.terrainNormals=true", "render.land.wireframe=true",
                 "clouds.march.resolution=half", "clouds.march.detail=false"});
+  draw("fair", {"clouds.march.history=quarter"});
+  draw("fair", {"clouds.march.history=sixteenth", "clouds.march.resolution=full"});
   for (const char* entry : kOfTools) note(entry, {});
   for (const auto& file : std::filesystem::recursive_directory_iterator(core::shaderPath(""))) {
     const std::string name = std::filesystem::relative(file.path(), core::shaderPath("")).generic_string();

@@ -20,6 +20,10 @@ inline constexpr std::array<std::string_view, 6> kCloudTierNames = {"off",  "low
 enum class MarchResolution { full, half, quarter };
 inline constexpr std::array<std::string_view, 3> kMarchResolutionNames = {"full", "half", "quarter"};
 
+// How much of last frame's clouds is used again: nothing, or all but so many of the rays a frame.
+enum class MarchHistory { off, quarter, sixteenth };
+inline constexpr std::array<std::string_view, 3> kMarchHistoryNames = {"off", "quarter", "sixteenth"};
+
 // How layers are marched through: all that trades accuracy for time. Defaults are those of the tier high.
 // describe() enforces the ranges of these and of all below. docs/clouds.md tells what each is for.
 struct MarchSettings {
@@ -39,12 +43,17 @@ struct MarchSettings {
   double sunStepM = 8, sunStepGrowth = 0.07, sunStepPerDepthM = 5;
   double sunClearStride = 1;  // 0 .. 2: as clearStride
   bool detail = true;         // detail erodes the edges; off: its mean does
+  // Only of frames that follow others (render::FrameInput::followsLast): what share of the rays is marched,
+  // in turns; the rest is what the last frame saw of the same cloud.
+  MarchHistory history = MarchHistory::off;
   // The march of the reference: steps of one length through all that may hold cloud, each segment lit by as
   // many samples as there are. The two rows after it are of that march alone, those before it but the steps'
   // and the cutoff's are not.
   bool exact = false;
   double maxSegmentOpticalDepth = 1;  // 0.02 .. 5: most optical depth that shares one evaluation of light
   std::int64_t sunSamples = 24;       // 1 .. 128, of density on the way to the sun
+
+  bool operator==(const MarchSettings&) const = default;
 };
 
 // Layers, each with a field of its own; all are made of the same noise. Raising it gives every layer
@@ -76,6 +85,8 @@ struct CloudSettings {
   double fadeDistance = 24000;  // m from the eye, 1e3 .. 60e3: no layer is seen beyond it
   CloudTier tier = CloudTier::high;
   MarchSettings march;
+
+  bool operator==(const CloudSettings&) const = default;
 };
 
 void describe(core::SettingsVisitor& visitor, MarchSettings& settings);

@@ -186,8 +186,9 @@ bool SceneRenderer::drawUnseen(const WarmUpFrame& frame, const render::FrameFeat
   renderer_.apply(settings);
   const auto restore = [&] { renderer_.apply(settings_->render); };
   try {
-    const bool complete = renderer_.warmUp(render::gameFrame(frame.snapshot, frame.view, features), budgetMs,
-                                           switch_->passesDrawn);
+    render::FrameInput input = inputOf(frame.snapshot, frame.view);
+    input.features = features;
+    const bool complete = renderer_.warmUp(input, budgetMs, switch_->passesDrawn);
     restore();
     return complete;
   } catch (...) {
@@ -258,7 +259,14 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
       streamingCost_.endRound();
     }
   }
-  renderer_.draw(render::gameFrame(snapshot, view, features()));
+  renderer_.draw(inputOf(snapshot, view));
+}
+
+// Of a frame that may follow another.
+render::FrameInput SceneRenderer::inputOf(const game::Snapshot& snapshot, const render::View& view) const {
+  render::FrameInput input = render::gameFrame(snapshot, view, features());
+  input.followsLast = setup_.framesFollow;
+  return input;
 }
 
 bool SceneRenderer::updateLand(const render::View& view, Streaming streaming) {
@@ -317,7 +325,7 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size, const std:
   for (const WarmUpFrame& frame : warmUpFrames(snapshot, size)) {
     if (stop.stop_requested()) return;
     if (land_) land_->update(frame.view);
-    renderer_.draw(render::gameFrame(frame.snapshot, frame.view, features()));
+    renderer_.draw(inputOf(frame.snapshot, frame.view));
   }
   renderer_.clearTimes();
 }

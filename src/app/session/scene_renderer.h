@@ -44,6 +44,9 @@ class SceneRenderer {
     const std::vector<EffectDescriptor>* table = &effectTable();  // what effects are made of; outlives it
     // While effects come, what they draw with is compiled on another thread first (compile_ahead.h).
     bool compilesAhead = false;
+    // Frames are drawn one after the other, as they are flown: each may use what the one before it left
+    // (render::FrameInput::followsLast). Off, each is a function of snapshot, view and settings.
+    bool framesFollow = false;
   };
 
   // Adds the passes of the effects (effect_table.h). Context and settings must outlive it. Throws
@@ -171,6 +174,7 @@ class SceneRenderer {
   // Draws on with the frame; true when all of it was drawn.
   bool drawUnseen(const WarmUpFrame& frame, const render::FrameFeatures& features, double budgetMs);
   render::FrameFeatures features() const;
+  render::FrameInput inputOf(const game::Snapshot& snapshot, const render::View& view) const;
   const EffectDescriptor* firstCaster() const;  // who pays for the map of shadows; null: nobody casts one
   core::EffectStatistics billOf(const EffectDescriptor& row, const core::FrameStatistics& frame) const;
   core::EffectStatistics billOfFrame(const core::FrameStatistics& frame) const;

@@ -145,7 +145,8 @@ WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
                                    .workers = line_.workers,
                                    .measuring = stats_.has_value(),
                                    .prepared = preparations_.results(effects),
-                                   .compilesAhead = true};
+                                   .compilesAhead = true,
+                                   .framesFollow = true};
   next.sceneRenderer = std::make_unique<SceneRenderer>(window_.context(), setup, run_->settings);
   if (sceneRenderer_) {
     next.sceneRenderer->camera() = sceneRenderer_->camera();

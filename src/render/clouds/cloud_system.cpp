@@ -6,8 +6,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/clouds/cloud_history.h"
 #include "render/clouds/cloud_textures.h"
 #include "render/clouds/cloud_uniforms.h"
+#include "render/clouds/march_plan.h"
 #include "render/clouds/sun_optical_depth_grid.h"
 #include "skydrop/clouds/raised_sun.h"
 #include "skydrop/clouds/sun_depth.h"
@@ -17,51 +19,12 @@ namespace skydrop::render {
 namespace {
 
 constexpr GLuint kSceneDepthUnit = 6, kLightUnit = 7, kDistancesUnit = 8;  // as in shaders/clouds
-constexpr GLuint kTilesBinding = 0, kSpansBinding = 1, kUnderWayBinding = 2, kRaysBinding = 3;  // likewise
-constexpr int kTileSide = 16, kExactTileSide = 8;                                               // pixels
-constexpr std::size_t kTaskBytes = 16, kSpansBytes = 128;                                       // of a tile
-constexpr std::size_t kFourBytes = 16;  // where a list of tiles has the groups of a dispatch of four each
 constexpr double kFineShadowMapM = 60, kFineShadowRadiusM = 6000,
                  kCoarseShadowMapM = 240;  // cells of shadows
 
-struct Groups {
-  std::array<GLuint, 3> groups{0, 0, 1};
-  GLuint count = 0;
-};
 struct TilesHeader {
   Groups ofOne, ofFour;
 };
-
-// The most times that all loops of a ray can run together. A segment with its light is at least so deep, or
-// kMaxStepsPerSegment steps long.
-double mostIterations(const clouds::CloudSettings& s) {
-  const double growthBegins = s.march.stepM / s.march.stepGrowth;
-  const double steps =
-      growthBegins / s.march.stepM * (1 + std::max(0.0, std::log2(s.fadeDistance / growthBegins)));
-  const double segments = steps / core::shared::f64::kMaxStepsPerSegment -
-                          std::log(s.march.transmittanceCutoff) / s.march.maxSegmentOpticalDepth;
-  return 2 * steps + segments * static_cast<double>(s.march.sunSamples);
-}
-
-// Whether one dispatch may not reach the end of a ray.
-bool isMultiDispatch(const clouds::CloudSettings& settings) {
-  return settings.march.exact && mostIterations(settings) > core::shared::f64::kMostIterations;
-}
-
-int tileSideOf(const clouds::CloudSettings& settings) {
-  return settings.march.exact ? kExactTileSide : kTileSide;
-}
-
-// Pixels between rays where the picture is smooth.
-int widestSpacing(const clouds::CloudSettings& settings) {
-  return settings.march.exact ? 1 : 1 << static_cast<int>(settings.march.resolution);
-}
-
-// Rays so many pixels apart of which the last are at the picture's edge or beyond it, so that all others lie
-// between rays twice as far apart.
-int raysAcross(int pixels, int spacing, int widest) {
-  return spacing == 1 ? pixels : ((pixels + widest - 1) / widest) * (widest / spacing) + 1;
-}
 
 // Whether no ray of the picture meets the layer before clouds have faded.
 bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, double fadeDistance) {
@@ -84,20 +47,6 @@ bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, doub
   const glm::dvec3 pole = toView * towards;
   if (pole.z > 0 && std::abs(pole.x) <= pole.z && std::abs(pole.y) <= pole.z) steepest = 1;
   return steepest * fadeDistance <= distance;
-}
-
-std::vector<std::string> definesOf(const FrameContext& context, const clouds::CloudSettings& settings) {
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (settings.march.detail) defines.emplace_back("DETAIL");
-  if (isMultiDispatch(settings)) defines.emplace_back("MULTI_DISPATCH");
-  defines.push_back("TILE_SIDE " + std::to_string(tileSideOf(settings)));
-  return defines;
-}
-
-std::vector<std::string> withSpacing(std::span<const std::string> defines, int spacing) {
-  std::vector<std::string> all(defines.begin(), defines.end());
-  all.push_back("RAY_SPACING " + std::to_string(spacing));
-  return all;
 }
 
 }  // namespace
@@ -255,7 +204,8 @@ void CloudSystem::marchMultiDispatch() {
 }
 
 void CloudSystem::draw(FrameContext& context) {
-  const std::vector<std::string> defines = definesOf(context, settings_);
+  const std::vector<std::string> defines = marchDefines(context.defines, settings_);
+  beginHistory(context);
   resize(context.frame.view);
   setUniforms(context);
   classify(context, defines);
@@ -264,9 +214,21 @@ void CloudSystem::draw(FrameContext& context) {
   else
     march(context, defines);
   cover(context, defines);
+  if (history_) history_->keep(context, eyeInField(context.frame), settings_);
   transmittance_ = {&rays_[0].light, &rays_[0].distances};
   context.resources.publish(transmittance_);
   context_.api().MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void CloudSystem::beginHistory(const FrameContext& context) {
+  const bool isAsked = context.frame.followsLast && !settings_.march.exact &&
+                       settings_.march.history != clouds::MarchHistory::off;
+  if (!isAsked) {
+    history_.reset();
+    return;
+  }
+  if (!history_) history_ = std::make_unique<CloudHistory>();
+  history_->begin(context, eyeInField(context.frame), settings_, rays_[0]);
 }
 
 // What all shaders of the pass read.
@@ -292,7 +254,7 @@ void CloudSystem::classify(FrameContext& context, Defines defines) {
   shader.setIvec2("tileCount", tileCount_);
   shader.dispatch(static_cast<GLuint>(tileCount_.x + 7) / 8, static_cast<GLuint>(tileCount_.y + 7) / 8);
   const std::array<float, 4> clear = {0, 0, 0, 1}, nothing = {core::shared::f32::kFarDistance, 0, 0, 0};
-  for (const Rays& rays : rays_) {
+  for (const CloudRays& rays : rays_) {
     if (!rays.light) continue;
     api.ClearTexImage(rays.light.id(), 0, GL_RGBA, GL_FLOAT, clear.data());
     api.ClearTexImage(rays.distances.id(), 0, GL_RED, GL_FLOAT, nothing.data());
@@ -303,34 +265,55 @@ void CloudSystem::classify(FrameContext& context, Defines defines) {
 // Rays as far apart as they may be, then those between them that have to be marched.
 void CloudSystem::march(FrameContext& context, Defines defines) {
   const int widest = widestSpacing(settings_);
-  std::vector<std::string> all = withSpacing(defines, widest);
-  all.push_back(widest == 1 ? "GROUP_SIZE 256" : "GROUP_SIZE 64");  // a tile's rays, or those of four tiles
-  gl::ComputeShader& shader = context.shaders.computeShader("clouds/march_tiles.comp", all);
+  if (history_) {
+    const gl::Buffer& list =
+        history_->recallTiles(context, defines, widest, raysApart(widest), tiles_, tileCount_);
+    marchListed(context, withSpacing(defines, widest), raysApart(widest), list);
+  } else {
+    marchTiles(context, defines, widest);
+  }
+  for (int spacing = widest / 2; spacing > 0; spacing /= 2) refine(context, defines, spacing);
+}
+
+void CloudSystem::marchTiles(FrameContext& context, Defines defines, int widest) {
+  gl::ComputeShader& shader =
+      context.shaders.computeShader("clouds/march_tiles.comp", withGroups(defines, widest));
   shader.use();
   shader.setIvec2("tileCount", tileCount_);
   raysApart(widest).light.bindImage(0, GL_WRITE_ONLY);
   raysApart(widest).distances.bindImage(1, GL_WRITE_ONLY);
   tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
   context_.dispatchIndirect(widest == 4 ? kFourBytes : 0);
-  for (int spacing = widest / 2; spacing > 0; spacing /= 2) refine(context, defines, spacing);
 }
 
 void CloudSystem::refine(FrameContext& context, Defines defines, int spacing) {
-  const std::vector<std::string> all = withSpacing(defines, spacing);
+  std::vector<std::string> all = withSpacing(defines, spacing);
   gl::Buffer& list = listedRays_[static_cast<std::size_t>(spacing) - 1];
-  list.writeValue(0, Groups{});
-  list.bindBase(GL_SHADER_STORAGE_BUFFER, kRaysBinding);
+  gl::Buffer& found = history_ ? history_->candidates() : list;
+  found.writeValue(0, Groups{});
+  found.bindBase(GL_SHADER_STORAGE_BUFFER, kRaysBinding);
   context_.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   raysApart(2 * spacing).light.bind(kLightUnit);
   raysApart(2 * spacing).distances.bind(kDistancesUnit);
   raysApart(spacing).light.bindImage(0, GL_WRITE_ONLY);
   raysApart(spacing).distances.bindImage(1, GL_WRITE_ONLY);
-  context.shaders.computeShader("clouds/refine.comp", all).use();
+  std::vector<std::string> ofRefine = all;
+  if (history_) ofRefine.emplace_back("HISTORY");
+  context.shaders.computeShader("clouds/refine.comp", ofRefine).use();
   tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
   context_.dispatchIndirect(spacing == 2 ? kFourBytes : 0);
   context_.api().MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                                GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  gl::ComputeShader& shader = context.shaders.computeShader("clouds/march_rays.comp", all);
+  if (history_) history_->recallCandidates(context, all, raysApart(spacing), tileCount_, list);
+  marchListed(context, all, raysApart(spacing), list);
+}
+
+void CloudSystem::marchListed(FrameContext& context, Defines defines, const CloudRays& rays,
+                              const gl::Buffer& list) {
+  list.bindBase(GL_SHADER_STORAGE_BUFFER, kRaysBinding);
+  rays.light.bindImage(0, GL_WRITE_ONLY);
+  rays.distances.bindImage(1, GL_WRITE_ONLY);
+  gl::ComputeShader& shader = context.shaders.computeShader("clouds/march_rays.comp", defines);
   shader.use();
   shader.setIvec2("tileCount", tileCount_);
   list.bind(GL_DISPATCH_INDIRECT_BUFFER);
@@ -370,6 +353,7 @@ CloudSystem::Work CloudSystem::lastWork() const {
   work.tiles = count(tiles_, 0);
   work.finestRays = count(listedRays_[0], 0);
   work.raysBetween = count(listedRays_[1], 0);
+  if (history_) work.widestRays = count(history_->widestRays(), 0);
   return work;
 }
 

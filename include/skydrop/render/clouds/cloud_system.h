@@ -11,6 +11,7 @@
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/core/wind.h"
+#include "skydrop/render/clouds/cloud_rays.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
 #include "skydrop/render/frame/light_shares.h"
@@ -19,6 +20,7 @@
 
 namespace skydrop::render {
 
+class CloudHistory;
 class CloudTextures;
 class SunOpticalDepthGrid;
 
@@ -62,16 +64,17 @@ class CloudSystem final : public Pass {
     unsigned tiles = 0;  // of 16 x 16 pixels; of 8 x 8 in the exact march
     // Rays that were marched between those that every tile has: 2 pixels and 1 pixel apart.
     unsigned raysBetween = 0, finestRays = 0;
+    // Of those that every tile has, where history leaves some out; else 0.
+    unsigned widestRays = 0;
   };
   Work lastWork() const;
   // Pictures of rays 1, 2 and 4 pixels apart of the last frame that was not skipped: what they see and where,
   // as in CloudTransmittance. No objects for rays that the settings have no use for.
-  struct Rays {
-    gl::Texture light, distances;
-  };
-  const std::array<Rays, 3>& rays() const { return rays_; }
+  const std::array<CloudRays, 3>& rays() const { return rays_; }
   // CloudTransmittance::light of the last frame that was not skipped; no object before the first.
   const gl::Texture& light() const { return rays_[0].light; }
+  // The history that the last frame left for the next: null where it left none.
+  CloudHistory* history() const { return history_.get(); }
 
  private:
   void update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
@@ -82,13 +85,16 @@ class CloudSystem final : public Pass {
   glm::dvec3 eyeInField(const FrameInput& frame) const { return inField(frame.view.position, frame); }
   const clouds::CloudLayerSettings& layer() const { return settings_.layers[kMarchedLayer]; }
   using Defines = std::span<const std::string>;  // of the variant
+  void beginHistory(const FrameContext& context);
   void classify(FrameContext& context, Defines defines);
   void march(FrameContext& context, Defines defines);
+  void marchTiles(FrameContext& context, Defines defines, int widest);
   void refine(FrameContext& context, Defines defines, int spacing);
+  void marchListed(FrameContext& context, Defines defines, const CloudRays& rays, const gl::Buffer& list);
   void marchExactly(FrameContext& context, Defines defines);
   void marchMultiDispatch();
   void cover(FrameContext& context, Defines defines);
-  Rays& raysApart(int spacing) { return rays_[static_cast<std::size_t>(spacing) / 2]; }
+  CloudRays& raysApart(int spacing) { return rays_[static_cast<std::size_t>(spacing) / 2]; }
   void resize(const View& view);
 
   static constexpr std::size_t kMarchedLayer = 0;
@@ -97,9 +103,10 @@ class CloudSystem final : public Pass {
   clouds::CloudSettings settings_;
   core::WindSettings wind_;
   std::unique_ptr<CloudTextures> textures_;
+  std::unique_ptr<CloudHistory> history_;  // null in frames that use none
   std::unique_ptr<SunOpticalDepthGrid> fineShadowMap_, coarseShadowMap_;
   gl::Buffer uniforms_, tiles_, spans_;
-  std::array<Rays, 3> rays_;              // 1, 2 and 4 pixels apart
+  std::array<CloudRays, 3> rays_;         // 1, 2 and 4 pixels apart
   std::array<gl::Buffer, 2> listedRays_;  // 1 and 2 pixels apart
   glm::ivec2 tileCount_{0};
   CloudTransmittance transmittance_;  // published by draw()

@@ -20,6 +20,9 @@ struct FrameInput {
   double simulatedSeconds = 0;           // finite, any sign: waves and clouds move by it
   const game::Snapshot* game = nullptr;  // null: there is no game; must outlive Renderer::draw()
   glm::dvec3 toSun{0, 1, 0};             // unit; the renderer puts its settings' sun here
+  // The frame may use what passes kept of the one that the same renderer drew before it: only then is it a
+  // function of more than what is in here. It need not fit: passes find out what of it does.
+  bool followsLast = false;
 };
 
 // A frame of the game at the moment of the snapshot, which must outlive Renderer::draw().

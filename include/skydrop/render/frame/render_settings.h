@@ -46,6 +46,8 @@ struct AtmosphereSettings {
   double visibilityM = 100000;  // m, 1e3 .. 250e3: distance at which contrast falls to 2 %, at sea level
   double hazeHeightM = 1200;    // m, 100 .. 4000: scale height of the aerosol
   double hazeAnisotropy = 0.7;  // g of its phase function, 0 .. 0.95
+
+  bool operator==(const AtmosphereSettings&) const = default;
 };
 
 // How much of the land's surface is worked out.
