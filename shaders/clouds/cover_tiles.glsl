@@ -1,13 +1,7 @@
 // Lays the clouds over the scene, for the tiles that were marched.
 #include "clouds/cover.glsl"
-#include "clouds/tiles.glsl"
+#include "clouds/tile_list.glsl"
 #include "clouds/view.glsl"
-
-layout(std430, binding = 0) readonly buffer Tiles {
-  uvec4 groups;
-  uvec4 groupsOfFour;
-  Task tasks[];
-} tiles;
 
 layout(binding = 7) uniform sampler2D light;
 

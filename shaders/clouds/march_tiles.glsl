@@ -1,18 +1,8 @@
-// Marches the rays of the listed tiles, RAY_SPACING pixels apart. GROUP_SIZE: invocations of a group, those of one tile or of
-// four.
+// Marches the rays of the listed tiles.
 #include "clouds/march_ray.glsl"
-
-layout(std430, binding = 0) readonly buffer Tiles {
-  uvec4 groups;
-  uvec4 groupsOfFour;
-  Task tasks[];
-} tiles;
+#include "clouds/tile_rays.glsl"
 
 void marchTile(uint group, uint invocation) {
-  const uint side = uint(TILE_SIDE / RAY_SPACING);
-  uint ray = group * uint(GROUP_SIZE) + invocation;
-  uint index = ray / (side * side);
-  if (index >= tiles.groups.w) return;
-  ivec2 texel = taskPlace(tiles.tasks[index]) * int(side) + placeInSquare(ray % (side * side), side);
-  if (all(lessThan(texel, imageSize(light)))) marchRayOf(texel);
+  ivec2 texel;
+  if (rayOfTile(group, invocation, imageSize(light), texel)) marchRayOf(texel);
 }

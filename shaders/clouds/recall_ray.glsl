@@ -1,16 +1,11 @@
-// Fills a ray with what the last frame knows of it, or lists it to be marched. ROUND: in so many frames each ray has its turn.
+// Fills a ray with what the last frame knows of it, or lists it to be marched. ROUND: in so many frames each ray has its
+// turn.
 #include "clouds/past.glsl"
-#include "clouds/tiles.glsl"
+#include "clouds/ray_list.glsl"
 
 layout(std430, binding = 1) readonly buffer Spans { vec2 spans[]; };
-layout(std430, binding = 3) buffer Rays {
-  uvec4 groups;  // of the march's dispatch; w: rays in the list
-  uint texels[];
-} rays;
-
 layout(binding = 0, rgba16f) uniform writeonly image2D light;
 layout(binding = 1, r16f) uniform image2D distances;
-
 layout(binding = 2, r16f) uniform writeonly image2D doubts;
 
 // A ray of which there is more doubt is marched before its turn: measured, so that the tier high errs as much as without
@@ -19,9 +14,6 @@ const float kMostDoubt = 0.06;
 
 uniform ivec2 tileCount;
 uniform uint turn;  // of the frame
-
-shared uint listedInGroup;
-shared uint firstOfGroup;
 
 // Of 2 x 2 places, neighbours far apart.
 uint orderOfFour(ivec2 at) { return uint(((at.x ^ at.y) & 1) * 2 + (at.y & 1)); }
@@ -39,8 +31,6 @@ float endOfCloud(ivec2 pixel) {
 // A ray that may be left is filled already. All invocations of a group call it, those that have a ray (isRay) and those that
 // have none.
 void recallRay(uint invocation, ivec2 texel, bool isRay, bool mayBeLeft, uint order, float guessM) {
-  if (invocation == 0u) listedInGroup = 0u;
-  barrier();
   bool isDue = (order & uint(ROUND - 1)) == (turn & uint(ROUND - 1));
   ivec2 pixel = texel * RAY_SPACING;
   Past known = isRay ? pastOf(pixel, guessM, endOfCloud(pixel)) : unknownPast();
@@ -53,15 +43,6 @@ void recallRay(uint invocation, ivec2 texel, bool isRay, bool mayBeLeft, uint or
     imageStore(distances, texel, vec4(known.distanceM));
     imageStore(doubts, pixel, vec4(known.doubt));
   }
-  uint slot = 0u;
-  if (isListed) slot = atomicAdd(listedInGroup, 1u);
-  barrier();
-  if (invocation == 0u && listedInGroup > 0u) {
-    firstOfGroup = atomicAdd(rays.groups.w, listedInGroup);
-    uint lastGroup = (firstOfGroup + listedInGroup - 1u) / 64u;
-    atomicMax(rays.groups.x, min(lastGroup + 1u, kGroupsARow));
-    atomicMax(rays.groups.y, lastGroup / kGroupsARow + 1u);
-  }
-  barrier();
-  if (isListed) rays.texels[firstOfGroup + slot] = packedPlace(texel);
+  uint at = placesInList(invocation, isListed ? 1u : 0u);
+  if (isListed) rays.texels[at] = packedPlace(texel);
 }

@@ -1,26 +1,14 @@
 // From rays twice as far apart to rays RAY_SPACING pixels apart, in the listed tiles: where they bend little, those between
 // are interpolated; where they bend more, and where surfaces make a difference, they are listed to be marched.
-#include "clouds/tiles.glsl"
+#include "clouds/ray_list.glsl"
+#include "clouds/tile_list.glsl"
 #include "clouds/uniforms.glsl"
 #include "clouds/view.glsl"
-
-layout(std430, binding = 0) readonly buffer Tiles {
-  uvec4 groups;
-  uvec4 groupsOfFour;
-  Task tasks[];
-} tiles;
-layout(std430, binding = 3) buffer Rays {
-  uvec4 groups;  // of the march's dispatch; w: rays in the list
-  uint texels[];
-} rays;
 
 layout(binding = 7) uniform sampler2D coarseLight;
 layout(binding = 8) uniform sampler2D coarseDistances;
 layout(binding = 0, rgba16f) uniform writeonly image2D light;
 layout(binding = 1, r16f) uniform writeonly image2D distances;
-
-shared uint listedInGroup;
-shared uint firstOfGroup;
 
 // Halfway between the second and the third of four in a row: the cubic through them.
 vec4 halfway(vec4 a, vec4 b, vec4 c, vec4 d) { return 0.5625 * (b + c) - 0.0625 * (a + d); }
@@ -119,10 +107,7 @@ bool isFilled(ivec2 cell, Task task, out bool mayBeLeft) {
 
 void refineTile(uint group, uint invocation) {
   const uint side = uint(TILE_SIDE / (2 * RAY_SPACING));
-  if (invocation == 0u) listedInGroup = 0u;
-  barrier();
   uint index = (group * 64u + invocation) / (side * side);
-  uint slot = 0u;
   bool isListed = false;
   bool mayBeLeft = false;
   ivec2 cell = ivec2(0);
@@ -130,18 +115,9 @@ void refineTile(uint group, uint invocation) {
     Task task = tiles.tasks[index];
     cell = taskPlace(task) * int(side) + placeInSquare((group * 64u + invocation) % (side * side), side);
     isListed = all(lessThan(cell * 2, imageSize(light))) && !isFilled(cell, task, mayBeLeft);
-    if (isListed) slot = atomicAdd(listedInGroup, 3u);
   }
-  barrier();
-  if (invocation == 0u && listedInGroup > 0u) {
-    firstOfGroup = atomicAdd(rays.groups.w, listedInGroup);
-    uint lastGroup = (firstOfGroup + listedInGroup - 1u) / 64u;
-    atomicMax(rays.groups.x, min(lastGroup + 1u, kGroupsARow));
-    atomicMax(rays.groups.y, lastGroup / kGroupsARow + 1u);
-  }
-  barrier();
+  uint first = placesInList(invocation, isListed ? 3u : 0u);
   if (!isListed) return;
-  uint first = firstOfGroup + slot;
   uint how = mayBeLeft ? kMayBeLeft : 0u;
   rays.texels[first] = packedPlace(2 * cell + ivec2(1, 0)) | how;
   rays.texels[first + 1u] = packedPlace(2 * cell + ivec2(0, 1)) | how;

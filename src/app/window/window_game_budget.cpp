@@ -9,6 +9,7 @@
 #include "app/session/noise_store.h"
 #include "app/window/fault_parts.h"
 #include "app/window/window_game.h"
+#include "skydrop/core/joined.h"
 
 namespace skydrop::app {
 namespace {
@@ -86,9 +87,7 @@ SettingsChange WindowGame::takeByHand(const SettingsChange& picked) {
   budget_->letGo(knobs, *run_);
   change.add(govern(*run_, budget_->rows()));
   budgetText_ = budget_->text();
-  std::string names;
-  for (const std::string& knob : knobs) names += (names.empty() ? "" : ", ") + knob;
-  notices_.add("The frame budget leaves to you: " + names, Notices::kUnrequestedSeconds);
+  notices_.add("The frame budget leaves to you: " + core::joined(knobs), Notices::kUnrequestedSeconds);
   return change;
 }
 

@@ -10,7 +10,7 @@ namespace skydrop::render {
 namespace {
 
 constexpr GLuint kLightUnit = 9, kDistancesUnit = 10, kDepthUnit = 11,
-                 kDoubtsUnit = 12;  // as in shaders/clouds/recall.glsl
+                 kDoubtsUnit = 12;  // as in shaders/clouds/past.glsl
 
 // A frame that comes later than this shows another picture, s.
 constexpr double kLongestFrame = 0.25;
@@ -76,7 +76,8 @@ void CloudHistory::resize(gl::Context& context, const View& view, const clouds::
 
 void CloudHistory::begin(const FrameContext& context, const glm::dvec3& eyeInField,
                          const clouds::CloudSettings& settings, CloudRays& picture) {
-  const CloudFrame now = frameOf(context, eyeInField, settings);
+  frame_ = frameOf(context, eyeInField, settings);
+  const CloudFrame& now = frame_;
   isKnown_ = lastFrame_ && continues(*lastFrame_, now);
   resize(context.gl, now.view, settings);
   if (isKnown_) std::swap(rays_, picture);
@@ -141,9 +142,8 @@ void CloudHistory::recallCandidates(FrameContext& context, std::span<const std::
                                  GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void CloudHistory::keep(const FrameContext& context, const glm::dvec3& eyeInField,
-                        const clouds::CloudSettings& settings) {
-  lastFrame_ = frameOf(context, eyeInField, settings);
+void CloudHistory::keep(const FrameContext& context) {
+  lastFrame_ = std::move(frame_);
   context.gl.api().CopyImageSubData(context.sceneDepth.id(), GL_TEXTURE_2D, 0, 0, 0, 0, depth_.id(),
                                     GL_TEXTURE_2D, 0, 0, 0, 0, depth_.width(), depth_.height(), 1);
 }

@@ -53,7 +53,7 @@ class CloudHistory {
   void recallCandidates(FrameContext& context, std::span<const std::string> defines, const CloudRays& rays,
                         const glm::ivec2& tileCount, gl::Buffer& list);
   // After the frame: keeps what the next one has to know.
-  void keep(const FrameContext& context, const glm::dvec3& eyeInField, const clouds::CloudSettings& settings);
+  void keep(const FrameContext& context);
 
   const gl::Buffer& widestRays() const { return widestRays_; }
 
@@ -64,6 +64,7 @@ class CloudHistory {
                              const glm::ivec2& tileCount, gl::Buffer& list);
 
   std::optional<CloudFrame> lastFrame_;
+  CloudFrame frame_;  // that is being drawn
   bool isKnown_ = false;
   unsigned turn_ = 0;
   glm::mat4 toPast_{1};

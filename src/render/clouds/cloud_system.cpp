@@ -214,7 +214,7 @@ void CloudSystem::draw(FrameContext& context) {
   else
     march(context, defines);
   cover(context, defines);
-  if (history_) history_->keep(context, eyeInField(context.frame), settings_);
+  if (history_) history_->keep(context);
   transmittance_ = {&rays_[0].light, &rays_[0].distances};
   context.resources.publish(transmittance_);
   context_.api().MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
