@@ -32,14 +32,22 @@ def segment_distance(x, y, a, b):
     return np.hypot(x - ax - t * dx, y - ay - t * dy)
 
 
-def text_distance(x, y, text, height, stroke):
-    """x runs with the reading direction from the first letter's edge, y upwards from the base line."""
-    result = np.full(np.shape(x), 1e3)
+def text_distance(x, y, text, height, stroke, reach=.1):
+    """x runs with the reading direction from the first letter's edge, y upwards from the base line. Exact within reach
+    (in metres) of each letter's cell; a place farther from all of them is 1e3 away."""
+    x, y = np.broadcast_arrays(x, y)
+    result = np.full(x.shape, 1e3)
+    lines_up = (y > -reach) & (y < height + reach)
     for i, letter in enumerate(text):
+        start = i * ADVANCE * height
+        near = np.nonzero(lines_up & (x > start - reach) & (x < start + .62 * height + reach))
+        near_x, near_y, distance = x[near], y[near], result[near]
         for line in LETTERS[letter]:
             for a, b in zip(line[:-1], line[1:]):
                 ax, bx = (a[0] + i * ADVANCE) * height, (b[0] + i * ADVANCE) * height
-                result = np.minimum(result, segment_distance(x, y, (ax, a[1] * height), (bx, b[1] * height)))
+                distance = np.minimum(distance,
+                                      segment_distance(near_x, near_y, (ax, a[1] * height), (bx, b[1] * height)))
+        result[near] = distance
     return result - stroke / 2
 
 
