@@ -1,6 +1,7 @@
 #include "skydrop/accuracy/study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -23,9 +24,23 @@ constexpr double kMostSeconds = 3600, kFarthestM = 1e7;
 
 std::string_view pathOf(std::string_view assignment) { return assignment.substr(0, assignment.find('=')); }
 
+StudyFlight readFlight(const StudyReader& reader, const json& of, const std::string& place) {
+  reader.requireObject(of, place, {"speedMps", "bankDegrees", "frames"});
+  StudyFlight flight;
+  const auto take = [&](const char* name, double least, double most, double otherwise) {
+    return of.contains(name) ? reader.number(of[name], place + "." + name, least, most) : otherwise;
+  };
+  flight.speedMps = take("speedMps", 0, 1000, flight.speedMps);
+  flight.bankDegrees = take("bankDegrees", -80, 80, flight.bankDegrees);
+  const double frames = take("frames", 1, 600, flight.frames);
+  if (frames != std::floor(frames)) reader.refuse(place + ".frames", "is not a whole number");
+  flight.frames = static_cast<int>(frames);
+  return flight;
+}
+
 StudyCase readCase(const StudyReader& reader, const json& of, const std::string& place,
                    const std::string& sceneOfAll) {
-  reader.requireObject(of, place, {"name", "scene", "pose", "seconds", "set"});
+  reader.requireObject(of, place, {"name", "scene", "pose", "flight", "seconds", "set"});
   StudyCase result;
   result.name = reader.text(of, "name", place);
   if (result.name.find('/') != std::string::npos) reader.refuse(place + ".name", "holds a slash");
@@ -39,6 +54,10 @@ StudyCase readCase(const StudyReader& reader, const json& of, const std::string&
     result.pose.emplace();
     for (std::size_t i = 0; i < 6; ++i)
       (*result.pose)[i] = reader.number(pose[i], place + ".pose", -kFarthestM, kFarthestM);
+  }
+  if (of.contains("flight")) {
+    if (!result.pose) reader.refuse(place + ".flight", "needs a pose to begin at");
+    result.flight = readFlight(reader, of["flight"], place + ".flight");
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "skydrop/core/settings_table.h"
 #include "terrain/land_bounds.h"
@@ -21,8 +22,8 @@ glm::dvec2 insideWorld(glm::dvec2 xz) { return {insideWorld(xz.x), insideWorld(x
 
 class NoiseHeightSource final : public HeightSource {
  public:
-  NoiseHeightSource(const TerrainSettings& settings, std::uint64_t seed, const RowKernels& kernels)
-      : shape_(settings), rowShape_(settings), octaves_(makeLandOctaves(settings, seed)), kernels_(kernels) {}
+  NoiseHeightSource(const TerrainSettings& settings, LandOctaves octaves, const RowKernels& kernels)
+      : shape_(settings), rowShape_(settings), octaves_(std::move(octaves)), kernels_(kernels) {}
 
   HeightSample sample(glm::dvec2 position) const override {
     const Jet<double> height = landAt(shape_, octaves_, insideWorld(position));
@@ -46,19 +47,31 @@ class NoiseHeightSource final : public HeightSource {
   const RowKernels& kernels_;
 };
 
+void requireInRange(TerrainSettings settings) {
+  const core::SettingsTable table(settings);
+  for (const core::Field& field : table.fields()) core::setField(field, field.get());
+}
+
 }  // namespace
 
 std::shared_ptr<const HeightSource> makeNoiseHeightSource(const TerrainSettings& settings, std::uint64_t seed,
                                                           const RowKernels& kernels) {
-  TerrainSettings checked = settings;
-  const core::SettingsTable table(checked);
-  for (const core::Field& field : table.fields()) core::setField(field, field.get());
-  return std::make_shared<NoiseHeightSource>(settings, seed, kernels);
+  requireInRange(settings);
+  return std::make_shared<NoiseHeightSource>(settings, makeLandOctaves(settings, seed), kernels);
 }
 
 std::shared_ptr<const HeightSource> makeNoiseHeightSource(const TerrainSettings& settings,
                                                           std::uint64_t seed) {
   return makeNoiseHeightSource(settings, seed, bestRowKernels());
+}
+
+std::shared_ptr<const HeightSource> makeCoarsenedNoiseHeightSource(const TerrainSettings& settings,
+                                                                   std::uint64_t seed,
+                                                                   std::size_t detailOctaves) {
+  requireInRange(settings);
+  LandOctaves octaves = makeLandOctaves(settings, seed);
+  octaves.details.resize(std::min(octaves.details.size(), detailOctaves));
+  return std::make_shared<NoiseHeightSource>(settings, std::move(octaves), bestRowKernels());
 }
 
 }  // namespace skydrop::terrain

@@ -99,8 +99,8 @@ std::size_t entriesIn(const char* folder) {
 class Flight {
  public:
   Flight(render::gl::Context& context, const EffectSet& effects,
-         const std::vector<EffectDescriptor>& table = effectTable())
-      : context_(context), table_(table), run_(prepareRun(lineOf(effects))), preparations_(table_) {
+         const std::vector<EffectDescriptor>& table = effectTable(), const std::vector<std::string>& set = {})
+      : context_(context), table_(table), run_(prepareRun(lineOf(effects, set))), preparations_(table_) {
     preparations_.begin(effects, Preparation::Maker::processor, run_->settings);
     preparations_.waitUntilReady();
     simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
@@ -111,6 +111,13 @@ class Flight {
                                         run_->settings);
     sceneRenderer_->warmUp(snapshot(), kSize);
     settle();
+  }
+
+  // As with --set while flying.
+  void set(const std::vector<std::string>& assignments) {
+    Settings before = run_->settings;
+    for (const std::string& one : assignments) core::setField(run_->table, one);
+    sceneRenderer_->apply(SettingsChange::between(core::SettingsTable(before), run_->table));
   }
 
   // What is drawn: where the world is, or a place that pictures of several flights have in common.
@@ -173,7 +180,7 @@ class Flight {
   }
 
  private:
-  static CommandLine lineOf(const EffectSet& effects) {
+  static CommandLine lineOf(const EffectSet& effects, const std::vector<std::string>& set) {
     CommandLine line;
     line.verb = Verb::render;
     line.set = {"quality=low"};
@@ -181,6 +188,7 @@ class Flight {
       line.set.push_back("effects." + std::string(scene::nameOf(effect)) + "=" +
                          (effects.contains(effect) ? "true" : "false"));
     }
+    line.set.insert(line.set.end(), set.begin(), set.end());
     return line;
   }
 
@@ -270,6 +278,31 @@ TEST_P(EffectGLTest, switchedManyTimesItLeavesNothingBehind) {
 }
 
 class EffectSetGLTest : public EffectGLTestBase {};
+
+TEST_F(EffectSetGLTest, turningUpWhatHadNothingToDrawCompilesNothing) {
+  // Fog of no density and sheets whose cutoff leaves no cloud are idle, and their programs are there.
+  const std::vector<std::string> idle = {"groundFog.density=0", "cloudDome.cutoff=1",
+                                         "cloudPlanes.layers.0.cutoff=1", "cloudPlanes.layers.1.cutoff=1",
+                                         "cloudPlanes.layers.2.cutoff=1"};
+  Flight flight(context(), everything(), effectTable(), idle);
+  flight.fly(0.5);
+  const auto idlePasses = [&] {
+    core::FrameStatistics statistics;
+    flight.sceneRenderer().writeTo(statistics, 1);
+    int count = 0;
+    for (const auto& [pass, of] : statistics.passes) {
+      const bool isOne = pass == "groundFog" || pass == "cloudDome" || pass == "cloudPlanes";
+      count += isOne && !of.skipped.empty();
+    }
+    return count;
+  };
+  EXPECT_EQ(idlePasses(), 3);
+  const std::uint64_t made = flight.sceneRenderer().renderer().shaders().madeSoFar();
+  flight.set({"groundFog.density=0.001", "cloudDome.cutoff=0.6", "cloudPlanes.layers.0.cutoff=0.5"});
+  flight.fly(0.5);
+  EXPECT_EQ(idlePasses(), 0);
+  EXPECT_EQ(flight.sceneRenderer().renderer().shaders().madeSoFar(), made);
+}
 
 TEST_F(EffectSetGLTest, anySetOfEffectsStartsFliesAndEnds) {
   // All pairs, and 20 sets at random (200 when soaking), each with what it needs and each from the one before

@@ -24,7 +24,12 @@ class PictureSubjectGLTest : public test::GLTest {
     test::GLTest::SetUp();
   }
   accuracy::Experiment experiment(accuracy::Assignments set, const std::string& timed = "frame") const {
-    return {.where = {.name = "a", .scene = scene_, .pose = {{0, 400, 0, 20, 0, 0}}, .seconds = 0, .set = {}},
+    return {.where = {.name = "a",
+                      .scene = scene_,
+                      .pose = {{0, 400, 0, 20, 0, 0}},
+                      .flight = {},
+                      .seconds = 0,
+                      .set = {}},
             .set = std::move(set),
             .timed = timed};
   }
@@ -47,6 +52,50 @@ TEST_F(PictureSubjectGLTest, aPictureIsTheSameBitsWhateverWasDrawnBefore) {
   EXPECT_NE(subject.observe(otherLand).values, second.values);
   EXPECT_EQ(subject.observe(coarse).values, first.values);
   EXPECT_EQ(PictureSubject(kSize).observe(fine).values, second.values);
+  context().makeCurrent();
+}
+
+TEST_F(PictureSubjectGLTest, aFlightIsJudgedByItsLastFrame) {
+  // Without history that is the frame at its last place alone; with history it holds what frames before it
+  // left, and is the same bits again.
+  scene_ = "fair";
+  test::sharedNoise();
+  PictureSubject subject(kSize);
+  const auto flown = [&](const std::string& history) {
+    accuracy::Experiment e = experiment({"clouds.tier=medium", "clouds.march.history=" + history});
+    e.where.pose = {{0, 600, 0, 40, 12, 0}};
+    e.where.flight = accuracy::StudyFlight{.speedMps = 120, .bankDegrees = 0, .frames = 12};
+    return e;
+  };
+  accuracy::Experiment last = flown("off");
+  last.where.pose = accuracy::flownPose(*last.where.pose, *last.where.flight, 12);
+  last.where.flight = {};
+  const accuracy::Observation off = subject.observe(flown("off"));
+  const accuracy::Observation quarter = subject.observe(flown("quarter"));
+  EXPECT_NE(off.values, quarter.values);
+  EXPECT_EQ(subject.observe(flown("off")).values, off.values);
+  EXPECT_EQ(subject.observe(flown("quarter")).values, quarter.values);
+  // The clock of the sky and the wind went on for 12 frames: a fifth of a second moves clouds by metres.
+  const accuracy::Observation there = subject.observe(last);
+  double difference = 0, mean = 0;
+  for (std::size_t i = 0; i < there.values.size(); ++i) {
+    difference += std::abs(there.values[i] - off.values[i]);
+    mean += std::abs(there.values[i]);
+  }
+  EXPECT_LT(difference / mean, 0.02);
+  context().makeCurrent();
+}
+
+TEST_F(PictureSubjectGLTest, whatIsMadeAnewForAPointIsInItsPicture) {
+  // Textures of the planes are made on another thread: the picture waits for them, whatever was drawn before.
+  scene_ = "plane3";
+  PictureSubject subject(kSize);
+  const auto sided = [&](const char* side) {
+    return experiment({std::string("cloudPlanes.layers.0.textureSide=") + side});
+  };
+  const accuracy::Observation coarse = subject.observe(sided("64")), fine = subject.observe(sided("512"));
+  EXPECT_NE(coarse.values, fine.values);
+  EXPECT_EQ(PictureSubject(kSize).observe(sided("512")).values, fine.values);
   context().makeCurrent();
 }
 

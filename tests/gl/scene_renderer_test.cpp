@@ -98,7 +98,6 @@ TEST_P(AnySceneRendererGLTest, cloudSheetsCostNothingWhereNoSceneCallsForThem) {
     auto* dome = sceneRenderer.renderer().find<render::CloudDome>();
     EXPECT_EQ(planes != nullptr, has);
     EXPECT_EQ(dome != nullptr, has);
-    if (has) planes->waitForNoise(), dome->waitForNoise();
     sceneRenderer.draw(simulation.world().now(), {64, 36}, Streaming::settled);
     core::FrameStatistics statistics;
     sceneRenderer.writeTo(statistics);

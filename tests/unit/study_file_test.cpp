@@ -40,6 +40,36 @@ TEST(StudyFile, isReadAsItStands) {
   EXPECT_EQ(study.metrics[1].floor, 1e-6);
 }
 
+TEST(StudyFile, aFlightBeginsAtItsPose) {
+  const std::string flown =
+      changed("\"pose\": [1, 2, 3, 4, 5, 6]", "\"pose\": [1, 2, 3, 4, 5, 6], \"flight\": {\"frames\": 60}");
+  const Study study = parseStudy(flown, "s.json");
+  ASSERT_TRUE(study.cases[0].flight);
+  EXPECT_EQ(study.cases[0].flight->frames, 60);
+  EXPECT_EQ(study.cases[0].flight->speedMps, 70);
+  EXPECT_EQ(refusalOf(changed("\"scene\": \"dome\"", "\"flight\": {}")),
+            "s.json: cases.1.flight: needs a pose to begin at");
+  EXPECT_EQ(refusalOf(changed("[1, 2, 3, 4, 5, 6]", "[1, 2, 3, 4, 5, 6], \"flight\": {\"frames\": 1.5}")),
+            "s.json: cases.0.flight.frames: is not a whole number");
+}
+
+TEST(StudyFlight, isStraightWithoutBankAndACircleWithIt) {
+  // After a second straight on it is as far as the speed says. With 60 degrees of bank the circle
+  // has the radius v^2 / (g tan 60); half of it later the camera looks back from the other side.
+  const std::array<double, 6> pose = {100, 900, -50, 40, 8, 0};
+  const std::array<double, 6> straight = flownPose(pose, {70, 0, 24}, 60);
+  EXPECT_NEAR(std::hypot(straight[0] - pose[0], straight[2] - pose[2]), 70, 1e-9);
+  EXPECT_NEAR(straight[2] - pose[2], -70 * std::sin(40 * M_PI / 180), 1e-9) << "yaw grows to the left, to -z";
+  const int halfTurn = 600;  // frames
+  const double speed = 9.81 * std::tan(M_PI / 3) * halfTurn / kFlightFramesPerSecond / M_PI;
+  const double radius = speed * speed / (9.81 * std::tan(M_PI / 3));
+  const std::array<double, 6> across = flownPose(pose, {speed, 60, 24}, halfTurn);
+  EXPECT_NEAR(std::hypot(across[0] - pose[0], across[2] - pose[2]), 2 * radius, 1e-6);
+  EXPECT_NEAR(across[3], pose[3] - 180, 1e-9);
+  EXPECT_EQ(across[1], pose[1]);
+  EXPECT_EQ(across[5], 60);
+}
+
 TEST(StudyFile, aLaterAssignmentOfAPathReplacesAnEarlierOne) {
   EXPECT_EQ(merged({"a=1", "b=2"}, {"a=3", "c=4"}), (Assignments{"b=2", "a=3", "c=4"}));
 }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "skydrop/accuracy/study_flight.h"
+
 namespace skydrop::accuracy {
 
 inline constexpr int kStudySchema = 1;
@@ -24,6 +26,9 @@ struct StudyCase {
   std::string scene;  // of subjects that have one
   // Free camera: x, y, z (m), yaw, pitch, roll (degrees); yaw 0 looks along +x. None: the scene's camera.
   std::optional<std::array<double, 6>> pose;
+  // The camera flies on from the pose, and what is judged and timed is the last of the frames, each of which
+  // may use what the one before it left. Only with a pose, of the subject picture.
+  std::optional<StudyFlight> flight;
   double seconds = 0;  // simulated before, [0, 3600]
   Assignments set;     // on top of the study's
 };

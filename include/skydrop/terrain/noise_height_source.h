@@ -18,4 +18,11 @@ namespace skydrop::terrain {
 std::shared_ptr<const HeightSource> makeNoiseHeightSource(const TerrainSettings& settings,
                                                           std::uint64_t seed);
 
+// The same land without its finest octaves: at most so many are summed of those that are finer than hills
+// (five by default, from 256 m down to 16 m). A shorter finestWavelength would be other land, because the
+// seeds of gullies follow. For studies of what the octaves cost.
+std::shared_ptr<const HeightSource> makeCoarsenedNoiseHeightSource(const TerrainSettings& settings,
+                                                                   std::uint64_t seed,
+                                                                   std::size_t detailOctaves);
+
 }  // namespace skydrop::terrain

@@ -188,6 +188,7 @@ bool SceneRenderer::drawUnseen(const WarmUpFrame& frame, const render::FrameFeat
   try {
     render::FrameInput input = inputOf(frame.snapshot, frame.view);
     input.features = features;
+    input.warmsUp = true;
     const bool complete = renderer_.warmUp(input, budgetMs, switch_->passesDrawn);
     restore();
     return complete;
@@ -259,7 +260,9 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
       streamingCost_.endRound();
     }
   }
-  renderer_.draw(inputOf(snapshot, view));
+  const render::FrameInput input = inputOf(snapshot, view);
+  if (streaming == Streaming::settled) renderer_.settle(input);
+  renderer_.draw(input);
 }
 
 // Of a frame that may follow another.
@@ -325,7 +328,9 @@ void SceneRenderer::warmUp(const game::Snapshot& snapshot, Size size, const std:
   for (const WarmUpFrame& frame : warmUpFrames(snapshot, size)) {
     if (stop.stop_requested()) return;
     if (land_) land_->update(frame.view);
-    renderer_.draw(inputOf(frame.snapshot, frame.view));
+    render::FrameInput input = inputOf(frame.snapshot, frame.view);
+    input.warmsUp = true;
+    renderer_.draw(input);
   }
   renderer_.clearTimes();
 }

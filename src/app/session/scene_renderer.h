@@ -30,7 +30,8 @@ namespace skydrop::app {
 
 class CompileAhead;
 
-// How a frame treats land that is not there yet: draw what there is, or wait until all of it is.
+// How a frame treats land, and what else is made beside the frames, that is not there yet: draw what there
+// is, or wait until all of it is.
 enum class Streaming { asItComes, settled };
 
 class SceneRenderer {
@@ -53,6 +54,9 @@ class SceneRenderer {
   // core::DataError (shader, model).
   SceneRenderer(render::gl::Context& context, const Setup& setup, const Settings& settings);
   ~SceneRenderer();
+
+  // Whether the next frames follow one another (Setup::framesFollow).
+  void setFramesFollow(bool follow) { setup_.framesFollow = follow; }
 
   render::Camera& camera() { return camera_; }
   // Lets the free camera begin where the last frame was seen from.

@@ -35,20 +35,39 @@ void DrawnScene::set(const Settings& settings, const accuracy::StudyCase& where)
   Settings before = run_->settings;
   run_->settings = settings;
   renderer_->apply(SettingsChange::between(core::SettingsTable(before), run_->table));
-  if (where.pose) {
-    const auto& p = *where.pose;
-    placeCamera(renderer_->camera(), Pose{{p[0], p[1], p[2]}, p[3], p[4], p[5]}, *simulation_->ground());
-  } else {
-    renderer_->camera().setMode(settings.view.camera);
+  where_ = where;
+  if (!where.pose) renderer_->camera().setMode(settings.view.camera);
+}
+
+bool DrawnScene::usesFramesBefore() const {
+  return where_.flight && run_->settings.clouds.march.history != clouds::MarchHistory::off;
+}
+
+void DrawnScene::draw() {
+  const int last = where_.flight ? where_.flight->frames : 0;
+  renderer_->setFramesFollow(false);
+  for (int frame = usesFramesBefore() ? 0 : last; frame <= last; ++frame) {
+    drawFrame(frame, Streaming::settled);
+    renderer_->setFramesFollow(usesFramesBefore());
   }
 }
 
-void DrawnScene::draw() { renderer_->draw(simulation_->world().now(), size_, Streaming::settled); }
+void DrawnScene::drawFrame(int frame, Streaming streaming) {
+  game::Snapshot snapshot = simulation_->world().now();
+  if (where_.pose) {
+    std::array<double, 6> p = *where_.pose;
+    if (where_.flight) p = accuracy::flownPose(p, *where_.flight, frame);
+    placeCamera(renderer_->camera(), Pose{{p[0], p[1], p[2]}, p[3], p[4], p[5]}, *simulation_->ground());
+  }
+  snapshot.simulatedSeconds += frame / accuracy::kFlightFramesPerSecond;
+  frame_ = frame;
+  renderer_->draw(snapshot, size_, streaming);
+}
 
 double DrawnScene::timeFrame() {
   renderer_->renderer().finish();
   const Stopwatch watch;
-  renderer_->draw(simulation_->world().now(), size_, Streaming::asItComes);
+  drawFrame(where_.flight ? frame_ + 1 : 0, Streaming::asItComes);
   renderer_->renderer().finish();
   return watch.ms();
 }

@@ -28,19 +28,23 @@ class DrawnScene {
   // from this camera.
   void set(const Settings& settings, const accuracy::StudyCase& where);
 
-  // With all its land there.
+  // With all its land there. Of a flight (StudyCase::flight) the last frame, after those before it where it
+  // depends on them.
   void draw();
   core::Image picture() { return renderer_->renderer().readBack(); }
   std::vector<float> radiance() { return renderer_->renderer().readRadiance(); }
 
-  // Of one more frame, ms: all of it by the wall clock, or one pass by the passes' clock. A pass that is not
-  // there, or does nothing, takes 0.
+  // Of one more frame (of a flight: the next), ms: all of it by the wall clock, or one pass by the passes'
+  // clock. A pass that is not there, or does nothing, takes 0.
   double timeFrame();
   double timePass(const std::string& name);
   std::string passClock() const { return passClock_; }
   std::string device() const { return context_->renderer(); }
 
  private:
+  bool usesFramesBefore() const;
+  void drawFrame(int frame, Streaming streaming);
+
   std::unique_ptr<RunConfig> run_;
   Size size_;
   std::unique_ptr<render::gl::Context> context_;
@@ -48,6 +52,8 @@ class DrawnScene {
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<SceneRenderer> renderer_;
   std::string passClock_ = "none";
+  accuracy::StudyCase where_;
+  int frame_ = 0;  // of a flight: the last that was drawn
 };
 
 }  // namespace skydrop::app

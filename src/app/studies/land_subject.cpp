@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 3> kNormalNames = {"analytic", "differenc
 
 struct LandParameters {
   LandPart what = LandPart::octaves;
-  double finestWavelength = terrain::TerrainSettings{}.finestWavelength;
+  std::int64_t details = 5;
   HeightStorage storage = HeightStorage::exact;
   NormalMethod normals = NormalMethod::twoBytes;
   double spacingM = 4;
@@ -27,8 +27,9 @@ struct LandParameters {
 
 void describe(core::SettingsVisitor& visitor, LandParameters& p) {
   visitor.choice("what", p.what, kPartNames, {.help = "Heights by octaves or storage, or normals."});
-  visitor.number("finestWavelength", p.finestWavelength,
-                 {.unit = "m", .min = 16, .max = 4096, .help = "Of the smallest octave that is summed."});
+  visitor.integer(
+      "details", p.details,
+      {.unit = "1", .min = 0, .max = 5, .help = "Octaves that are summed of those finer than hills."});
   visitor.choice("storage", p.storage, kStorageNames, {.help = "What keeps a height."});
   visitor.choice("normals", p.normals, kNormalNames, {.help = "Where a normal comes from."});
   visitor.number("spacingM", p.spacingM,
@@ -88,10 +89,9 @@ class LandSubject final : public TableSubject<LandParameters> {
   }
 
   void prepare(const LandParameters& p) {
-    if (source_ && finest_ == p.finestWavelength) return;
-    terrain::TerrainSettings settings;
-    finest_ = settings.finestWavelength = p.finestWavelength;
-    source_ = terrain::makeNoiseHeightSource(settings, kSeed);
+    if (source_ && details_ == p.details) return;
+    details_ = p.details;
+    source_ = terrain::makeCoarsenedNoiseHeightSource({}, kSeed, static_cast<std::size_t>(p.details));
   }
 
   glm::dvec3 normalAt(const LandParameters& p, glm::dvec2 at) const {
@@ -109,7 +109,7 @@ class LandSubject final : public TableSubject<LandParameters> {
   }
 
   std::shared_ptr<const terrain::HeightSource> source_;
-  double finest_ = 0;
+  std::int64_t details_ = 0;
 };
 
 }  // namespace

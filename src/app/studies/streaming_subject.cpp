@@ -93,6 +93,9 @@ class StreamingSubject final : public TableSubject<StreamingParameters> {
     observation.values = {work(p)};
     return observation;
   }
+  bool waitsForThreads(const StreamingParameters& p) const override {
+    return p.what == StreamingPart::workers;
+  }
   double work(const StreamingParameters& p) override {
     StreamedLand land(p);
     if (p.what == StreamingPart::revisit) return land.chunksMadeAgain();

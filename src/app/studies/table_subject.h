@@ -44,14 +44,18 @@ class TableSubject : public accuracy::Subject {
       result_ = work(parameters);
       ++runs;
     } while (clock.ms() < kLeastMs && watch.ms() < kLongestMs);
-    return clock.ms() / runs;
+    return (waitsForThreads(parameters) ? watch.ms() : clock.ms()) / runs;
   }
 
-  std::string clock(const accuracy::Experiment&) const final { return "CPU time of the thread"; }
+  std::string clock(const accuracy::Experiment& experiment) const final {
+    return waitsForThreads(parametersOf(experiment)) ? "wall clock" : "CPU time of the thread";
+  }
   std::string machine() const final { return machineName(); }
 
  protected:
   virtual accuracy::Observation compute(const Parameters& parameters) = 0;
+  // Whether work() is done by other threads, so that this one's CPU time says nothing.
+  virtual bool waitsForThreads(const Parameters&) const { return false; }
   // What is timed; returns something that depends on all of it.
   virtual double work(const Parameters& parameters) = 0;
 

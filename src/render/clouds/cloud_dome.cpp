@@ -71,6 +71,7 @@ void CloudDome::apply(const clouds::CloudDomeSettings& settings) {
 void CloudDome::waitForNoise() { job_.wait(); }
 
 std::optional<std::string> CloudDome::skipReason(const FrameInput& frame) const {
+  if (frame.warmsUp) return std::nullopt;
   if (settings_.cutoff >= 1) return "the cutoff leaves no cloud";
   if (settings_.bias <= 0) return "the bias leaves no cloud";
   if (steepestUp(frame.view) <= 0) return "no sky above the horizon in view";

@@ -136,6 +136,7 @@ void CloudPlanes::waitForNoise() {
 }
 
 const char* CloudPlanes::idleReason(const FrameInput& frame, const CloudPlane& plane) const {
+  if (frame.warmsUp) return nullptr;
   const clouds::CloudPlaneSettings& layer = plane.settings();
   if (layer.cutoff >= 1) return "the cutoff leaves no cloud";
   if (missesLevelPlane(frame.view, layer.height, settings_.radiusM)) return "the layers are out of view";

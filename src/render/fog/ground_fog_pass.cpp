@@ -27,6 +27,7 @@ double leastRise(const View& view) {
 }  // namespace
 
 std::optional<std::string> GroundFogPass::skipReason(const FrameInput& frame) const {
+  if (frame.warmsUp) return std::nullopt;
   if (settings_.density <= 0) return "no density";
   const double above = std::max(frame.view.position.y - settings_.baseM, 0.0) / settings_.scaleHeightM;
   const double overhead = settings_.density * settings_.scaleHeightM * std::exp(-above);

@@ -108,6 +108,11 @@ void Renderer::composeLayer(std::exception_ptr& failure) {
   tried(layer_->name(), {}, failure, [&] { layer_->compose(context_, shaders_); });
 }
 
+void Renderer::settle(const FrameInput& input) {
+  context_.makeCurrent();
+  for (const Entry& entry : passes_) entry.pass->settle(input);
+}
+
 void Renderer::draw(const FrameInput& asked) { drawPasses(asked, Which::drawn, nullptr, {}); }
 
 bool Renderer::unseen(const std::function<void()>& work) {

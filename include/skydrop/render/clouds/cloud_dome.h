@@ -32,12 +32,13 @@ class CloudDome final : public Pass {
   // For the next frame. Noise that is asked for anew is made beside the frame; until then the dome looks as
   // it did.
   void apply(const clouds::CloudDomeSettings& settings);
-  // Returns when no noise is being made: for tests.
+  // Returns when no noise is being made.
   void waitForNoise();
 
   std::string_view name() const override { return "cloudDome"; }
   RenderStage stage() const override { return RenderStage::skySheets; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
+  void settle(const FrameInput&) override { waitForNoise(); }
   void draw(FrameContext& context) override;
 
  private:

@@ -77,12 +77,13 @@ class CloudPlanes final : public Pass {
 
   // For the next frame. Costs nothing but requests for noise.
   void apply(const clouds::CloudPlanesSettings& settings, const core::WindSettings& wind);
-  // Returns when no noise is being made: for tests.
+  // Returns when no noise is being made.
   void waitForNoise();
 
   std::string_view name() const override { return "cloudPlanes"; }
   RenderStage stage() const override { return RenderStage::cloudSheets; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
+  void settle(const FrameInput&) override { waitForNoise(); }
   void draw(FrameContext& context) override;
 
  private:

@@ -23,6 +23,9 @@ struct FrameInput {
   // The frame may use what passes kept of the one that the same renderer drew before it: only then is it a
   // function of more than what is in here. It need not fit: passes find out what of it does.
   bool followsLast = false;
+  // Drawn so that what it is drawn with is compiled, and seen by nobody: passes that settings leave nothing
+  // to draw (no density, no cloud) draw it all the same, so that turning a setting up compiles nothing.
+  bool warmsUp = false;
 };
 
 // A frame of the game at the moment of the snapshot, which must outlive Renderer::draw().

@@ -46,6 +46,8 @@ class Pass {
   virtual PixelBox extent(const FrameInput& frame) const {
     return {0, 0, frame.view.width, frame.view.height};
   }
+  // Waits for what it makes beside the frames, so that this frame shows its settings as they are.
+  virtual void settle(const FrameInput&) {}
   // Target, viewport, the frame's uniform block and the default state (gl::Context::setDefaultState) are set.
   // State may be left changed; the target may not. A program that later frames may need is asked of the cache
   // in every frame, whether this one uses it or not: what is not asked for is deleted when effects change.

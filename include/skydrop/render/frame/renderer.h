@@ -64,6 +64,9 @@ class Renderer {
   void apply(const RenderSettings& settings) { settings_ = settings; }
   const RenderSettings& settings() const { return settings_; }
 
+  // Waits for what passes make beside the frames (Pass::settle).
+  void settle(const FrameInput& input);
+
   // Draws one frame of the view's size into the output target. Throws core::RangeError for a view that is not
   // valid (requireValid; nothing is drawn then) and core::DataError for a shader that does not compile:
   // thrown when the rest of the frame has been drawn without that pass, which the statistics give as skipped.
