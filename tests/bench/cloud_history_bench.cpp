@@ -3,14 +3,13 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <glm/trigonometric.hpp>
 #include <string>
 #include <vector>
 
 #include "bench/cloud_study.h"
 #include "bench/expectation.h"
+#include "skydrop/accuracy/study_flight.h"
 
 namespace skydrop::bench {
 namespace {
@@ -18,7 +17,6 @@ namespace {
 using clouds::CloudTier, clouds::MarchHistory;
 
 constexpr app::Size kSize{400, 225};
-constexpr double kFrameS = 1.0 / 60;
 constexpr int kFrames = 40, kFirstTimed = 8;
 constexpr std::array kJudged = {8, 24, 39};  // frames
 constexpr std::array kHistories = {MarchHistory::off, MarchHistory::quarter, MarchHistory::sixteenth};
@@ -32,19 +30,16 @@ constexpr std::array kPaths = {Path{"straight", {"", {0, 600, 0}, 40, 12}, 70, 0
                                Path{"turn", {"", {0, 900, 0}, 40, 8}, 70, 60},
                                Path{"edges", {"", {600, 2300, 600}, 40, 0}, 120, 0}};
 
-// A level turn to the right where there is a bank.
 CloudView placeOn(const Path& path, int frame, bool followsLast) {
   CloudView view = path.begin;
-  view.seconds = frame * kFrameS;
+  view.seconds = frame / accuracy::kFlightFramesPerSecond;
   view.followsLast = followsLast;
-  view.rollDegrees = path.bankDegrees;
-  const double yaw = glm::radians(path.begin.yawDegrees), way = path.speedMps * view.seconds;
-  const double rate = 9.81 * std::tan(glm::radians(path.bankDegrees)) / path.speedMps;  // rad/s
-  const double heading = yaw - rate * view.seconds, middle = 0.5 * (yaw + heading);
-  const double half = 0.5 * rate * view.seconds;
-  const double chord = half > 0 ? way * std::sin(half) / half : way;
-  view.position += chord * glm::dvec3(std::cos(middle), 0, -std::sin(middle));
-  view.yawDegrees = glm::degrees(heading);
+  const glm::dvec3& at = path.begin.position;
+  const std::array<double, 6> flown =
+      accuracy::flownPose({at.x, at.y, at.z, path.begin.yawDegrees, path.begin.pitchDegrees, 0},
+                          {path.speedMps, path.bankDegrees, kFrames}, frame);
+  view.position = {flown[0], flown[1], flown[2]};
+  view.yawDegrees = flown[3], view.rollDegrees = flown[5];
   return view;
 }
 

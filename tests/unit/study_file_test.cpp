@@ -59,13 +59,13 @@ TEST(StudyFlight, isStraightWithoutBankAndACircleWithIt) {
   const std::array<double, 6> pose = {100, 900, -50, 40, 8, 0};
   const std::array<double, 6> straight = flownPose(pose, {70, 0, 24}, 60);
   EXPECT_NEAR(std::hypot(straight[0] - pose[0], straight[2] - pose[2]), 70, 1e-9);
-  EXPECT_NEAR(straight[2] - pose[2], -70 * std::sin(40 * M_PI / 180), 1e-9) << "yaw grows to the left, to -z";
+  EXPECT_NEAR(straight[2] - pose[2], 70 * std::sin(40 * M_PI / 180), 1e-9) << "yaw grows from +x to +z";
   const int halfTurn = 600;  // frames
   const double speed = 9.81 * std::tan(M_PI / 3) * halfTurn / kFlightFramesPerSecond / M_PI;
   const double radius = speed * speed / (9.81 * std::tan(M_PI / 3));
   const std::array<double, 6> across = flownPose(pose, {speed, 60, 24}, halfTurn);
   EXPECT_NEAR(std::hypot(across[0] - pose[0], across[2] - pose[2]), 2 * radius, 1e-6);
-  EXPECT_NEAR(across[3], pose[3] - 180, 1e-9);
+  EXPECT_NEAR(across[3], pose[3] + 180, 1e-9);
   EXPECT_EQ(across[1], pose[1]);
   EXPECT_EQ(across[5], 60);
 }
