@@ -403,6 +403,7 @@ constexpr std::string_view kElsewhere[] = {
     "cloudPlanes.",            // tests/gl/settings_effect_test.cpp
     "cloudDome.",              // tests/gl/settings_effect_test.cpp
     "groundFog.",              // tests/gl/ground_fog_test.cpp
+    "stars.",                  // tests/gl/night_sky_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -459,7 +460,7 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
                                    "clouds.",    "render.",  "wind."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
-constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog."};
+constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog.", "stars."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -22,13 +22,15 @@ enum class Effect {
   cloudPlanes,  // up to three flat layers of clouds that follow the eye
   cloudDome,    // clouds on a hemisphere behind everything
   groundFog,    // fog on the ground, by height
+  moon,         // the moon's disc, by place and time
+  stars,        // stars to magnitude 6, by place and time
   count_        // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames =
     std::to_array<std::string_view>({"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound",
-                                     "hud", "cloudPlanes", "cloudDome", "groundFog"});
+                                     "hud", "cloudPlanes", "cloudDome", "groundFog", "moon", "stars"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {

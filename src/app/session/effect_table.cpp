@@ -4,6 +4,7 @@
 #include "app/session/cloud_effect.h"
 #include "app/session/cloud_planes_effect.h"
 #include "app/session/ground_fog_effect.h"
+#include "app/session/night_sky_effects.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
@@ -100,6 +101,11 @@ const std::vector<EffectDescriptor>& effectTable() {
                         {"streaming", "Terrain LOD"},
                         {"terrain", "Shape of the land"}}},
       {.effect = Effect::sky, .addPasses = addSky, .menuSections = {{"render.sun", "Sun"}}},
+      {.effect = Effect::moon, .addPasses = addMoon, .apply = applyMoon},
+      {.effect = Effect::stars,
+       .addPasses = addStars,
+       .apply = applyStars,
+       .menuSections = {{"stars", "Stars"}}},
       {.effect = Effect::haze, .addFeatures = addHaze, .menuSections = {{"render.atmosphere", "Air"}}},
       {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
       {.effect = Effect::hud},

@@ -33,6 +33,10 @@ std::string_view helpOf(Effect effect) {
       return "Clouds on a dome around the viewer, infinitely far away: the cheapest full sky.";
     case Effect::groundFog:
       return "Fog on the ground, denser the lower: it fills valleys and leaves hills free.";
+    case Effect::moon:
+      return "The moon with its phase, where place and time put it.";
+    case Effect::stars:
+      return "The stars that the eye sees at night, turned by place and time.";
     case Effect::count_:
       break;
   }

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "skydrop/render/frame/sky_clock.h"
 #include "skydrop/sky/almanac.h"
 #include "skydrop/sky/refraction.h"
 
@@ -24,12 +25,8 @@ double luminance(const glm::dvec3& light) { return glm::dot(light, glm::dvec3(0.
 
 glm::dvec3 directionToSun(const SunSettings& sun, double simulatedSeconds) {
   if (sun.source == SunSource::clock) {
-    const double seconds = sun.shiftDays * 86400 + sun.shiftHours * 3600 + simulatedSeconds * sun.timeScale;
-    const double days = sky::daysSinceJ2000({sun.utcMs}, seconds);
-    const sky::Horizontal place =
-        sky::sunAt(days, {.latitudeDegrees = sun.latitudeDegrees, .longitudeDegrees = sun.longitudeDegrees})
-            .horizontal;
-    return sky::worldDirection(sky::refracted(place));
+    const sky::Body body = sky::sunAt(clockDays(sun, simulatedSeconds), placeOf(sun));
+    return sky::worldDirection(sky::refracted(body.horizontal));
   }
   return sky::directionToSun(sun.elevationDegrees, sun.azimuthDegrees);
 }
