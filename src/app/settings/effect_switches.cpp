@@ -33,6 +33,8 @@ std::string_view helpOf(Effect effect) {
       return "Clouds on a dome around the viewer, infinitely far away: the cheapest full sky.";
     case Effect::groundFog:
       return "Fog on the ground, denser the lower: it fills valleys and leaves hills free.";
+    case Effect::landShadows:
+      return "Mountains cast shadows on land, sea and aircraft while the sun is low.";
     case Effect::count_:
       break;
   }

@@ -73,6 +73,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("cloudPlanes", settings.cloudPlanes, "Clouds as flat layers that follow the eye.");
   visitor.group("cloudDome", settings.cloudDome, "Clouds on a dome behind everything.");
   visitor.group("groundFog", settings.groundFog, "Fog that lies on the ground.");
+  visitor.group("landShadows", settings.landShadows, "Shadows that mountains cast.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");
