@@ -24,7 +24,7 @@ float insideShadeLevel(float awayM, int level) {
 float shareOfDisc(float q) {
   float x = clamp(q, -1.0, 1.0);
   float square = x * x;
-  return 0.5 + x * (0.6366 - square * (0.1017 + 0.0349 * square));
+  return 0.5 + x * (0.6297 - square * (0.0679 + 0.0618 * square));
 }
 
 float sunPastLand(vec3 relative) {

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kSunRadiusRad = core::shared::f64::kSunRadius;
 constexpr double kSteepest = 1.57;    // rad: a sun in the zenith has a tangent too
-constexpr float kNothing = -1e6f;     // m: where nothing casts a shadow
 constexpr float kLeastWidth = 1e-3f;  // m: of half a penumbra
 
 // A coordinate in texels, and how far behind the next lower one it is.
@@ -33,7 +32,7 @@ std::int64_t firstTexel(double at, int side) {
 
 double shareOfDisc(double q) {
   const double x = std::clamp(q, -1.0, 1.0), square = x * x;
-  return 0.5 + x * (0.6366 - square * (0.1017 + 0.0349 * square));
+  return 0.5 + x * (0.6297 - square * (0.0679 + 0.0618 * square));
 }
 
 ShadeAxes::ShadeAxes(const glm::dvec3& toSun) {
@@ -83,14 +82,13 @@ bool LandShade::sweep(int level, ShadeHeights& heights, const std::stop_token& s
   out.umbra.resize(count * count);
   out.penumbra.resize(count * count);
   std::vector<float> ground(count * count), clearance(count * count), halfWidth(count * count);
-  std::vector<float> line(count + 1), umbra(count, kNothing), penumbra(count, kNothing);
+  std::vector<float> line(count + 1), umbra(count), penumbra(count);
 
-  // What the sun passes before it comes to the first line.
+  // What the sun passes before it comes to the first line; before all, land that goes on level.
   const int begin = axes_.towardsSun > 0 ? side - 1 : 0;
   if (level + 1 < kShadeLevels) {
     const auto [coarseAlong, coarseAcross] = key_.first[level + 1];
-    const double along =
-        static_cast<double>(firstAlong + begin + axes_.towardsSun - 4 * coarseAlong) / 4;
+    const double along = static_cast<double>(firstAlong + begin + axes_.towardsSun - 4 * coarseAlong) / 4;
     for (int j = 0; j < side; ++j) {
       const Limbs before = at(level + 1, along, static_cast<double>(firstAcross + j - 4 * coarseAcross) / 4);
       umbra[j] = static_cast<float>(before.umbra);
@@ -105,8 +103,13 @@ bool LandShade::sweep(int level, ShadeHeights& heights, const std::stop_token& s
       return false;
     const auto rest = static_cast<float>(shift.rest);
     const std::size_t row = static_cast<std::size_t>(i) * count;
+    for (std::size_t j = 0; j < count; ++j) line[j] += (line[j + 1] - line[j]) * rest;
+    if (level + 1 == kShadeLevels && done == 0) {
+      std::copy_n(line.begin(), side, umbra.begin());
+      penumbra = umbra;
+    }
     for (std::size_t j = 0; j < count; ++j) {
-      const float height = line[j] + (line[j + 1] - line[j]) * rest;
+      const float height = line[j];
       const float dark = umbra[j] - fallUmbra, dim = penumbra[j] - fallPenumbra;
       ground[row + j] = height;
       clearance[row + j] = height - 0.5f * (dark + dim);
@@ -116,19 +119,23 @@ bool LandShade::sweep(int level, ShadeHeights& heights, const std::stop_token& s
     }
   }
 
-  // Not narrower than half of what the clearance changes by from a texel to the next: so the edge between two
-  // texels is where the clearance between them is 0.
+  // At an edge not narrower than half of what the clearance changes by from a texel to the next: so the edge
+  // is where the clearance between them is 0, not halfway.
   out.clearances.resize(count * count);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
       const std::size_t at = i * count + j;
       const float here = clearance[at];
-      const float change = std::max({std::abs(here - clearance[i > 0 ? at - count : at]),
-                                     std::abs(here - clearance[i + 1 < count ? at + count : at]),
-                                     std::abs(here - clearance[j > 0 ? at - 1 : at]),
-                                     std::abs(here - clearance[j + 1 < count ? at + 1 : at])});
-      halfWidth[at] = std::max(halfWidth[at], 0.5f * change);
-      const float q = std::clamp(here / (2 * halfWidth[at]), -1.0f, 1.0f);
+      float width = halfWidth[at];
+      const auto widenTo = [&](std::size_t beside) {
+        if ((clearance[beside] < 0) != (here < 0))
+          width = std::max(width, 0.5f * std::abs(here - clearance[beside]));
+      };
+      if (i > 0) widenTo(at - count);
+      if (i + 1 < count) widenTo(at + count);
+      if (j > 0) widenTo(at - 1);
+      if (j + 1 < count) widenTo(at + 1);
+      const float q = std::clamp(here / (2 * width), -1.0f, 1.0f);
       out.clearances[at] = static_cast<std::uint16_t>((q * 0.5f + 0.5f) * 65535.0f + 0.5f);
     }
   }

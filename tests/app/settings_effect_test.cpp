@@ -403,6 +403,7 @@ constexpr std::string_view kElsewhere[] = {
     "cloudPlanes.",            // tests/gl/settings_effect_test.cpp
     "cloudDome.",              // tests/gl/settings_effect_test.cpp
     "groundFog.",              // tests/gl/ground_fog_test.cpp
+    "landShadows.",            // tests/gl/land_shadows_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.

@@ -1,5 +1,5 @@
-// The shade that land throws, for one place of the sun: for every place the height below which other land hides
-// the sun.
+// The shade that land throws, for one place of the sun: for every place the height below which other land
+// hides the sun.
 //
 // Along a ray towards the sun, with the horizontal way t and the sun at an elevation e, that height is
 //     S(x) = max over t > 0 of H(x + t) - t * tan(e),
@@ -9,10 +9,10 @@
 // is the axis, x or z, that is nearer to the sun's azimuth, and `across` the other coordinate where the ray
 // meets along = 0. So the recurrence interpolates nothing, and a shadow stays sharp however far it falls.
 //
-// Three levels, each four times as coarse and wide as the last, around the eye. What lies beyond a level's side
-// towards the sun comes from the coarser one; what lies beyond the coarsest casts no shadow. The lattice is
-// counted from the world's origin: for one sun, a place has the same samples wherever the eye is. The sea, at
-// height 0, is land here. The world is flat, as in all of the program.
+// Three levels, each four times as coarse and wide as the last, around the eye. What lies beyond a level's
+// side towards the sun comes from the coarser one; what lies beyond the coarsest casts no shadow. The lattice
+// is counted from the world's origin: for one sun, a place has the same samples wherever the eye is. The sea,
+// at height 0, is land here. The world is flat, as in all of the program.
 #pragma once
 
 #include <array>
@@ -48,10 +48,10 @@ struct ShadeLayout {
 
 // How the lattice lies for a place of the sun.
 struct ShadeAxes {
-  bool alongX = true;     // else along z
-  int towardsSun = 1;     // the sign of the way to the sun along the axis
-  double shear = 0;       // metres across for a metre along, on a ray; -1 .. 1
-  double stepM = 1;       // horizontal way on a ray for a metre along, 1 .. sqrt(2)
+  bool alongX = true;                         // else along z
+  int towardsSun = 1;                         // the sign of the way to the sun along the axis
+  double shear = 0;                           // metres across for a metre along, on a ray; -1 .. 1
+  double stepM = 1;                           // horizontal way on a ray for a metre along, 1 .. sqrt(2)
   double tanUpperLimb = 0, tanLowerLimb = 0;  // of the elevations of the disc's edges, not below the horizon
 
   // toSun: unit. A sun in the zenith has no azimuth: any will do.
@@ -77,8 +77,9 @@ struct ShadeKey {
 // Around an eye at (x, z), metres; what is beyond kWorldLimitMetres counts as there. toSun: unit.
 ShadeKey shadeKey(const ShadeLayout& layout, const glm::dvec2& eye, const glm::dvec3& toSun);
 
-// The share of the sun's disc above a straight edge; q: where the edge is, -1 the upper limb (nothing is left)
-// .. 1 the lower one. Within 0.003 of the circle's segment. As in shaders/shadow/land_shadow_map.glsl.
+// The share of the sun's disc above a straight edge; q: where the edge is, -1 the upper limb (nothing is
+// left)
+// .. 1 the lower one. Within 0.0013 of the circle's segment. As in shaders/shadow/land_shadow_map.glsl.
 double shareOfDisc(double q);
 
 // Heights of the land for shades, kept from one to the next. One thread at a time. The source is shared with
@@ -87,9 +88,9 @@ class ShadeHeights {
  public:
   explicit ShadeHeights(std::shared_ptr<const HeightSource> source) : source_(std::move(source)) {}
 
-  // `count` heights of a line of samples of a level of detail (4 m * 2^detail apart; a coarser one than chunks
-  // have leaves samples of theirs out), m, not below the sea. `line` along x (else z), from `first` on along
-  // the other axis, all in samples from the origin. False if a stop was requested.
+  // `count` heights of a line of samples of a level of detail (4 m * 2^detail apart; a coarser one than
+  // chunks have leaves samples of theirs out), m, not below the sea. `line` along x (else z), from `first` on
+  // along the other axis, all in samples from the origin. False if a stop was requested.
   bool read(std::int32_t detail, bool lineOfX, std::int64_t line, std::int64_t first, int count, float* out,
             const std::stop_token& stop);
   // Forgets what the last few calls of this have not used.
@@ -118,9 +119,10 @@ class LandShade {
   const ShadeKey& key() const { return key_; }
   const ShadeAxes& axes() const { return axes_; }
 
-  // side * side values of a level, index = along * side + across: how the land there stands to the sun, 0 .. 65535
-  // for -2 .. 2 times half the width of the penumbra (or half of what it changes by from a texel to the next,
-  // where that is more), 0 in its middle: shareOfDisc of it is the share of the sun that is left.
+  // side * side values of a level, index = along * side + across: how the land there stands to the sun, 0 ..
+  // 65535 for -2 .. 2 times half the width of the penumbra (at an edge half of what it changes by from a
+  // texel to the next, where that is more), 0 in its middle: shareOfDisc of it is the share of the sun that
+  // is left.
   const std::vector<std::uint16_t>& clearances(int level) const { return levels_[level].clearances; }
 
   // The share of the sun that land leaves at a place (x, y, z), [0, 1]; 1 beyond the coarsest level.

@@ -14,14 +14,14 @@ void LandShadowMap::take(gl::Context& context, const terrain::LandShade& shade) 
         gl::Texture::make2DArray(context, GL_R16, side, side, terrain::kShadeLevels, "shade of the land");
   }
   for (int level = 0; level < terrain::kShadeLevels; ++level)
-    clearances_.uploadLayer(level, GL_RED, GL_UNSIGNED_SHORT, std::as_bytes(std::span(shade.clearances(level))));
+    clearances_.uploadLayer(level, GL_RED, GL_UNSIGNED_SHORT,
+                            std::as_bytes(std::span(shade.clearances(level))));
 }
 
 void LandShadowMap::bind(gl::Shader& shader, const glm::dvec2& eye) const {
   const terrain::ShadeAxes axes(key_.toSun);
   const auto shear = static_cast<float>(-axes.shear);
-  shader.setVec4("shadeAxes",
-                 axes.alongX ? glm::vec4(1, 0, shear, 1) : glm::vec4(0, 1, 1, shear));
+  shader.setVec4("shadeAxes", axes.alongX ? glm::vec4(1, 0, shear, 1) : glm::vec4(0, 1, 1, shear));
   const glm::dvec2 at = axes.fromWorld(eye);
   std::array<glm::vec4, terrain::kShadeLevels> levels;
   for (int level = 0; level < terrain::kShadeLevels; ++level) {

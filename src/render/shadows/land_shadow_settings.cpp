@@ -15,11 +15,12 @@ terrain::ShadeLayout shadeLayout(const LandShadowSettings& settings) {
 }
 
 void describe(core::SettingsVisitor& visitor, LandShadowSettings& s) {
-  visitor.choice("detail", s.detail, kLandShadowDetailNames,
-                 {.help = "How finely the shadows of mountains are outlined near the eye: 32, 16 or 8 m. Finer ones "
-                          "take longer to work out when the sun or the eye moves, and more memory.",
-                  .takesEffect = core::TakesEffect::variant,
-                  .aliases = "shadow resolution, quality, texels, ridges, relief"});
+  visitor.choice(
+      "detail", s.detail, kLandShadowDetailNames,
+      {.help = "How finely the shadows of mountains are outlined near the eye: 32, 16 or 8 m. Finer ones "
+               "take longer to work out when the sun or the eye moves, and more memory.",
+       .takesEffect = core::TakesEffect::variant,
+       .aliases = "shadow resolution, quality, texels, ridges, relief"});
 }
 
 }  // namespace skydrop::render

@@ -11,14 +11,15 @@
 
 namespace skydrop::render {
 
-// Main thread, on the context's thread; must go before the context. Holds no GL object before the first take().
+// Main thread, on the context's thread; must go before the context. Holds no GL object before the first
+// take().
 class LandShadowMap {
  public:
   // Uploads the shade: 2 bytes a texel and level (1.5 MiB for medium detail).
   void take(gl::Context& context, const terrain::LandShade& shade);
 
-  // Texture and uniforms for a program that includes shaders/shadow/land_shadow_map.glsl, in a frame seen from an
-  // eye at (x, z).
+  // Texture and uniforms for a program that includes shaders/shadow/land_shadow_map.glsl, in a frame seen
+  // from an eye at (x, z).
   void bind(gl::Shader& shader, const glm::dvec2& eye) const;
 
  private:

@@ -17,8 +17,8 @@ namespace skydrop::render {
 // published before it, times what land leaves of the sun. Where no shadow of land can be in the picture it is
 // skipped and publishes nothing.
 //
-// Main thread; a thread of its own, which the first frame with a sun over hills starts, works the shade out. A
-// frame that follows another (FrameInput::followsLast) goes on with the newest that is done, at first with
+// Main thread; a thread of its own, which the first frame with a sun over hills starts, works the shade out.
+// A frame that follows another (FrameInput::followsLast) goes on with the newest that is done, at first with
 // none; any other waits for its own, so that it is a function of view, sun and land.
 class LandShadowPass final : public Pass, private LightAtPlaces {
  public:

@@ -57,7 +57,8 @@ class TerrainPass final : public Pass {
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
   void drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap, bool isFirst);
-  // Of all pixels, with a program that is in use; multiplied with what the mask has, if this is not the first.
+  // Of all pixels, with a program that is in use; multiplied with what the mask has, if this is not the
+  // first.
   void drawShares(bool isFirst);
   void drawSea(FrameContext& context);
   void drawLines(FrameContext& context);
