@@ -27,11 +27,19 @@ float shareOfDisc(float q) {
   return 0.5 + x * (0.6297 - square * (0.0679 + 0.0618 * square));
 }
 
+// One level where it alone counts, none for the sky: a loop, because a software renderer leaves it where it has ended for
+// all pixels at hand, but runs both sides of a branch.
 float sunPastLand(vec3 relative) {
   vec2 at = vec2(dot(shadeAxes.zw, relative.xz), dot(shadeAxes.xy, relative.xz));
   float away = max(abs(at.x), abs(at.y));
-  int level = away < shadeLevels[0].w ? 0 : 1;
-  float clearance = mix(landClearance(at, level + 1), landClearance(at, level), insideShadeLevel(away, level));
-  clearance = mix(1.0, clearance, insideShadeLevel(away, kShadeLevels - 1));
+  int finer = away < shadeLevels[0].w ? 0 : 1;
+  float finerShare = insideShadeLevel(away, finer), shown = insideShadeLevel(away, kShadeLevels - 1);
+  int first = finerShare > 0.0 ? finer : finer + 1;
+  int end = shown <= 0.0 ? first : finerShare < 1.0 ? finer + 2 : finer + 1;
+  float clearance = 1.0 - shown;
+  for (int level = first; level < end; ++level) {
+    float share = level == finer ? finerShare : 1.0 - finerShare;
+    clearance += landClearance(at, level) * (share * shown);
+  }
   return shareOfDisc(4.0 * clearance - 2.0);
 }
