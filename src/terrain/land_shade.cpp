@@ -68,6 +68,7 @@ LandShade LandShade::make(ShadeHeights& heights, const ShadeKey& key, const std:
     break;
   }
   heights.endUse();
+  shade.heightBytes_ = heights.bytes();
   return shade;
 }
 
@@ -211,7 +212,7 @@ double LandShade::sunShare(const glm::dvec3& place) const {
 }
 
 std::size_t LandShade::bytes() const {
-  std::size_t bytes = 0;
+  std::size_t bytes = heightBytes_;
   for (const Level& level : levels_) {
     bytes += (level.umbra.size() + level.penumbra.size()) * sizeof(float);
     bytes += level.clearances.size() * sizeof(std::uint16_t);

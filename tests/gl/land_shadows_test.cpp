@@ -230,12 +230,14 @@ TEST_F(LandShadowsGLTest, eachStepOfDetailChangesThePicture) {
   settings_.sun = {6, 200};
   const View view = pose({0, 1200, 0}, 90, -40, 0, 128, 72);
   std::vector<std::vector<glm::vec4>> pictures;
-  for (const auto detail : {LandShadowDetail::coarse, LandShadowDetail::medium, LandShadowDetail::fine}) {
+  for (const auto detail : {LandShadowDetail::coarse, LandShadowDetail::medium, LandShadowDetail::fine,
+                            LandShadowDetail::finest}) {
     shadows_->apply({detail});
     pictures.push_back(lightOf(view));
   }
   EXPECT_NE(pictures[0], pictures[1]);
   EXPECT_NE(pictures[1], pictures[2]);
+  EXPECT_NE(pictures[2], pictures[3]);
 }
 
 }  // namespace

@@ -131,6 +131,7 @@ class LandShade {
   // Boxes around all the land that is not fully in the sun, and the shaded air above it. Empty: none is.
   const std::vector<Box>& shaded() const { return shaded_; }
 
+  // Of itself, and of the heights that are kept for the next one.
   std::size_t bytes() const;
 
  private:
@@ -153,6 +154,7 @@ class LandShade {
   ShadeAxes axes_;
   std::array<Level, kShadeLevels> levels_;
   std::vector<Box> shaded_;
+  std::size_t heightBytes_ = 0;
 };
 
 }  // namespace skydrop::terrain

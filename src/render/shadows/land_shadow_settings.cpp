@@ -9,17 +9,18 @@ terrain::ShadeLayout shadeLayout(const LandShadowSettings& settings) {
     case LandShadowDetail::medium:
       return {2, 512};
     case LandShadowDetail::fine:
+      return {1, 1024};
+    case LandShadowDetail::finest:
       break;
   }
-  return {1, 1024};
+  return {0, 2048};
 }
 
 void describe(core::SettingsVisitor& visitor, LandShadowSettings& s) {
   visitor.choice(
       "detail", s.detail, kLandShadowDetailNames,
-      {.help = "How finely the shadows of mountains are outlined near the eye: 32, 16 or 8 m. Finer ones "
-               "take longer to work out when the sun or the eye moves, and more memory.",
-       .takesEffect = core::TakesEffect::variant,
+      {.help = "How finely the shadows of mountains are outlined near the eye: 32, 16, 8 or 4 m. Each step "
+               "takes four times the memory, and longer when the sun or the eye moves.",
        .aliases = "shadow resolution, quality, texels, ridges, relief"});
 }
 

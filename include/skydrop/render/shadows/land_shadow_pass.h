@@ -34,6 +34,10 @@ class LandShadowPass final : public Pass, private LightAtPlaces {
   // Only where skipReason() gave none.
   void draw(FrameContext& context) override;
 
+  // Of memory beside the GPU's, and threads.
+  std::size_t cpuBytes() const { return work_->shade ? work_->shade->bytes() : 0; }
+  int threads() const { return work_->wanted ? 1 : 0; }
+
   // The newest; null before the first. For tests.
   const terrain::LandShade* shade() const { return work_->shade.get(); }
 

@@ -9,16 +9,17 @@
 
 namespace skydrop::render {
 
-enum class LandShadowDetail { coarse, medium, fine };
-inline constexpr std::array<std::string_view, 3> kLandShadowDetailNames = {"coarse", "medium", "fine"};
+enum class LandShadowDetail { coarse, medium, fine, finest };
+inline constexpr std::array<std::string_view, 4> kLandShadowDetailNames = {"coarse", "medium", "fine",
+                                                                           "finest"};
 
 struct LandShadowSettings {
-  LandShadowDetail detail = LandShadowDetail::medium;  // texels near the eye: 32 m, 16 m, 8 m
+  LandShadowDetail detail = LandShadowDetail::medium;  // texels near the eye: 32, 16, 8, 4 m
 
   bool operator==(const LandShadowSettings&) const = default;
 };
 
-// All reach as far: 3.6 km with the finest level, 57 km with the coarsest.
+// All reach about as far: 3 to 4 km with the finest level, 49 to 64 km with the coarsest.
 terrain::ShadeLayout shadeLayout(const LandShadowSettings& settings);
 
 void describe(core::SettingsVisitor& visitor, LandShadowSettings& settings);
