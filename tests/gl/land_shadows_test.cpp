@@ -148,7 +148,7 @@ TEST_F(LandShadowsGLTest, theGpuFiltersTheShadeThatTheProcessorHas) {
   build(terrain::makeRidgeSource(1088, kCrestM, 3, kFootM));
   double unused = 0;
   renderer().add(std::make_unique<ShareProbe>(context(), glm::dvec3(0), unused));
-  settings_.sun = {24.4, 90};  // 500 m of ridge hide the sun to x = -14
+  settings_.sun = {27.3, 90};  // 500 m of ridge hide the sun from x = 119 on
   const View view = pose({30, kFootM + 500, 40}, 0, -90, 0, 64, 36);
   const std::vector<glm::vec4> shares = lightOf(view);
   double crossing = 0;
@@ -158,7 +158,9 @@ TEST_F(LandShadowsGLTest, theGpuFiltersTheShadeThatTheProcessorHas) {
     EXPECT_LE(share, static_cast<double>(shares[static_cast<std::size_t>(x - 1)].x) + 1e-3) << x;
     if (crossing == 0 && share < 0.5) crossing = 4 * x;
   }
-  EXPECT_NEAR(crossing, 1088 - 500 / std::tan(glm::radians(24.4)), 32);
+  EXPECT_EQ(shares[0].x, 1);
+  EXPECT_EQ(shares[63].x, 0);
+  EXPECT_NEAR(crossing, 1088 - 500 / std::tan(glm::radians(27.3)), 32);
 }
 
 TEST_F(LandShadowsGLTest, whatFliesIsInTheShadeOfTheRidge) {

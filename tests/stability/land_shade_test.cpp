@@ -126,13 +126,13 @@ TEST(LandShade, edgesOnTheShippedLandAreWithinATexelAboveThreeDegrees) {
   const glm::dvec2 eye{2500, -1200};
   ShadeHeights heights(land);
   for (const auto& [elevation, most] :
-       {std::pair(1.0, 36), std::pair(3.0, 12), std::pair(6.0, 0), std::pair(15.0, 0)}) {
+       {std::pair(1.0, 11), std::pair(3.0, 4), std::pair(6.0, 0), std::pair(15.0, 0)}) {
     Agreement all;
     for (const double azimuth : {110.0, 265.0}) {
       const glm::dvec3 toSun = sky::directionToSun(elevation, azimuth);
       const LandShade shade = LandShade::make(heights, shadeKey({2, 512}, eye, toSun));
       for (int level = 0; level < kShadeLevels; ++level) {
-        const Agreement here = compare(*land, shade, level, eye, 200);
+        const Agreement here = compare(*land, shade, level, eye, 60);
         all.places += here.places, all.shaded += here.shaded;
         all.differ += here.differ, all.farOff += here.farOff;
       }
