@@ -24,6 +24,7 @@ EffectSet effective(EffectSet effects) {
                               effects.contains(Effect::cloudPlanes) || effects.contains(Effect::cloudDome) ||
                               effects.contains(Effect::aircraft) || effects.contains(Effect::groundFog);
   if (!showsSomething) effects.erase(Effect::haze);
+  if (!effects.contains(Effect::terrain)) effects.erase(Effect::landShadows);
   return effects;
 }
 

@@ -109,6 +109,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::AtmosphereSettings;
   using render::CameraSettings;
   using render::GroundFogSettings;
+  using render::LandShadowSettings;
   using render::RenderSettings;
   using render::StarsSettings;
   using render::SunSettings;
@@ -129,7 +130,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(PostProcess),        SKYDROP_STRUCT(NoiseToolSettings),
       SKYDROP_STRUCT(CloudPlaneSettings), SKYDROP_STRUCT(CloudPlanesSettings),
       SKYDROP_STRUCT(CloudDomeSettings),  SKYDROP_STRUCT(GroundFogSettings),
-      SKYDROP_STRUCT(StarsSettings),
+      SKYDROP_STRUCT(StarsSettings),      SKYDROP_STRUCT(LandShadowSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

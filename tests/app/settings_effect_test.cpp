@@ -404,6 +404,7 @@ constexpr std::string_view kElsewhere[] = {
     "cloudDome.",              // tests/gl/settings_effect_test.cpp
     "groundFog.",              // tests/gl/ground_fog_test.cpp
     "stars.",                  // tests/gl/night_sky_test.cpp
+    "landShadows.",            // tests/gl/land_shadows_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -460,7 +461,8 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
                                    "clouds.",    "render.",  "wind."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
-constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog.", "stars."};
+constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog.", "stars.",
+                                             "landShadows."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -24,13 +24,14 @@ enum class Effect {
   groundFog,    // fog on the ground, by height
   moon,         // the moon's disc, by place and time
   stars,        // stars to magnitude 6, by place and time
+  landShadows,  // shadows of mountains on land, sea and what flies
   count_        // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
-inline constexpr auto kEffectNames =
-    std::to_array<std::string_view>({"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound",
-                                     "hud", "cloudPlanes", "cloudDome", "groundFog", "moon", "stars"});
+inline constexpr auto kEffectNames = std::to_array<std::string_view>(
+    {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud", "cloudPlanes", "cloudDome",
+     "groundFog", "moon", "stars", "landShadows"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -66,7 +67,7 @@ EffectSet withNeeds(EffectSet effects);
 // What is missing, in words: "targets needs aircraft, which is off"; empty where nothing is.
 std::string unmetNeed(const EffectSet& effects);
 
-// Those that there is anything to do for: haze needs something that it could veil.
+// Those that there is anything to do for: haze needs something that it could veil, landShadows land.
 EffectSet effective(EffectSet effects);
 
 }  // namespace skydrop::scene

@@ -5,6 +5,7 @@
 #include "app/session/cloud_planes_effect.h"
 #include "app/session/ground_fog_effect.h"
 #include "app/session/night_sky_effects.h"
+#include "app/session/land_shadows_effect.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
@@ -93,6 +94,12 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addPasses = addGroundFog,
        .apply = applyGroundFog,
        .menuSections = {{"groundFog", "Ground fog"}}},
+      // After clouds: what lights models is theirs before it is the mountains' (LandShadowPass).
+      {.effect = Effect::landShadows,
+       .addPasses = addLandShadows,
+       .addFeatures = addLandShadowFeatures,
+       .apply = applyLandShadows,
+       .menuSections = {{"landShadows", "Mountain shadows"}}},
       {.effect = Effect::terrain,
        .addPasses = addLand,
        .remove = removeLand,

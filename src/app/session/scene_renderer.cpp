@@ -11,6 +11,7 @@
 #include "app/session/compile_ahead.h"
 #include "skydrop/render/frame/tone_map_pass.h"
 #include "skydrop/render/models/model_layer.h"
+#include "skydrop/render/shadows/land_shadow_pass.h"
 #include "skydrop/render/shadows/shadow_pass.h"
 
 namespace skydrop::app {
@@ -356,6 +357,8 @@ void SceneRenderer::writeTo(core::FrameStatistics& statistics, std::size_t frame
   renderer_.fillStatistics(statistics, frames);
   statistics.threads = 1;
   if (land_) land_->writeTo(statistics);
+  if (const auto* shadows = renderer_.find<render::LandShadowPass>())
+    statistics.threads += shadows->threads();
   std::vector<core::EffectStatistics> bill;
   for (const EffectDescriptor& row : *setup_.table) bill.push_back(billOf(row, statistics));
   bill.push_back(billOfFrame(statistics));
@@ -438,6 +441,11 @@ core::EffectStatistics SceneRenderer::billOf(const EffectDescriptor& row,
     bill.cpuBytes = frame.terrain.bytes;
     bill.threads = land_->workerCount();
     bill.updateMs = streamingCost_.meanMs();
+  }
+  const auto* shadows = renderer_.find<render::LandShadowPass>();
+  if (row.effect == scene::Effect::landShadows && shadows) {
+    bill.cpuBytes = static_cast<std::int64_t>(shadows->cpuBytes());
+    bill.threads = shadows->threads();
   }
   if (row.effect == scene::Effect::hud && overlay_) {
     const render::gl::OwnedResources held = resources.ownedBy(bill.name);

@@ -37,6 +37,8 @@ std::string_view helpOf(Effect effect) {
       return "The moon with its phase, where place and time put it.";
     case Effect::stars:
       return "The stars that the eye sees at night, turned by place and time.";
+    case Effect::landShadows:
+      return "Mountains cast shadows on land, sea and aircraft while the sun is low.";
     case Effect::count_:
       break;
   }

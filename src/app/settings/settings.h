@@ -26,6 +26,7 @@
 #include "skydrop/render/fog/ground_fog_settings.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/render_settings.h"
+#include "skydrop/render/shadows/land_shadow_settings.h"
 #include "skydrop/render/sky/stars_settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/terrain/terrain_settings.h"
@@ -65,6 +66,7 @@ struct Settings {
   clouds::CloudDomeSettings cloudDome;
   render::GroundFogSettings groundFog;
   render::StarsSettings stars;
+  render::LandShadowSettings landShadows;
   core::WindSettings wind;
   audio::AudioSettings audio;
   ViewSettings view;

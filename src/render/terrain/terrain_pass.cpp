@@ -6,6 +6,7 @@
 
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/shadows/cast_shadows.h"
+#include "skydrop/render/shadows/land_shadow_map.h"
 #include "skydrop/terrain/chunk_grid.h"
 
 namespace skydrop::render {
@@ -146,7 +147,12 @@ void TerrainPass::drawDepth(FrameContext& context) {
   context_.api().ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), view, GL_TRIANGLES);
   context_.api().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (const auto* shadowMap = context.resources.find<CloudShadowMap>()) drawCloudShadows(context, *shadowMap);
+  const auto* cloudShadows = context.resources.find<CloudShadowMap>();
+  if (cloudShadows) drawCloudShadows(context, *cloudShadows);
+  if (context.frame.features.landShadows)  // in every frame: none is compiled when the sun sinks
+    context.shaders.shader("fullscreen.vert", "terrain/land_shade.frag");
+  if (const auto* shadowMap = context.resources.find<LandShadowMap>())
+    drawLandShadows(context, *shadowMap, !cloudShadows);
   if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
   surface_.unBind();
 }
@@ -180,9 +186,27 @@ void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& 
   shader.use();
   setSurface(shader, context.frame.view);
   shadowMap.bind(shader);
-  context_.api().DepthMask(GL_FALSE);
-  context_.api().Disable(GL_DEPTH_TEST);
-  context_.api().TextureBarrier();
+  drawShares(true);
+}
+
+void TerrainPass::drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap, bool isFirst) {
+  const View& view = context.frame.view;
+  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land_shade.frag");
+  shader.use();
+  setSurface(shader, view);
+  shadowMap.bind(shader, {view.position.x, view.position.z});
+  drawShares(isFirst);
+}
+
+void TerrainPass::drawShares(bool isFirst) {
+  const gl::Functions& api = context_.api();
+  api.DepthMask(GL_FALSE);
+  api.Disable(GL_DEPTH_TEST);
+  if (!isFirst) {
+    api.Enable(GL_BLEND);
+    api.BlendFunc(GL_ZERO, GL_SRC_COLOR);
+  }
+  api.TextureBarrier();  // the depth is target and texture at once, to be read alone
   triangle_.draw();
   context_.setDefaultState();
 }

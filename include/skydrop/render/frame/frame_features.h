@@ -8,7 +8,8 @@
 namespace skydrop::render {
 
 struct FrameFeatures {
-  bool haze = false;  // HAZE: extinction and in-scattering between eye and surface
+  bool haze = false;         // HAZE: extinction and in-scattering between eye and surface
+  bool landShadows = false;  // no define: a LandShadowMap may be published in some frame
 
   bool operator==(const FrameFeatures&) const = default;
 };

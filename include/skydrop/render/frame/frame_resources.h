@@ -28,6 +28,16 @@ class FrameResources {
     entries_.emplace_back(typeid(T), &resource);
   }
 
+  // The same, in place of the T that an earlier pass has published; that one, null where there was none.
+  template <class T>
+  const T* replace(const T& resource) {
+    for (auto& [type, entry] : entries_) {
+      if (type == typeid(T)) return static_cast<const T*>(std::exchange(entry, &resource));
+    }
+    publish(resource);
+    return nullptr;
+  }
+
   // Null where no pass has published a T yet.
   template <class T>
   const T* find() const {

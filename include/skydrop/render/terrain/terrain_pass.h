@@ -16,11 +16,13 @@ namespace skydrop::render {
 
 class CastShadows;
 class CloudShadowMap;
+class LandShadowMap;
 
 // The view as EndlessTerrain wants it.
 terrain::ViewVolume viewVolume(const View& view);
 
-// Shadows are those that CastShadows and CloudShadowMap of the frame hold, where they are published.
+// Shadows are those that CastShadows, CloudShadowMap and LandShadowMap of the frame hold, where they are
+// published.
 class TerrainPass final : public Pass {
  public:
   explicit TerrainPass(gl::Context& context);
@@ -54,6 +56,10 @@ class TerrainPass final : public Pass {
   void drawDepth(FrameContext& context);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
+  void drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap, bool isFirst);
+  // Of all pixels, with a program that is in use; multiplied with what the mask has, if this is not the
+  // first.
+  void drawShares(bool isFirst);
   void drawSea(FrameContext& context);
   void drawLines(FrameContext& context);
 
