@@ -11,10 +11,13 @@ layout(std430, binding = 0) buffer Tiles {
 layout(std430, binding = 1) buffer Spans { vec2 spans[]; };
 
 // Where any ray of a cone may lie in the layer; `width` is the cone's half-width at 1 m.
-RaySpan layerOfCone(float directionY, float width) {
-  RaySpan aboveBase = raySpanBetween(0.0, directionY + width, clouds.layer.x, 1e30);
-  RaySpan belowTop = raySpanBetween(0.0, directionY - width, -1e30, clouds.layer.x + clouds.layer.y);
-  return overlap(overlap(aboveBase, belowTop), make_raySpan(0.0, clouds.layer.z));
+RaySpan layerOfCone(vec3 direction, float width) {
+  float level = length(direction.xz);
+  float lowest = rayBend(vec3(max(level - width, 0.0), 0.0, 0.0));
+  float highest = rayBend(vec3(level + width, 0.0, 0.0));
+  RaySpan underTop = bentRayUnder(-clouds.layer.x - clouds.layer.y, direction.y - width, lowest);
+  RaySpan underBase = bentRayUnder(-clouds.layer.x, direction.y + width, highest);
+  return bentRayInLayer(underTop, underBase, clouds.layer.z);
 }
 
 // The parts of a cone's interval in which it touches occupied cells, conservative: noted at a place in the buffer. Gives
@@ -28,9 +31,9 @@ RaySpan occupiedSpan(vec3 direction, float width, RaySpan span, int notedAt) {
   int parts = 0;
   float at = span.begin;
   while (at < span.end) {
-    vec3 place = ray.start + ray.perLength * at;
+    vec3 place = cellOnRay(ray, at);
     float cells = emptyCells(ivec3(floor(place)));
-    float way = wayOutOfBox(place, ray.perLength, cells, cellsAMetre * (width * at), cellsAMetre * width);
+    float way = leapOnRay(ray, at, place, cells, cellsAMetre * (width * at), cellsAMetre * width);
     float step = max(pace, width * at);
     bool leaps = cells >= 1.0 && way > 0.1 * step;
     // A loop of one turn at most, and not a branch: a software renderer leaves it out where no tile needs it.
@@ -59,7 +62,7 @@ void classifyTile(ivec2 tile, ivec2 tileCount) {
   float rayLength = length(ray);
   vec3 direction = ray / rayLength;
   float width = clouds.sight.x;
-  RaySpan span = layerOfCone(direction.y, width);
+  RaySpan span = layerOfCone(direction, width);
   if (span.end <= span.begin) return;
   // The corners of a tile reach farther than its middle by the width of the cone at most.
   float surface = sceneDistance(farthestDepth(corner, TILE_SIDE), ray) * (1.0 + 2.0 * width);

@@ -31,9 +31,9 @@ LightSegment gatherLightSegment(inout March march, CellRay ray, vec3 direction, 
   while (march.at < span.end && depth < clouds.exact.x && iterations > 0) {
     --iterations;
     float step = stepAt(march.at);
-    vec3 cell = ray.start + ray.perLength * march.at;
+    vec3 cell = cellOnRay(ray, march.at);
     float cells = emptyCells(ivec3(floor(cell)));
-    float way = cells < 1.0 ? 0.0 : wayOutOfBox(cell, ray.perLength, cells, vec3(0.0), vec3(0.0));
+    float way = cells < 1.0 ? 0.0 : leapOnRay(ray, march.at, cell, cells, vec3(0.0), vec3(0.0));
     if (way > 2.0 * step) {
       march.at = alignedBefore(march.at + way, 1.0);
       march.clear = 1.0;
@@ -41,7 +41,7 @@ LightSegment gatherLightSegment(inout March march, CellRay ray, vec3 direction, 
     }
     float length = min(step, span.end - march.at);
     float middle = march.at + length * mix(0.5, 1.0, march.clear);
-    vec3 place = direction * middle;
+    vec3 place = placeOnBentRay(direction, rayBend(direction), middle);
     float height = heightFraction(place);
     float shape = shapeDensity(place, height);
     float extinction = erodedDensity(place, height, shape) * clouds.layer.w;
@@ -71,7 +71,7 @@ void marchOn(inout March march, vec3 direction, RaySpan span) {
     LightSegment segment = gatherLightSegment(march, ray, direction, span, iterations);
     if (segment.opacity <= 0.0) break;
     iterations -= sunSamples;
-    vec3 place = direction * (segment.moment / segment.opacity);
+    vec3 place = placeOnBentRay(direction, rayBend(direction), segment.moment / segment.opacity);
     float height = heightFraction(place);
     march.gathered.sun += segment.opacity * scatteredSun(phases, sunDepth(place, height));
     march.gathered.sky += segment.opacity * scatteredSky(height);
@@ -83,6 +83,8 @@ void marchOn(inout March march, vec3 direction, RaySpan span) {
 
 // The segment of a ray in which there can be cloud: in the layer, before the scene's surface, not yet faded.
 RaySpan spanOfRay(vec3 direction, float surfaceM, Task task) {
-  RaySpan layer = raySpanBetween(0.0, direction.y, clouds.layer.x, clouds.layer.x + clouds.layer.y);
-  return overlap(layer, make_raySpan(task.begin, min(task.end, surfaceM)));
+  float bend = rayBend(direction);
+  RaySpan layer = bentRayInLayer(bentRayUnder(-clouds.layer.x - clouds.layer.y, direction.y, bend),
+                                 bentRayUnder(-clouds.layer.x, direction.y, bend), min(task.end, surfaceM));
+  return overlap(layer, make_raySpan(task.begin, task.end));
 }

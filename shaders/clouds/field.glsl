@@ -1,6 +1,7 @@
-// The clouds' medium at a place relative to the eye. DETAIL: edges are eroded by the detail texture, else by its mean.
+// The clouds' medium at a place relative to the eye, in the field: where a straight ray is bent (placeOnBentRay()). DETAIL: edges are eroded by the detail texture, else by its mean.
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
+#include "clouds/far.glsl"
 #include "clouds/uniforms.glsl"
 
 layout(binding = 0) uniform sampler3D baseNoise;
@@ -44,14 +45,32 @@ struct MediumSample {
   float extinction;  // 1/m; not faded with distance
 };
 
-MediumSample sampleAt(vec3 place) {
-  float height = heightFraction(place);
+float shapeEstimate(vec3 place, float height) {
   vec2 map = clouds.weatherPlace.xz + place.xz * clouds.weatherPlace.w;
   vec2 weather = textureLod(weatherMap, map, 0.0).xy;  // coverage, type
   float base = textureLod(baseNoise, periodsAt(place, clouds.shapePlace), 0.0).x;
-  CloudMedium medium = frameMedium();
-  float shape = cloudShapeEstimate(medium, height, weather.x, weather.y, base);
-  return MediumSample(shape, erodedDensity(place, height, max(shape, 0.0)) * clouds.layer.w);
+  return cloudShapeEstimate(frameMedium(), height, weather.x, weather.y, base);
+}
+
+// detailShare: detailLeft().
+MediumSample sampleAt(vec3 place, float detailShare) {
+  float height = heightFraction(place);
+  float shape = shapeEstimate(place, height);
+#ifdef DETAIL
+  float detail = textureLod(detailNoise, periodsAt(place, clouds.detailPlace), 0.0).x;
+  detail = mix(clouds.farField.w, detail, detailShare);
+#else
+  float detail = clouds.scattering.z;
+#endif
+  return MediumSample(shape, erodedDensity(frameMedium(), height, max(shape, 0.0), detail) * clouds.layer.w);
+}
+
+// In the far field: eroded everywhere alike.
+MediumSample farSampleAt(vec3 place) {
+  float height = heightFraction(place);
+  float shape = shapeEstimate(place, height);
+  float density = erodedDensity(frameMedium(), height, max(shape, 0.0), clouds.farField.w);
+  return MediumSample(shape, density * clouds.layer.w);
 }
 
 // Extinction, 1/m; not faded with distance.

@@ -23,58 +23,79 @@ float clearDistance(MediumSample medium, float slope) {
   return medium.extinction > 0.0 ? 0.0 : (clouds.strides.x - medium.shape) * slope;
 }
 
-// From a distance on, whatever surface there is before: what a ray meets, in segments; their number.
-int gatherSegments(vec3 direction, int spansAt, float surfaceM, out float transmittance) {
+// A ray on its way through the tile's spans.
+struct Walk {
+  int part;   // span that it is in, from 1
+  float at;   // m from the eye
+  float end;  // of the span
+  float stride;
+  float transmittance;
+  vec2 open;  // segment that is not closed yet
+  int count;  // of those that are
+};
+
+// On through the parts of the spans before a distance. isFar: those of the far field, in longer steps.
+void gather(inout Walk walk, vec4 ray, int spansAt, float limitM, const bool isFar) {
   int parts = int(spans[spansAt].x);
-  int part = 0;
-  int count = 0;
-  transmittance = 1.0;
-  vec2 open = vec2(0.0);
-  float at = 0.0;
-  float end = 0.0;
-  float stride = 0.0;
+  float longer = isFar ? clouds.farField.y : 1.0;
   int iterations = kMostIterations / kSamplesATurn;
-  while (transmittance > clouds.march.w && (at < end || part < parts) && iterations > 0) {
+  while (walk.transmittance > clouds.march.w && (walk.at < walk.end || (walk.part < parts && walk.at < limitM)) && iterations > 0) {
     --iterations;
-    while (at >= end && part < parts) {
-      ++part;
-      vec2 span = spans[spansAt + part];
+    while (walk.at >= walk.end && walk.part < parts && walk.at < limitM) {
+      ++walk.part;
+      vec2 span = spans[spansAt + walk.part];
       // Turns of neighbouring rays are cut alike, as steps are.
-      at = max(at, alignedBefore(span.x, float(kSamplesATurn)));
-      end = min(span.y, surfaceM);
-      stride = 0.0;
+      walk.at = max(walk.at, alignedBefore(span.x, float(kSamplesATurn) * longer));
+      walk.end = min(span.y, limitM);
+      walk.stride = 0.0;
     }
-    float step = stepAt(at);
+    float step = stepAt(walk.at) * longer;
     vec2 gained = vec2(0.0);
     for (int i = 0; i < kSamplesATurn; ++i) {
-      float length = clamp(end - at, 0.0, step);
-      float middle = at + 0.5 * length;
-      MediumSample medium = sampleAt(direction * middle);
+      float length = clamp(walk.end - walk.at, 0.0, step);
+      float middle = walk.at + 0.5 * length;
+      vec3 place = placeOnBentRay(ray.xyz, ray.w, middle);
+      MediumSample medium = isFar ? farSampleAt(place) : sampleAt(place, detailLeft(middle));
       // A stride that ends in cloud is taken back.
-      bool isTooFar = stride > step && medium.extinction > 0.0;
+      bool isTooFar = walk.stride > step && medium.extinction > 0.0;
       length = isTooFar ? 0.0 : length;
-      float gain = transmittance * stepOpacity(medium.extinction * cloudFade(middle, clouds.layer.z) * length);
+      float gain = walk.transmittance * stepOpacity(medium.extinction * cloudFade(middle, clouds.layer.z) * length);
       gained += vec2(gain, gain * middle);
-      transmittance -= gain;
+      walk.transmittance -= gain;
       float next = step * max(1.0, floor(clearDistance(medium, clouds.strides.y) / step));
-      at += isTooFar ? step - stride : next;
-      stride = isTooFar ? step : next;
+      walk.at += isTooFar ? step - walk.stride : next;
+      walk.stride = isTooFar ? step : next;
     }
-    open += gained;
+    walk.open += gained;
     // Where segments get scarce, those that are left have to suffice for all light that is left.
-    float scarce = count < kThinSegments ? 0.0 : transmittance / float(kMostSegments - count);
+    float scarce = walk.count < kThinSegments ? 0.0 : walk.transmittance / float(kMostSegments - walk.count);
     float enough = max(clouds.march.z, scarce);
-    segments[count] = open;
-    bool closes = open.x > enough && count < kMostSegments - 1;
-    count += closes ? 1 : 0;
-    open = closes ? vec2(0.0) : open;
+    segments[walk.count] = walk.open;
+    bool closes = walk.open.x > enough && walk.count < kMostSegments - 1;
+    walk.count += closes ? 1 : 0;
+    walk.open = closes ? vec2(0.0) : walk.open;
   }
+}
+
+// What a ray meets before a surface, in segments; their number.
+int gatherSegments(vec4 ray, int spansAt, float surfaceM, out float transmittance) {
+  float farBegin = clouds.farField.x;
+  Walk walk = Walk(0, 0.0, 0.0, 0.0, 1.0, vec2(0.0), 0);
+  gather(walk, ray, spansAt, min(surfaceM, farBegin), false);
+  // The far field begins where the near one ends, not where a stride through clear air did; the span that it begins in is
+  // entered again.
+  walk.part = max(walk.part - 1, 0);
+  walk.at = walk.transmittance > clouds.march.w ? max(farBegin, alignedBefore(walk.at, clouds.farField.y)) : walk.at;
+  walk.end = 0.0;
+  walk.stride = 0.0;
+  gather(walk, ray, spansAt, surfaceM, true);
   // What is not worth following is deeper and darker than the last of what was.
+  transmittance = walk.transmittance;
   float rest = transmittance > clouds.march.w ? 0.0 : transmittance;
-  open += kBrightnessOfRest * vec2(rest, rest * at);
+  walk.open += kBrightnessOfRest * vec2(rest, rest * walk.at);
   transmittance -= rest;
-  segments[count] = open;
-  return open.x > 0.0 ? count + 1 : count;
+  segments[walk.count] = walk.open;
+  return walk.open.x > 0.0 ? walk.count + 1 : walk.count;
 }
 
 // The way from a segment to the sun, through the layer: the finer, the more the segment's light counts.
@@ -83,21 +104,25 @@ struct SunRay {
   float height;
   float total;  // m, to the top of the layer
   float first;  // m, step
+  float detail;  // detailLeft()
   float at;
   float depth;
 };
 
-SunRay sunRayOf(vec2 segment, vec3 direction) {
-  vec3 place = direction * (segment.y / max(segment.x, 1e-20));
+SunRay sunRayOf(vec2 segment, vec4 ray) {
+  float distanceM = segment.y / max(segment.x, 1e-20);
+  vec3 place = placeOnBentRay(ray.xyz, ray.w, distanceM);
   float height = heightFraction(place);
   float length = max(1.0 - height, 0.0) * clouds.layer.y / clouds.toSun.y;
-  return SunRay(place, height, length, clouds.sunSteps.x * inversesqrt(max(segment.x, 0.01)), 0.0, 0.0);
+  float detail = detailLeft(distanceM);
+  float first = clouds.sunSteps.x * mix(clouds.farField.y, 1.0, detail) * inversesqrt(max(segment.x, 0.01));
+  return SunRay(place, height, length, first, detail, 0.0, 0.0);
 }
 
 void stepTowardsSun(inout SunRay way) {
   float step = way.first + clouds.sunSteps.y * way.at + clouds.sunSteps.z * way.depth;
   float length = clamp(way.total - way.at, 0.0, step);
-  MediumSample medium = sampleAt(way.place + clouds.toSun.xyz * (way.at + 0.5 * length));
+  MediumSample medium = sampleAt(way.place + clouds.toSun.xyz * (way.at + 0.5 * length), way.detail);
   way.depth += medium.extinction * length;
   way.at += max(step, clearDistance(medium, clouds.strides.z));
 }
@@ -114,10 +139,11 @@ void addLight(inout Gathered gathered, vec2 segment, SunRay way, vec4 phases) {
 // of each segment.
 Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
   Gathered gathered = Gathered(0.0, 0.0, 0.0, 1.0, 0.0, 0.0);
-  int count = gatherSegments(direction, spansAt, surfaceM, gathered.transmittance);
+  vec4 ray = vec4(direction, rayBend(direction));
+  int count = gatherSegments(ray, spansAt, surfaceM, gathered.transmittance);
   vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
   vec2 segment = segments[0];
-  SunRay way = sunRayOf(segment, direction);
+  SunRay way = sunRayOf(segment, ray);
   int i = 0;
   while (i < count) {
     for (int k = 0; k < kSunSamplesATurn; ++k) stepTowardsSun(way);
@@ -127,7 +153,7 @@ Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
       addLight(gathered, segment, way, phases);
       ++i;
       segment = segments[min(i, kMostSegments - 1)];
-      way = sunRayOf(segment, direction);
+      way = sunRayOf(segment, ray);
       isThrough = false;
     }
   }

@@ -29,13 +29,25 @@ float wayOutOfBox(vec3 at, vec3 perLength, float cells, vec3 wide, vec3 widening
   return min(behind.x, min(behind.y, behind.z)) < 0.0 ? 0.0 : min(ahead.x, min(ahead.y, ahead.z));
 }
 
-// A ray in cells.
+// A bent ray in cells.
 struct CellRay {
   vec3 start;
-  vec3 perLength;
+  vec3 perLength;  // at its start
+  float bend;      // rows
+  float slack;     // rows that it leaves its tangent by over the longest leap, a diagonal of 15 cells
 };
 
 CellRay cellRay(vec3 direction) {
   vec3 start = cellPlace(vec3(0.0));
-  return CellRay(start, cellPlace(direction) - start);
+  float bend = rayBend(direction) * clouds.cells.w;
+  float leap = 22.0 / clouds.cells.y;
+  return CellRay(start, cellPlace(direction) - start, bend, bend * leap * leap);
+}
+
+vec3 cellOnRay(CellRay ray, float at) { return ray.start + placeOnBentRay(ray.perLength, ray.bend, at); }
+
+// How far it goes at a place before it leaves the box of `cells` around its cell, as wayOutOfBox().
+float leapOnRay(CellRay ray, float at, vec3 cell, float cells, vec3 wide, vec3 widening) {
+  vec3 tangent = ray.perLength + vec3(0.0, 2.0 * ray.bend * at, 0.0);
+  return wayOutOfBox(cell, tangent, cells, wide + vec3(0.0, ray.slack, 0.0), widening);
 }

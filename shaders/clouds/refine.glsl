@@ -2,6 +2,7 @@
 // are interpolated; where they bend more, and where surfaces make a difference, they are listed to be marched.
 #include "clouds/ray_list.glsl"
 #include "clouds/tile_list.glsl"
+#include "clouds/far.glsl"
 #include "clouds/uniforms.glsl"
 #include "clouds/view.glsl"
 
@@ -74,6 +75,31 @@ bool surfacesDiffer(ivec2 cell, Task task, Surroundings s, float farthestCloudM)
   return !(farthest <= 1.1 * nearest || isBehind || farthest <= task.begin);
 }
 
+// Share of the light of a place that the air lets through.
+float leftByAir(vec3 direction, float distanceM) {
+#ifdef HAZE
+  vec3 left = airTransmittance(direction.y * distanceM, distanceM);
+  return max(max(left.x, left.y), left.z);
+#else
+  return 1.0;
+#endif
+}
+
+// How many times the tolerances the rays around a cell may bend: more where all cloud that they see lies in the far field,
+// and that the more, the less the air leaves of it.
+float leniency(ivec2 cell, Task task, Surroundings s) {
+  if (task.end <= clouds.farField.x) return 1.0;
+  ivec2 last = textureSize(coarseDistances, 0) - 1;
+  float nearest = kFarDistance;
+  for (int i = 0; i < 16; ++i) {
+    float distance = texelFetch(coarseDistances, clamp(cell + ivec2(i & 3, i >> 2) - 1, ivec2(0), last), 0).x;
+    nearest = s.rows[i].w < 0.99 ? min(nearest, distance) : nearest;
+  }
+  float far = 1.0 - detailLeft(nearest);
+  vec3 direction = normalize(rayThrough(vec2(cell * (2 * RAY_SPACING)) + 0.5));
+  return mix(1.0, clouds.farField.z / leftByAir(direction, min(nearest, clouds.layer.z)), far);
+}
+
 // HISTORY: cells are listed that bend by this share of the tolerance. Where most rays need not be marched, so many more of them
 // make the picture better than it is without.
 #ifdef HISTORY
@@ -99,7 +125,7 @@ bool isFilled(ivec2 cell, Task task, out bool mayBeLeft) {
   keep(texel + ivec2(0, 1), halfway(s.rows[1], s.rows[5], s.rows[9], s.rows[13]), a + c);
   keep(texel + ivec2(1, 1), halfway(low, middle, high, highest), a + b + c + d);
   float cloudM = max(max(a.x, b.x), max(c.x, d.x));  // of opaque rays
-  float tolerance = RAY_SPACING > 1 ? clouds.sight.y : clouds.sight.z;
+  float tolerance = (RAY_SPACING > 1 ? clouds.sight.y : clouds.sight.z) * leniency(cell, task, s);
   float curvature = curvatureOf(s);
   mayBeLeft = curvature <= tolerance && !surfacesDiffer(cell, task, s, cloudM);
   return mayBeLeft && curvature <= kListed * tolerance;

@@ -19,5 +19,6 @@ layout(std140, binding = 1) uniform Clouds {
   vec4 sunSteps;      // towards the sun: the first (m), growth, m longer with a unit of optical depth
   vec4 exact;         // of the exact march: maxSegmentOpticalDepth
   vec4 cells;         // xz: the eye in cells of the occupancy; y: cells in a metre; w: rows in a metre
+  vec4 farField;      // where it begins (m), steps and tolerances there (times those nearer), what wears edges there
   vec4 sight;         // half-width of a tile's ray at 1 m; tolerances: between rays 4 pixels apart, 2 pixels apart
 } clouds;

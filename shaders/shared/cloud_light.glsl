@@ -42,6 +42,49 @@ FN RaySpan raySpanOfBox(Vec3 origin, Vec3 direction, Vec3 low, Vec3 high) {
   return overlap(span, raySpanBetween(origin.z, direction.z, low.z, high.z));
 }
 
+// The earth's mean radius, m.
+CONST Real kEarthRadiusM = Real(6371000.0);
+
+// A layer of clouds is a shell around the earth; its field is flat. Seen from the eye the shell falls away by d^2 / 2R at
+// a level distance d, so in the field a straight ray rises by as much: by rayBend() t^2 at a length t along it. (Exact to
+// .6 m at 60 km and 12 km up: the next term is d^2 h / 2R^2.)
+FN Real rayBend(Vec3 direction) {
+  return (direction.x * direction.x + direction.z * direction.z) / (Real(2.0) * kEarthRadiusM);
+}
+
+// The place on a ray, relative to the eye, in the field.
+FN Vec3 placeOnBentRay(Vec3 direction, Real bend, Real t) {
+  return Vec3(direction.x * t, (direction.y + bend * t) * t, direction.z * t);
+}
+
+// Where a bent ray that starts `above` a level (negative: below it) runs under it: above + directionY t + bend t^2 < 0, for
+// t of any sign; begin > end where it never does. bend >= 0. Neither root is a difference of numbers that are alike.
+FN RaySpan bentRayUnder(Real above, Real directionY, Real bend) {
+  Real square = directionY * directionY - Real(4.0) * bend * above;
+  if (!(square > Real(0.0))) {
+    // Only a ray that keeps its height can be under the level and not cross it.
+    Real far = above < Real(0.0) ? Real(1e30) : Real(-1e30);
+    return make_raySpan(-far, far);
+  }
+  Real root = sqrt(square);
+  Real q = Real(-0.5) * (directionY < Real(0.0) ? directionY - root : directionY + root);
+  Real away = q / max(bend, Real(1e-30));
+  Real near = above / q;
+  return make_raySpan(min(away, near), max(away, near));
+}
+
+// The part between the start and a length that holds all that a bent ray has of a layer, from what it has under the top and
+// under the base. A ray that dips through the layer and rises again leaves the base twice: the air between counts too.
+FN RaySpan bentRayInLayer(RaySpan underTop, RaySpan underBase, Real lengthM) {
+  Real begin = max(underTop.begin, Real(0.0));
+  Real end = min(underTop.end, lengthM);
+  bool isUnderAtBegin = underBase.begin <= begin && underBase.end > begin;
+  bool isUnderAtEnd = underBase.begin < end && underBase.end >= end;
+  if (isUnderAtBegin) begin = underBase.end;
+  if (isUnderAtEnd) end = underBase.begin;
+  return make_raySpan(begin, end);
+}
+
 // What a step of this optical depth takes from the light behind it, in [0, 1]: 1 - exp(-depth) without cancellation
 // (relative error below 5e-6 for depths of 1e-9 and more; 1 for infinite depth; 0 for a depth that is not positive).
 FN Real stepOpacity(Real depth) {

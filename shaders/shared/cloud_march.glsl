@@ -9,7 +9,7 @@ CONST int kMaxStepsPerSegment = 4;
 
 // All loops of a ray together run at most about so many times in one dispatch: longer ones are cut short by some
 // drivers.
-CONST int kMostIterations = 30000;
+CONST int kMostIterations = 22000;
 
 // Of the march of the tiers to play with: samples of a turn of its loops; segments that a ray's light is worked out for at
 // most, and how many of them may be as thin as lightOpacity says.

@@ -10,15 +10,18 @@
 #include <vector>
 
 #include "skydrop/core/hash.h"
+#include "skydrop/core/shared.h"
 
 namespace skydrop::clouds {
 namespace {
+
+namespace f32 = core::shared::f32;
 
 // Of the detail's texels, how many wear less than what counts as the least wear.
 constexpr double kLessWorn = 0.2;
 // Of the ways from clear air into cloud, how many rise faster than what counts as the slope.
 constexpr double kSteeper = 0.02;
-constexpr int kPlaces = 6000;
+constexpr int kPlaces = 6000, kWornPlaces = 20000;
 constexpr std::array kReachesM = {30.0, 60.0, 120.0, 250.0};
 constexpr std::size_t kMostTexels = 32768;  // that are looked at
 
@@ -40,6 +43,39 @@ glm::dvec3 anyDirection(core::RandomStream& random) {
   const double up = 2 * random.nextUnit() - 1, azimuth = 2 * std::numbers::pi * random.nextUnit();
   const double level = std::sqrt(1 - up * up);
   return {level * std::cos(azimuth), up, level * std::sin(azimuth)};
+}
+
+// Constant detail, in [0, 1], that leaves as much cloud of the field as its own detail does: by halving. Wear
+// is the detail near the base and what it lacks to 1 above, where nearly all cloud is, so the mean density
+// rises with it.
+double evenWear(const CloudField& field, double periodM) {
+  const CloudLayerSettings& s = field.layer();
+  const f32::CloudMedium medium{static_cast<float>(s.densityThreshold), static_cast<float>(s.coverage),
+                                static_cast<float>(s.typeShift), static_cast<float>(s.erosion)};
+  struct Place {
+    float height, shape;
+  };
+  std::vector<Place> places;
+  core::RandomStream random{2, 0};
+  double worn = 0;
+  for (int i = 0; i < kWornPlaces; ++i) {
+    const double height = random.nextUnit();
+    const glm::dvec3 place(random.nextUnit() * periodM, s.cloudHeight + s.thickness * height,
+                           random.nextUnit() * periodM);
+    const float shape = field.shapeEstimateInFloat(place);
+    if (!(shape > 0)) continue;
+    places.push_back({static_cast<float>(height), shape});
+    worn += field.densityInFloat(place);
+  }
+  double low = 0, high = 1;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (low + high);
+    double left = 0;
+    for (const Place& place : places)
+      left += f32::erodedDensity(medium, place.height, place.shape, static_cast<float>(middle));
+    (left < worn ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
 }
 
 }  // namespace
@@ -64,6 +100,7 @@ ClearAir measureClearAir(std::shared_ptr<const PackedCloudNoise> noise, const Cl
       if (isBorder) rises.push_back(std::abs(there - here) / static_cast<float>(reach));
     }
   }
+  air.evenWear = evenWear(field, period);
   if (!rises.empty()) air.slopeM = 1 / quantile(rises, 1 - kSteeper);
   return air;
 }

@@ -14,13 +14,19 @@ namespace {
 // size: billows of 250 m to 1 km, detail of 25 to 200 m, weather that changes over kilometres.
 constexpr double kShapePeriodAtOne = 2400, kDetailPeriodAtOne = 8000, kWeatherPeriodAtOne = 1000;
 
+// Of the clouds that are nearer than this, no two are the same. Farther ones may be those of nearer ones, a
+// weather period away: through more than 50 km of air, in another direction, and lower over the horizon.
+constexpr double kUniqueWithinM = 24000;
+
+double leastWeatherPeriod(double fadeDistance) { return 2 * std::min(fadeDistance, kUniqueWithinM); }
+
 // The period in force, and why it is not the one that the scale asks for.
 std::string weatherNote(const CloudLayerSettings& layer, double fadeDistance) {
   char text[128];
-  const bool isBound = kWeatherPeriodAtOne / layer.weatherScale < 2 * fadeDistance;
+  const bool isBound = kWeatherPeriodAtOne / layer.weatherScale < leastWeatherPeriod(fadeDistance);
   const double km = weatherPeriod(layer, fadeDistance) / 1000;
   std::snprintf(text, sizeof text, "The map repeats after %.1f km%s.", km,
-                isBound ? ": twice the fade distance, whatever more is asked for" : "");
+                isBound ? ": twice the fade distance or 48 km, whatever more is asked for" : "");
   return text;
 }
 
@@ -76,7 +82,7 @@ void describeLayer(core::SettingsVisitor& visitor, CloudLayerSettings& s, const 
                                   "Does nothing without erosion by detail.")});
   number("weatherScale", s.weatherScale, "1/km", 0.005, 0.1,
          {.help = "Of the weather map; more brings different weather nearer together. The map is never "
-                  "smaller than twice the fade distance, so that nobody sees it repeat.",
+                  "smaller than twice the fade distance or 48 km, so that nobody sees it repeat.",
           .aliases = "weather map, coverage scale",
           .logarithmic = true,
           .slider = core::Range{0.005, 0.02},
@@ -177,6 +183,17 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
                {.help = "Erodes the edges by detail noise; off, by as much everywhere.",
                 .takesEffect = core::TakesEffect::variant,
                 .aliases = "erosion"});
+  number(
+      "farStartM", s.farStartM, "m", 2000, 60000,
+      "From here on clouds are drawn coarsely: no detail is looked up, steps are longer, edges softer; more "
+      "costs time.",
+      "far field, draw distance, LOD", unlessExact());
+  number("farStep", s.farStep, "1", 1, 16, "How much longer steps are in the far field; less is more exact.",
+         "step size, far field, LOD", unlessExact());
+  number("farTolerance", s.farTolerance, "1", 0.5, 8,
+         "How much more rays may bend in the far field, seen through the air, before there are rays between "
+         "them; more leaves edges softer.",
+         "edge threshold, tolerance, far field", between(MarchResolution::half));
   visitor.choice(
       "history", s.history, kMarchHistoryNames,
       {.help = "In flight, the share of the rays that is marched in each frame; the rest is what the last "
@@ -241,7 +258,7 @@ void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
 double shapePeriod(const CloudLayerSettings& layer) { return kShapePeriodAtOne / layer.scale; }
 double detailPeriod(const CloudLayerSettings& layer) { return kDetailPeriodAtOne / layer.higherScale; }
 double weatherPeriod(const CloudLayerSettings& layer, double fadeDistance) {
-  const double least = std::max(kWeatherPeriodAtOne / layer.weatherScale, 2 * fadeDistance);
+  const double least = std::max(kWeatherPeriodAtOne / layer.weatherScale, leastWeatherPeriod(fadeDistance));
   const double shape = shapePeriod(layer);
   return std::ceil(least / shape) * shape;
 }

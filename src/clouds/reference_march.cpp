@@ -19,12 +19,25 @@ void requireUnit(const glm::dvec3& direction, std::string_view name) {
   throw core::RangeError("the direction " + std::string(name) + " has to be of length 1");
 }
 
+// In the field rays through a shell are bent.
+double bendOf(const MarchMedium& medium, const MarchRay& ray) {
+  return medium.isShell ? f64::rayBend(ray.direction) : 0;
+}
+
+f64::RaySpan layerOf(const MarchMedium& medium, const MarchRay& ray) {
+  if (!medium.isShell) return f64::raySpanBetween(ray.origin.y, ray.direction.y, medium.baseM, medium.topM);
+  const double bend = bendOf(medium, ray);
+  return f64::bentRayInLayer(f64::bentRayUnder(ray.origin.y - medium.topM, ray.direction.y, bend),
+                             f64::bentRayUnder(ray.origin.y - medium.baseM, ray.direction.y, bend),
+                             std::min(ray.endM, medium.fadeDistanceM));
+}
+
 }  // namespace
 
 MarchMedium mediumOf(const CloudField& field) {
   const CloudLayerSettings& layer = field.layer();
   return {[&field](const glm::dvec3& place) { return field.density(place) * field.layer().extinction; },
-          layer.cloudHeight, layer.cloudHeight + layer.thickness, field.fadeDistance()};
+          layer.cloudHeight, layer.cloudHeight + layer.thickness, field.fadeDistance(), true};
 }
 
 double sunDepth(const MarchMedium& medium, const glm::dvec3& toSun, const glm::dvec3& place, int samples) {
@@ -44,9 +57,9 @@ MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, c
                            const MarchSteps& steps) {
   requireUnit(light.toSun, "to the sun");
   requireUnit(ray.direction, "of the ray");
-  const f64::RaySpan span =
-      f64::overlap(f64::raySpanBetween(ray.origin.y, ray.direction.y, medium.baseM, medium.topM),
-                   f64::make_raySpan(ray.beginM, std::min(ray.endM, medium.fadeDistanceM)));
+  const f64::RaySpan span = f64::overlap(
+      layerOf(medium, ray), f64::make_raySpan(ray.beginM, std::min(ray.endM, medium.fadeDistanceM)));
+  const double bend = bendOf(medium, ray);
   MarchResult result;
   const double thickness = medium.topM - medium.baseM;
   if (steps.steps <= 0 || !(span.end > span.begin && thickness > 0)) return result;
@@ -57,9 +70,10 @@ MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, c
   double passed = 0, opacity = 0, distance = 0;
   for (int i = 0; i < steps.steps; ++i) {
     const double at = span.begin + (i + 0.5) * step;
-    const glm::dvec3 place = ray.origin + ray.direction * at;
+    const glm::dvec3 place = ray.origin + f64::placeOnBentRay(ray.direction, bend, at);
     const double depth = medium.extinction(place) * f64::cloudFade(at, medium.fadeDistanceM) * step;
-    if (!(depth > 0)) continue;
+    const bool isBetween = medium.isShell && (place.y < medium.baseM || place.y > medium.topM);
+    if (isBetween || !(depth > 0)) continue;
     // expm1 and one exp of the sum: the shared series is made for 32 bits.
     const double share = std::exp(-passed) * -std::expm1(-depth);
     passed += depth;

@@ -99,21 +99,30 @@ struct TierRow {
   Faults faults;
 };
 
+// Clouds that end at 24 km, without a far field: with no sky behind them, what lies beyond, most of it light
+// of the air, would count as cloud against black. Judged in farFieldOfClouds and in the study clouds-far.
+clouds::CloudSettings nearSettingsOf(CloudTier tier) {
+  clouds::CloudSettings settings = settingsOf(tier);
+  settings.fadeDistance = 24000;
+  settings.march.farStartM = 60000;
+  return settings;
+}
+
 // The plain march and the tiers take turns.
 void tiersOfClouds(benchmark::State& state) {
   CloudStudy study(kStudySize);
   const CloudView& from = kCloudViews[static_cast<std::size_t>(state.range(0))];
   for (auto _ : state) {
-    study.use(settingsOf(CloudTier::reference));
+    study.use(nearSettingsOf(CloudTier::reference));
     const Cost ofReference = study.draw(from);
     const CloudPicture reference = study.picture();
-    study.use(settingsOf(CloudTier::low));  // what the plain march's frames draw besides
+    study.use(nearSettingsOf(CloudTier::low));  // what the plain march's frames draw besides
     std::array<TierRow, std::size(kPromises)> rows;
     Cost plain;
     for (int round = 0; round < kRounds; ++round) {
       plain = best(plain, study.drawPlain(from));
       for (std::size_t i = 0; i < rows.size(); ++i) {
-        study.use(settingsOf(kPromises[i].tier));
+        study.use(nearSettingsOf(kPromises[i].tier));
         study.draw(from);  // makes the textures of its size
         for (int again = 0; again < 2; ++again) rows[i].cost = best(rows[i].cost, study.draw(from));
         const CloudPicture picture = study.picture();
@@ -137,6 +146,41 @@ void tiersOfClouds(benchmark::State& state) {
   state.SetLabel(std::string(from.name) + ", " + study.renderer());
 }
 BENCHMARK(tiersOfClouds)->DenseRange(0, 3)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
+
+// Clouds to 60 km against clouds that end at 24 km: frames take turns.
+void farFieldOfClouds(benchmark::State& state) {
+  constexpr int kFrames = 6;
+  CloudStudy study({640, 360});
+  const CloudView& from = kCloudViews[static_cast<std::size_t>(state.range(0))];
+  for (auto _ : state) {
+    std::printf("%-8s %-9s %9s %9s %7s\n", "view", "tier", "ms", "to 24 km", "ratio");
+    for (const CloudTier tier : {CloudTier::low, CloudTier::medium, CloudTier::high}) {
+      const clouds::CloudSettings far = settingsOf(tier);
+      const clouds::CloudSettings near = nearSettingsOf(tier);
+      Cost ofFar, ofNear;
+      for (int i = 0; i < kFrames; ++i) {
+        study.use(near);
+        const Cost now = study.draw(from);
+        study.use(far);
+        const Cost then = study.draw(from);
+        if (i == 0) continue;  // makes programs and textures
+        ofNear = best(ofNear, now);
+        ofFar = best(ofFar, then);
+      }
+      const double ratio = ofFar.processorMs / ofNear.processorMs;
+      std::printf("%-8s %-9s %9.1f %9.1f %7.2f\n", from.name, nameOf(tier), ofFar.processorMs,
+                  ofNear.processorMs, ratio);
+      std::fflush(stdout);
+      state.counters[std::string(nameOf(tier)) + "Ratio"] = ratio;
+      if (tier == CloudTier::high)
+        expect(
+            ratio <= 1.15,
+            (std::string("the far field takes more than .15 of the clouds' pass from ") + from.name).c_str());
+    }
+  }
+  state.SetLabel(std::string(from.name) + ", " + study.renderer());
+}
+BENCHMARK(farFieldOfClouds)->DenseRange(0, 3)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
 
 void memoryOfClouds(benchmark::State& state) {
   constexpr double kMiB = 1024 * 1024;

@@ -94,6 +94,7 @@ TEST_F(CloudReferenceGLTest, theReferenceTierIsTheMarchInDoubles) {
   // the half float's, the rest that up to four steps share one place of light) and, where a cloud is thin, of
   // 1e-3 of the brightest ray: there light is off by what the transmittance is off, times a source as bright
   // as that.
+  clouds_.fadeDistance = 24000;  // steps grow with the distance: C34 looks farther, with shorter ones
   addClouds(test::sharedNoise());
   clouds_.march = test::rowsOf(clouds::CloudTier::reference);
   Worst worst;
@@ -108,12 +109,29 @@ TEST_F(CloudReferenceGLTest, theReferenceTierIsTheMarchInDoubles) {
 TEST_F(CloudReferenceGLTest, aSunJustOverTheHorizonIsAsGoodAsItsSamples) {
   // At 4 degrees the way to the sun is 26 km long and its 128 samples stand up to 400 m apart: against 2048
   // of them light is within 1.5 % of the brightest ray. (With 128 the march in doubles is as far off.)
+  clouds_.fadeDistance = 24000;  // steps grow with the distance: C34 looks farther, with shorter ones
   addClouds(test::sharedNoise());
   clouds_.march = test::rowsOf(clouds::CloudTier::reference);
   settings_.sun.elevationDegrees = 4;
   Worst worst;
-  for (const View& view : views()) compare(view, {2048, 2048}, {1e-3, 2e-3, 0.015}, worst);
+  for (const View& view : views()) compare(view, {4096, 2048}, {1e-3, 2e-3, 0.015}, worst);
   EXPECT_GE(worst.clouded, 36) << "proves little";
+  record(worst);
+}
+
+TEST_F(CloudReferenceGLTest, C34_theExactMarchBendsAsTheMarchInDoubles) {
+  // Rays within two degrees of the horizon, from below, from just over the base (some leave the layer and
+  // enter it again), from within and from just over the top, to 60 km: as near as those of the other views,
+  // in steps that do not grow to more than 8 m. (The tier's own, 64 m long out there, are off by up to .006
+  // of the transmittance of single rays.)
+  addClouds(test::sharedNoise());
+  clouds_.march = test::rowsOf(clouds::CloudTier::reference);
+  clouds_.march.stepGrowth = 0.0002;
+  settings_.camera.fovDegrees = 3;
+  Worst worst;
+  for (const double height : {900.0, 1600.0, 2400.0, 3500.0})
+    compare(small({500, height, -300}, 40, 0), {16384, 128}, {1.5e-3, 2e-3, 2e-3}, worst);
+  EXPECT_GE(worst.clouded, 30) << "proves little";
   record(worst);
 }
 
@@ -128,26 +146,32 @@ class ProfileQuadrature {
     }
   }
 
-  // For a ray from below the layer or above it.
-  clouds::MarchResult along(const glm::dvec3& direction) const {
+  // For a ray from below the layer or above it: the earth's curve makes it rise over the layer the steeper,
+  // the higher it is above the eye.
+  clouds::MarchResult along(const glm::dvec3& direction, double eyeHeight) const {
     const double depth = settings_.layers[0].extinction * settings_.layers[0].thickness;
     const f64::Vec4 phases =
         f64::cloudPhases(glm::dot(direction, light_.toSun), light_.anisotropy, light_.forwardShare);
     clouds::MarchResult result;
-    double behind = 1;
+    const double bend = f64::rayBend(direction);
+    double behind = 1, passed = 0;
     for (int i = 0; i < kParts; ++i) {
       const int part = direction.y > 0 ? i : kParts - 1 - i;
       const double height = (part + 0.5) / kParts;
       const double from = below_[static_cast<std::size_t>(part)],
                    to = below_[static_cast<std::size_t>(part) + 1];
-      const double share = behind * -std::expm1(-depth * (to - from) / std::abs(direction.y));
+      const double over =
+          settings_.layers[0].cloudHeight + height * settings_.layers[0].thickness - eyeHeight;
+      const double here = depth * (to - from) / std::sqrt(direction.y * direction.y + 4 * bend * over);
+      const double share = behind * -std::expm1(-here);
+      passed += here;
       const double above = below_.back() - 0.5 * (from + to);
       result.sun += share * f64::scatteredSun(phases, depth * above / light_.toSun.y);
       result.sky += share * f64::scatteredSky(height);
       result.ground += share * f64::scatteredGround(height);
       behind -= share;
     }
-    result.transmittance = std::exp(-depth * below_.back() / std::abs(direction.y));
+    result.transmittance = std::exp(-passed);
     return result;
   }
 
@@ -181,8 +205,8 @@ TEST_F(CloudReferenceGLTest, aMediumOfTheHeightAloneHasItsQuadrature) {
           const glm::dvec3 direction = rayDirection(view, {x + 0.5, y + 0.5});
           ASSERT_GT(std::abs(direction.y), 0.1);
           expectNear(glm::dvec4(found[static_cast<std::size_t>(y * kWidth + x)]),
-                     litBy(quadrature.along(direction), view.position.y), brightest, {6e-4, 1.5e-3, 1e-4},
-                     worst);
+                     litBy(quadrature.along(direction, view.position.y), view.position.y), brightest,
+                     {6e-4, 1.5e-3, 1e-4}, worst);
         }
       }
     }
@@ -330,7 +354,7 @@ class CloudCountGLTest : public CloudReferenceGLTest {
 };
 
 TEST_F(CloudCountGLTest, noDispatchRunsMoreLoopsThanADriverAllows) {
-  // In mist that rays go through for 24 km, several dispatches are needed. None runs a ray for more than 32
+  // In mist that rays go through for 60 km, several dispatches are needed. None runs a ray for more than 24
   // 000 turns of all its loops: steps, segments and samples to the sun. Rays that run together wait for the
   // slowest of them at each segment: 16 of them (what the widest software renderer runs at once) stay below
   // the 65 535 turns at which llvmpipe ends a loop.
@@ -358,7 +382,7 @@ TEST_F(CloudCountGLTest, noDispatchRunsMoreLoopsThanADriverAllows) {
       mostOfGroup = std::max(mostOfGroup, turns);
     }
   }
-  EXPECT_LE(mostOfRay, 32000u);
+  EXPECT_LE(mostOfRay, 24000u);
   EXPECT_GT(mostOfRay, 20000u) << "the bound was not met";
   EXPECT_LT(mostOfGroup, 65535u);
   RecordProperty("turnsOfARay", static_cast<int>(mostOfRay));
@@ -383,7 +407,7 @@ TEST_F(CloudCountGLTest, C24_aRayThatMeetsNothingKeepsTheFarMarker) {
   for (const CountingPass::Ray& ray : dispatches.back()) {
     if (ray.weight > 0) {
       ++met;
-      ASSERT_TRUE(ray.distance > 900 && ray.distance < 24000) << ray.distance;
+      ASSERT_TRUE(ray.distance > 900 && ray.distance < 60000) << ray.distance;
     } else {
       ++clear;
       ASSERT_EQ(ray.distance, 65000.0f);

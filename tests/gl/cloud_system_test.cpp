@@ -51,6 +51,25 @@ TEST_F(CloudSystemGLTest, marchesOnlyTilesThatMayShowCloud) {
   EXPECT_LT(system_->lastWork().tiles, all);
 }
 
+TEST_F(CloudSystemGLTest, C34_theLayerIsInViewWhereTheEarthBringsItThere) {
+  // In the distance the layer is 282 m lower. From 200 m below the base, a view of a degree whose upper edge
+  // lies .05 degrees below the horizon sees it; one that lies .5 degrees below does not. From 200 m over the
+  // top a view just below the horizon sees none (it would of a flat layer); from 10 m it does.
+  settings_.camera.fovDegrees = 1;
+  clouds_.layers[0].coverage = 1;
+  const auto reasonAt = [&](double height, double pitch) {
+    return skipReasonOf(pose({0, height, 0}, 40, pitch, 0, 64, 64));
+  };
+  const double base = clouds_.layers[0].cloudHeight, top = base + clouds_.layers[0].thickness;
+  EXPECT_EQ(reasonAt(base - 200, -0.55), "");
+  EXPECT_EQ(reasonAt(base - 200, -1), "the layer is out of view");
+  EXPECT_EQ(reasonAt(base - 400, -0.55), "the layer is out of view");
+  EXPECT_EQ(reasonAt(top + 200, 0.2), "the layer is out of view");
+  EXPECT_EQ(reasonAt(top + 10, 0.2), "");
+  clouds_.fadeDistance = 24000;
+  EXPECT_EQ(reasonAt(base - 200, -0.55), "the layer is out of view");
+}
+
 TEST_F(CloudSystemGLTest, C31_dispatchesNothingWhereNoCloudCanBeSeen) {
   // A clear sky, a layer outside the picture or faded, and the tier off: no dispatch at all, and a reason.
   const auto dispatches = [&](const View& view) {

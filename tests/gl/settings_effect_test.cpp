@@ -235,6 +235,10 @@ TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference
   const std::vector<Given> kGiven = {
       {"clouds.march.coarseTolerance", {"clouds.march.resolution=quarter"}, {240, 135}},
       {"clouds.march.fineTolerance", {"clouds.march.resolution=half"}, {240, 135}},
+      {"clouds.march.farTolerance",
+       {"clouds.march.resolution=quarter", "clouds.march.coarseTolerance=0.1",
+        "clouds.march.fineTolerance=0.1", "clouds.march.farStartM=2000"},
+       {240, 135}},
       {"clouds.march.stepGrowth", {"clouds.march.stepM=4"}},
       {"clouds.march.maxSegmentOpticalDepth", {"clouds.march.exact=true"}},
       {"clouds.march.sunSamples", {"clouds.march.exact=true"}},

@@ -34,7 +34,13 @@ TEST(CloudSettings, theFadeDistanceChangesTheFieldWhereItBoundsTheWeathersPeriod
   CloudSettings near, far;
   near.fadeDistance = 1000;
   far.fadeDistance = 60000;
+  EXPECT_TRUE(isSameField(near, far, 0));  // 50 km is asked for
+  near.layers[0].weatherScale = far.layers[0].weatherScale = 0.1;
   EXPECT_FALSE(isSameField(near, far, 0));
+  // Beyond 24 km it does not bound it any more: what is nearer stays as it is.
+  near.fadeDistance = 24000;
+  EXPECT_TRUE(isSameField(near, far, 0));
+  EXPECT_GE(weatherPeriod(far.layers[0], far.fadeDistance), 48000);
   EXPECT_EQ(core::SettingsTable(near).at("fadeDistance").takesEffect, core::TakesEffect::liveRebuild);
   near.march.stepM = 99;
   EXPECT_TRUE(isSameField(near, near, 0));

@@ -43,6 +43,10 @@ struct MarchSettings {
   double sunStepM = 8, sunStepGrowth = 0.07, sunStepPerDepthM = 5;
   double sunClearStride = 1;  // 0 .. 2: as clearStride
   bool detail = true;         // detail erodes the edges; off: its mean does
+  // The far field: m from the eye, 2e3 .. 60e3, where it begins. Beyond, no detail is looked up, steps are
+  // `farStep` times as long (1 .. 16), and rays may bend by so many times the tolerances (0.5 .. 8), over
+  // what the air leaves of their light, before there are more of them. The exact march has none.
+  double farStartM = 20000, farStep = 3, farTolerance = 1.5;
   // Only of frames that follow others (render::FrameInput::followsLast): what share of the rays is marched,
   // in turns; the rest is what the last frame saw of the same cloud.
   MarchHistory history = MarchHistory::off;
@@ -82,7 +86,7 @@ struct CloudLayerSettings {
 
 struct CloudSettings {
   std::array<CloudLayerSettings, kCloudLayers> layers;
-  double fadeDistance = 24000;  // m from the eye, 1e3 .. 60e3: no layer is seen beyond it
+  double fadeDistance = 60000;  // m from the eye, 1e3 .. 60e3: no layer is seen beyond it
   CloudTier tier = CloudTier::high;
   MarchSettings march;
 
@@ -95,8 +99,8 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& settings);
 void describe(core::SettingsVisitor& visitor, CloudSettings& settings);
 
 // Sides of the periods with which the noise textures repeat, metres. The weather map's is at least twice the
-// distance at which clouds have faded out, and a whole number of the shape's: the field before erosion
-// repeats with it.
+// distance at which clouds have faded out or 48 km, whichever is less, and a whole number of the shape's: the
+// field before erosion repeats with it.
 double shapePeriod(const CloudLayerSettings& layer);
 double detailPeriod(const CloudLayerSettings& layer);
 double weatherPeriod(const CloudLayerSettings& layer, double fadeDistance);

@@ -43,6 +43,7 @@ struct MarchMedium {
   std::function<double(const glm::dvec3&)> extinction;
   double baseM = 0, topM = 0;
   double fadeDistanceM = 1e30;
+  bool isShell = false;  // around the earth, which falls away from the eye (rayBend()); else a flat layer
 };
 MarchMedium mediumOf(const CloudField& field);  // the field has to outlive it
 

@@ -19,8 +19,8 @@ namespace skydrop::render {
 namespace {
 
 constexpr GLuint kSceneDepthUnit = 6, kLightUnit = 7, kDistancesUnit = 8;  // as in shaders/clouds
-constexpr double kFineShadowMapM = 60, kFineShadowRadiusM = 6000,
-                 kCoarseShadowMapM = 240;  // cells of shadows
+constexpr double kFineShadowMapM = 60, kFineShadowRadiusM = 6000, kCoarseShadowMapM = 240,
+                 kCoarseShadowRadiusM = 24000;  // cells of shadows, how far they reach
 
 struct TilesHeader {
   Groups ofOne, ofFour;
@@ -31,8 +31,7 @@ bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, doub
   const double below = layer.cloudHeight - view.position.y,
                above = view.position.y - layer.cloudHeight - layer.thickness;
   if (below <= 0 && above <= 0) return false;
-  const double distance = std::max(below, above);
-  if (distance >= fadeDistance) return true;
+  if (std::max(below, above) >= fadeDistance) return true;
   // The steepest ray towards the layer: a corner of the picture, or straight up or down where that is in
   // view.
   const glm::dvec3 towards(0, below > 0 ? 1 : -1, 0);
@@ -46,7 +45,12 @@ bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, doub
   const glm::dmat3 toView = glm::inverse(rayMatrix(view));
   const glm::dvec3 pole = toView * towards;
   if (pole.z > 0 && std::abs(pole.x) <= pole.z && std::abs(pole.y) <= pole.z) steepest = 1;
-  return steepest * fadeDistance <= distance;
+  // As rays that rise over the layer by `bend` times the square of their length.
+  const double bend = core::shared::f64::rayBend({std::sqrt(1 - std::min(steepest * steepest, 1.0)), 0, 0});
+  if (below > 0) return (steepest + bend * fadeDistance) * fadeDistance <= below;
+  if (steepest <= 0) return true;
+  const double lowest = std::min(fadeDistance, steepest / std::max(2 * bend, 1e-30));
+  return (steepest - bend * lowest) * lowest <= above;
 }
 
 }  // namespace
@@ -165,7 +169,7 @@ CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
   };
   const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadowRadiusM);
   return CloudShadowMap(sky, baseAndThickness, fine,
-                        map(*coarseShadowMap_, kCoarseShadowMapM, settings_.fadeDistance));
+                        map(*coarseShadowMap_, kCoarseShadowMapM, kCoarseShadowRadiusM));
 }
 
 LightShares CloudSystem::lightAt(const glm::dvec3& place, const FrameInput& frame) const {

@@ -1,10 +1,12 @@
 #include "render/clouds/cloud_uniforms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
 #include "skydrop/clouds/occupancy.h"
 #include "skydrop/clouds/raised_sun.h"
+#include "skydrop/core/shared.h"
 
 namespace skydrop::render {
 namespace {
@@ -15,6 +17,18 @@ glm::vec4 packed(const glm::dvec3& xyz, double w) { return glm::vec4(glm::vec3(x
 glm::vec4 inPeriods(const glm::dvec3& place, double period) {
   const glm::dvec3 periods = place / period;
   return packed(periods - glm::floor(periods), 1 / period);
+}
+
+// Where steps begin to grow: an even number of them, so that longer steps begin at multiples of themselves.
+double growthBegin(const clouds::MarchSettings& march) {
+  return march.stepM * 2 * std::round(0.5 / march.stepGrowth);
+}
+
+// Where the far field begins: at the end of a turn of its steps, however often those before it have doubled.
+double farBegin(const clouds::MarchSettings& march) {
+  const double doubled = std::max(0.0, std::floor(std::log2(march.farStartM / growthBegin(march))));
+  const double turn = core::shared::f64::kSamplesATurn * march.stepM * std::exp2(doubled) * march.farStep;
+  return std::max(1.0, std::round(march.farStartM / turn)) * turn;
 }
 
 }  // namespace
@@ -46,13 +60,12 @@ void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const S
 void addMarch(CloudUniforms& u, const clouds::CloudSettings& settings, const clouds::ClearAir& clearAir,
               const View& view, int tilePixels) {
   const clouds::MarchSettings& march = settings.march;
-  // Where steps begin to grow: an even number of them, so that longer steps begin at multiples of themselves.
-  const double growthBegins = march.stepM * 2 * std::round(0.5 / march.stepGrowth);
-  u.march = glm::vec4(march.stepM, growthBegins, march.lightOpacity, march.transmittanceCutoff);
+  u.march = glm::vec4(march.stepM, growthBegin(march), march.lightOpacity, march.transmittanceCutoff);
   u.strides = glm::vec4(clearAir.leastShape, clearAir.slopeM * march.clearStride,
                         clearAir.slopeM * march.sunClearStride, 0);
   u.sunSteps = glm::vec4(march.sunStepM, march.sunStepGrowth, march.sunStepPerDepthM, 0);
   u.exact = glm::vec4(march.maxSegmentOpticalDepth, 0, 0, 0);
+  u.farField = glm::vec4(farBegin(march), march.farStep, march.farTolerance, clearAir.evenWear);
   // Of a tile in the middle of the picture; elsewhere it is seen under a smaller angle.
   const double halfDiagonal = 1.02 * std::sqrt(0.5) * tilePixels * view.pixelAngleRad();
   u.sight = glm::vec4(halfDiagonal, march.coarseTolerance, march.fineTolerance, 0);

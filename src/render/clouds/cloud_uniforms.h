@@ -23,6 +23,7 @@ struct CloudUniforms {
   glm::vec4 sunLight, skyLight, groundLight;
   glm::vec4 march, strides, sunSteps, exact;
   glm::vec4 cells;
+  glm::vec4 farField;
   glm::vec4 sight;
 };
 

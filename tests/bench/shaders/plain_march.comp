@@ -23,15 +23,14 @@ void main() {
   if (pixel.x >= viewSize().x || pixel.y >= viewSize().y) return;
   vec3 ray = rayThrough(vec2(pixel) + 0.5);
   vec3 direction = normalize(ray);
-  RaySpan span = overlap(raySpanBetween(0.0, direction.y, clouds.layer.x, clouds.layer.x + clouds.layer.y),
-                         make_raySpan(0.0, min(clouds.layer.z, sceneDistance(texelFetch(sceneDepth, pixel, 0).x, ray))));
+  RaySpan span = spanOfRay(direction, sceneDistance(texelFetch(sceneDepth, pixel, 0).x, ray), Task(0u, 0.0, clouds.layer.z, 0u));
   Gathered march = Gathered(0.0, 0.0, 0.0, 1.0, 0.0, 0.0);
   if (span.end > span.begin) {
     vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
     float step = (span.end - span.begin) / float(steps);
     for (int i = 0; i < steps; ++i) {
       float middle = span.begin + (float(i) + 0.5) * step;
-      vec3 place = direction * middle;
+      vec3 place = placeOnBentRay(direction, rayBend(direction), middle);
       float height = heightFraction(place);
       float gain = march.transmittance *
                    stepOpacity(extinctionAt(place) * cloudFade(middle, clouds.layer.z) * step);

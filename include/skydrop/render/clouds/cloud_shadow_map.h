@@ -1,7 +1,7 @@
 // What clouds leave of the light on land and sea. Of the sun: the optical depth of the whole layer along each
-// sun ray, in a fine grid near the eye and a coarse one out to where clouds have faded. Of the sky:
-// clouds::SkyCover. A resource of the frame (FrameResources), published by CloudShadowPass, read by whoever
-// lights a surface below the layer (shaders/clouds/shadow_map.glsl).
+// sun ray, in a fine grid near the eye and a coarse one out to 24 km, or to where clouds have faded. Of the
+// sky: clouds::SkyCover. A resource of the frame (FrameResources), published by CloudShadowPass, read by
+// whoever lights a surface below the layer (shaders/clouds/shadow_map.glsl).
 #pragma once
 
 #include <array>
