@@ -110,6 +110,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::CameraSettings;
   using render::GroundFogSettings;
   using render::RenderSettings;
+  using render::SkySettings;
   using render::SunSettings;
   using terrain::TerrainSettings;
   using terrain::TerrainStreamingSettings;
@@ -128,6 +129,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(PostProcess),        SKYDROP_STRUCT(NoiseToolSettings),
       SKYDROP_STRUCT(CloudPlaneSettings), SKYDROP_STRUCT(CloudPlanesSettings),
       SKYDROP_STRUCT(CloudDomeSettings),  SKYDROP_STRUCT(GroundFogSettings),
+      SKYDROP_STRUCT(SkySettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {
