@@ -240,5 +240,44 @@ TEST(SkyShell, noStepIsSeenAtTheHorizon) {
   }
 }
 
+TEST(SkyShell, theAirUpToADistanceAndTheSkyBehindItAreTheWholeSky) {
+  // What an eye sees is the light of the air up to a distance, and the sky that an eye there sees through
+  // that air: from tables of another height and another elevation of the sun. Within 3 % of the whole sky's
+  // mean by day and in twilight; in twilight at 60 km, beyond the last slice with a distance, within 10 %.
+  const AirTables tables(clearAir());
+  for (const double sun : {40.0, 5.0, -2.0}) {
+    for (const double distance : {1000.0, 6000.0, 20000.0, 60000.0}) {
+      Sums sums;
+      for (const double sine : {0.03, 0.1, 0.4}) {
+        for (const double cosAzimuth : {-0.8, 0.1, 0.9}) {
+          const double sunSine = sineOf(sun), across = std::sqrt(1 - sine * sine);
+          const double between = sine * sunSine + across * std::sqrt(1 - sunSine * sunSine) * cosAzimuth;
+          const double height = f64::shellHeightAlong(kEyeM, sine, distance),
+                       up = f64::shellCosineAlong(kEyeM, sine, distance),
+                       sunThere = ((f64::kEarthRadius + kEyeM) * sunSine + distance * between) /
+                                  (f64::kEarthRadius + height);
+          const double azimuthThere =
+              (between - up * sunThere) / std::sqrt((1 - up * up) * (1 - sunThere * sunThere));
+          const SkyView here = makeSkyView(tables, kEyeM, sunSine),
+                        there = makeSkyView(tables, height, sunThere);
+          const double phase = f64::henyeyGreenstein(between, 0.7);
+          const auto skyOf = [&](const SkyView& view, double towards, double azimuth) {
+            return view.at(SkyLayer::skyEven, towards, azimuth) +
+                   view.at(SkyLayer::skyHaze, towards, azimuth) * phase;
+          };
+          const glm::dvec3 kept = here.at(SkyLayer::left, sine, 0) / there.at(SkyLayer::left, up, 0);
+          const glm::dvec3 mean = here.upTo(SkyLayer::airEven, sine, cosAzimuth, distance) +
+                                  here.upTo(SkyLayer::airHaze, sine, cosAzimuth, distance) * phase;
+          const glm::dvec3 whole = skyOf(here, sine, cosAzimuth);
+          sums.add(mean * (1.0 - kept) + kept * skyOf(there, up, azimuthThere) - whole, whole);
+        }
+      }
+      const glm::dvec3 error = sums.relative();
+      const double most = sun < 0 && distance > 50000 ? 0.10 : 0.03;
+      EXPECT_LT(std::max({error.x, error.y, error.z}), most) << sun << ' ' << distance;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace skydrop::sky
