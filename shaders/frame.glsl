@@ -1,6 +1,7 @@
 // What every shader of a frame may read: the block of include/skydrop/render/frame/frame_uniforms.h and what follows from
 // it. Light is multiplied by exposure; positions are relative to the eye, in world axes (metres).
 #include "shared/atmosphere.glsl"
+#include "shared/atmosphere_shell.glsl"
 #include "shared/depth.glsl"
 #include "shared/half_float.glsl"
 
@@ -26,6 +27,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 horizonRayleigh;
   vec4 horizonHaze;
   vec4 horizonIsotropic;
+  vec4 skyTable;
 } frame;
 
 #include "sky/atmosphere.glsl"

@@ -36,5 +36,5 @@ vec4 domeLight(vec3 direction, float rim, vec3 airLeft) {
   float shade = meanDepth(texture(noise, noisePlace(place + towardsSun)).r - cutoff, kDomeShadeBlur);
   vec3 light = sheetLight(direction, here, shade, 0.0) * cloudColor;
   float opacity = bias * sheetCoverOpacity(cover, 1.0) * smoothstep(0.0, 1.0, rim);
-  return vec4(throughAir(light, direction, airLeft), 1.0) * opacity;
+  return vec4(throughAir(light, direction, domeDistance(direction.y, frame.eye.x), airLeft), 1.0) * opacity;
 }

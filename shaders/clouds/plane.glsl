@@ -42,5 +42,5 @@ vec4 planeLight(vec3 relative, vec2 place, vec2 weatherPlace, vec2 finePlace, fl
   opacity *= smoothstep(0.0, 1.0, rim) * smoothstep(0.0, kNearFadeM, distanceM);
   float shade = meanDepth(textureLod(noise, place + towardsSun, max(level, 1.5)).r - cut, max(spread, kShadeBlur));
   vec3 light = sheetLight(direction, cover.depth, shade, relative.y < 0.0 ? 1.0 : 0.0);
-  return vec4(throughAir(light, direction, airLeft), 1.0) * opacity;
+  return vec4(throughAir(light, direction, distanceM, airLeft), 1.0) * opacity;
 }

@@ -7,9 +7,7 @@
 vec3 throughAir(vec3 light, float opacity, vec3 direction, float distanceM) {
 #ifdef HAZE
   vec3 left = airTransmittance(direction.y * distanceM, distanceM);
-  vec3 leftOfSky = airTransmittanceTowards(direction);
-  vec3 share = min((1.0 - left) / max(1.0 - leftOfSky, vec3(1e-6)), vec3(1.0));
-  return light * left + skyTowards(direction) * share * opacity;
+  return light * left + airBeforeSky(direction, distanceM, left) * opacity;
 #else
   return light;
 #endif

@@ -64,9 +64,9 @@ float meanDepth(float above, float spread) {
 }
 
 // applyAerialPerspective() with the transmittance of the air from the vertices.
-vec3 throughAir(vec3 light, vec3 direction, vec3 airLeft) {
+vec3 throughAir(vec3 light, vec3 direction, float distanceM, vec3 airLeft) {
 #ifdef HAZE
-  return light * airLeft + horizonRadiance(direction) * (1.0 - airLeft);
+  return light * airLeft + airRadiance(direction, distanceM) * (1.0 - airLeft);
 #else
   return light;
 #endif

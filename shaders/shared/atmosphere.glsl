@@ -30,6 +30,11 @@ CONST Real kRayleighHeight = Real(8000.0);
 // Single-scattering albedo of continental aerosol (Shettle and Fenn 1979: 0.9 to 0.96).
 CONST Real kHazeAlbedo = Real(0.94);
 
+// Absorption in the middle of the ozone layer, 1/m: a vertical optical depth of kOzoneDepth in a tent of 15 km to each
+// side (shared/atmosphere_shell.glsl).
+CONST Vec3 kOzoneDepth = Vec3(Real(0.0240), Real(0.0295), Real(0.0015));
+CONST Vec3 kOzone = kOzoneDepth / Real(15000.0);
+
 // Albedo of average land and sea, [0, 1], for light from below.
 CONST Real kGroundAlbedo = Real(0.12);
 
@@ -40,6 +45,7 @@ struct Atmosphere {
   Real hazeHeight;      // scale height of aerosol, m, > 0
   Real hazeAlbedo;      // share of the aerosol's extinction that is scattering, [0, 1]
   Real hazeAnisotropy;  // g of its phase function, [-0.95, 0.95]
+  Vec3 ozone;           // absorption in the middle of the ozone layer, 1/m, [0, 1e-4]; the closed form has its own
 };
 
 // Air in which contrast at sea level falls to 2 % over the visibility (m, > 0): 3.912 extinction lengths (Koschmieder
@@ -53,6 +59,7 @@ FN Atmosphere make_atmosphere(Real visibilityM, Real hazeHeightM, Real hazeAniso
   air.hazeHeight = hazeHeightM;
   air.hazeAlbedo = kHazeAlbedo;
   air.hazeAnisotropy = hazeAnisotropy;
+  air.ozone = kOzone;
   return air;
 }
 
@@ -107,7 +114,7 @@ FN Vec3 exp3(Vec3 v) { return Vec3(exp(v.x), exp(v.y), exp(v.z)); }
 FN Vec3 ozoneTransmittance(Real cosZenith) {
   Real c = max(cosZenith, Real(0.0));
   Real path = Real(1.0) / sqrt(c * c + Real(0.00785)) + Real(250.0) * clamp(-cosZenith, Real(0.0), Real(0.08));
-  return exp3(Vec3(Real(-0.0240), Real(-0.0295), Real(-0.0015)) * path);
+  return exp3(-kOzoneDepth * path);
 }
 
 // Of sunlight from above the atmosphere down to a height.

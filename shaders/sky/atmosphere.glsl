@@ -1,6 +1,7 @@
-// The frame's sky and haze. Shaders ask these functions alone, so that the model of the atmosphere
-// (shared/atmosphere.glsl) can be replaced here. Included by frame.glsl after the block; directions are unit vectors,
-// light is multiplied by exposure.
+// The frame's sky and haze. Shaders ask these functions alone, so that the model of the atmosphere can be replaced here:
+// with SKY_SHELL that of shared/atmosphere_shell.glsl by tables (render/frame/sky_tables.h), without it the closed form of
+// shared/atmosphere.glsl. Included by frame.glsl after the block; directions are unit vectors, light is multiplied by
+// exposure.
 Atmosphere frameAtmosphere() {
   Atmosphere air;
   air.rayleigh = frame.airRayleigh.xyz;
@@ -9,6 +10,7 @@ Atmosphere frameAtmosphere() {
   air.hazeHeight = frame.airHaze.y;
   air.hazeAlbedo = frame.airHaze.z;
   air.hazeAnisotropy = frame.airHaze.w;
+  air.ozone = vec3(0.0);  // below 10 km, where light between places is looked at, there is none
   return air;
 }
 
@@ -25,6 +27,76 @@ SkyColumn frameColumn() {
   return column;
 }
 
+// Transmittance of the air between the eye and a place that is higher by riseM and distanceM away.
+vec3 airTransmittance(float riseM, float distanceM) {
+  return transmittanceBetween(frameAtmosphere(), frame.eye.x, frame.eye.x + riseM, distanceM);
+}
+
+#ifdef SKY_SHELL
+// Of the whole sky (sky::SkyLayer): light by itself, light to be multiplied by the haze's phase function, and
+// transmittance.
+layout(binding = 15) uniform sampler2DArray skyTables;
+const float kSkyEven = 0.0, kSkyHaze = 1.0, kSkyLeft = 2.0;
+// Of the air up to a distance: slices of the first and then of the second, as means along the ray.
+layout(binding = 14) uniform sampler3D airTables;
+
+vec2 skyTablePlace(vec3 direction) {
+  float cosAzimuth = dot(direction.xz, frame.skyTable.zw) * inversesqrt(max(dot(direction.xz, direction.xz), 1e-12));
+  vec2 at = vec2(skyTableColumn(cosAzimuth), skyTableRow(direction.y, frame.skyTable.x, frame.skyTable.y));
+  return (at + 0.5) / vec2(float(kSkyColumns), float(kSkyRows));
+}
+
+vec3 skyByTable(vec3 direction, float anisotropy) {
+  vec2 place = skyTablePlace(direction);
+  return textureLod(skyTables, vec3(place, kSkyEven), 0.0).xyz +
+         textureLod(skyTables, vec3(place, kSkyHaze), 0.0).xyz *
+             henyeyGreenstein(dot(direction, frame.toSun.xyz), anisotropy);
+}
+
+// Radiance of all the air in a direction, the night's included, without the sun's disc; a direction that meets the sea ends
+// there.
+vec3 skyTowards(vec3 direction) { return skyByTable(direction, frame.airHaze.w); }
+
+// The same without the glow of the haze around the sun, as a surface that blurs its mirror image shows it.
+vec3 skyWithoutGlow(vec3 direction) { return skyByTable(direction, 0.0); }
+
+// What air of any opacity sends towards the eye, up to a distance, is its opacity times this: the mean along the ray.
+vec3 airRadiance(vec3 direction, float distanceM) {
+  vec3 place = vec3(skyTablePlace(direction), (skyTableSlice(distanceM) + 0.5) / float(2 * kSkySlices));
+  return textureLod(airTables, place, 0.0).xyz +
+         textureLod(airTables, place + vec3(0.0, 0.0, 0.5), 0.0).xyz *
+             henyeyGreenstein(dot(direction, frame.toSun.xyz), frame.airHaze.w);
+}
+
+// Light of the air before something at a distance that the sky is seen behind, by the air's transmittance.
+vec3 airBeforeSky(vec3 direction, float distanceM, vec3 transmittance) {
+  return airRadiance(direction, distanceM) * (1.0 - transmittance);
+}
+
+// Transmittance of all the air in a direction.
+vec3 skyTransmittance(vec3 direction) {
+  return textureLod(skyTables, vec3(skyTablePlace(direction), kSkyLeft), 0.0).xyz;
+}
+
+// Sine of the elevation at which a level sea ends.
+float seaEndsSine() { return frame.skyTable.x; }
+
+// The light of a plain of average land at sea level, without what lies before it: none above its horizon, where it begins
+// over half a degree, as land that is not level would.
+vec3 plainLight(vec3 direction) {
+  return frame.groundLight.xyz / kPi * saturate((seaEndsSine() - direction.y) / 0.01);
+}
+
+// Sky and plain as they reach the eye.
+vec3 skyAndPlain(vec3 direction) {
+#ifdef HAZE
+  return skyTowards(direction) + plainLight(direction) * skyTransmittance(direction);
+#else
+  return direction.y < seaEndsSine() ? frame.groundLight.xyz / kPi : skyTowards(direction);
+#endif
+}
+
+#else
 // Radiance of the sky in a direction, the night's included, without the sun's disc; below the horizon that of the
 // horizon, which is what haze sends towards the eye.
 vec3 skyTowards(vec3 direction) {
@@ -38,23 +110,35 @@ vec3 skyWithoutGlow(vec3 direction) {
   return skyRadiance(source, dot(direction, frame.toSun.xyz), 0.0) + frame.nightRadiance.xyz;
 }
 
-// Radiance of the sky at the horizon below a direction: what haze sends towards the eye.
-vec3 horizonRadiance(vec3 direction) {
+// What air of any opacity sends towards the eye is its opacity times this: the radiance of the sky at the horizon below a
+// direction.
+vec3 airRadiance(vec3 direction, float distanceM) {
   float c = dot(direction, frame.toSun.xyz);
   return frame.horizonRayleigh.xyz * rayleighPhase(c) + frame.horizonHaze.xyz * henyeyGreenstein(c, frame.airHaze.w) +
          frame.horizonIsotropic.xyz;
 }
 
-// Transmittance of the air between the eye and a place that is higher by riseM and distanceM away.
-vec3 airTransmittance(float riseM, float distanceM) {
-  return transmittanceBetween(frameAtmosphere(), frame.eye.x, frame.eye.x + riseM, distanceM);
+// Light of the air before something at a distance that the sky is seen behind, by the air's transmittance: what is far
+// away becomes that sky.
+vec3 airBeforeSky(vec3 direction, float distanceM, vec3 transmittance) {
+  vec3 leftOfSky = skyTransmittance(frameColumn(), direction.y);
+  return skyTowards(direction) * min((1.0 - transmittance) / max(1.0 - leftOfSky, vec3(1e-6)), vec3(1.0));
 }
 
-// Transmittance of all the air in a direction; below the horizon as at the horizon.
-vec3 airTransmittanceTowards(vec3 direction) { return skyTransmittance(frameColumn(), direction.y); }
+// Sine of the elevation at which a level sea ends: here the earth is flat.
+float seaEndsSine() { return 0.0; }
 
-// Transmittance of the air down to sea level in a direction below the horizon.
-vec3 airTransmittanceToSea(vec3 direction) { return exp(frame.depthToSea.xyz / min(direction.y, -1e-9)); }
+// Sky, and below the horizon a plain of average land at sea level, as they reach the eye.
+vec3 skyAndPlain(vec3 direction) {
+  vec3 sky = skyTowards(direction);
+#ifdef HAZE
+  vec3 left = exp(frame.depthToSea.xyz / min(direction.y, -1e-9));
+#else
+  vec3 left = vec3(1.0);
+#endif
+  return mix(sky, frame.groundLight.xyz / kPi, direction.y < 0.0 ? left : vec3(0.0));
+}
+#endif
 
 // A surface's light as it reaches the eye from a place `relative` to it. Without the feature HAZE: as it is.
 vec3 applyAerialPerspective(vec3 light, vec3 relative) {
@@ -62,8 +146,24 @@ vec3 applyAerialPerspective(vec3 light, vec3 relative) {
   float distanceM = length(relative);
   vec3 direction = relative / max(distanceM, 1e-6);
   vec3 transmittance = airTransmittance(relative.y, distanceM);
-  return light * transmittance + horizonRadiance(direction) * (1.0 - transmittance);
+  return light * transmittance + airRadiance(direction, distanceM) * (1.0 - transmittance);
 #else
   return light;
+#endif
+}
+
+// The same of land and sea, of whose own light a share is left towards their end: there they turn into what is seen beyond
+// them, with the shell into sky or plain behind all the air, with the closed form into the haze at the horizon.
+vec3 endingLandThroughAir(vec3 light, vec3 relative, float left) {
+#if defined(SKY_SHELL) && defined(HAZE)
+  float distanceM = length(relative);
+  vec3 direction = relative / max(distanceM, 1e-6);
+  vec3 transmittance = mix(skyTransmittance(direction), airTransmittance(relative.y, distanceM), left);
+  return mix(plainLight(direction), light, left) * transmittance +
+         airRadiance(direction, distanceM / max(left, 1e-4)) * (1.0 - transmittance);
+#elif defined(SKY_SHELL)
+  return mix(skyAndPlain(normalize(relative)), light, left);
+#else
+  return mix(airRadiance(normalize(relative), 0.0), applyAerialPerspective(light, relative), left);
 #endif
 }

@@ -153,5 +153,5 @@ vec3 landLight(vec3 relative, vec2 lightShares) {
 
 vec3 landAsSeen(vec3 relative, ivec2 pixel) {
   vec3 light = landLight(relative, lightSharesAt(pixel));
-  return mix(horizonRadiance(normalize(relative)), applyAerialPerspective(light, relative), leftOfLight(relative));
+  return endingLandThroughAir(light, relative, leftOfLight(relative));
 }

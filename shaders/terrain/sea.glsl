@@ -97,10 +97,9 @@ SeaLight seaAsSeen(SeaSight sight) {
   SeaLight light = seaLight(relative, sight.floorShare > 0.0 ? eyeFromBase.y * (sight.floorShare - 1.0) : seaFloorM,
                             sight.shares);
   float left = leftOfLight(relative);
-  vec3 horizon = horizonRadiance(normalize(relative));
   if (sight.floorShare <= 0.0) light.passed = vec3(0.0);
-  vec3 hazeAlone = mix(horizon, applyAerialPerspective(vec3(0.0), relative), left);
-  vec3 withLight = mix(horizon, applyAerialPerspective(light.own, relative), left);
+  vec3 hazeAlone = endingLandThroughAir(vec3(0.0), relative, left);
+  vec3 withLight = endingLandThroughAir(light.own, relative, left);
   light.own = withLight - hazeAlone * light.passed;
   return light;
 }

@@ -11,6 +11,12 @@ namespace {
 
 namespace shared = core::shared::f64;
 
+// Of the angle between the azimuths of two directions; 0 where one is vertical.
+double cosAzimuthBetween(const glm::dvec3& a, const glm::dvec3& b) {
+  const double lengths = std::sqrt((a.x * a.x + a.z * a.z) * (b.x * b.x + b.z * b.z));
+  return lengths > 1e-12 ? std::clamp((a.x * b.x + a.z * b.z) / lengths, -1.0, 1.0) : 0;
+}
+
 // Illuminance on a horizontal surface by the sky: a sum over the hemisphere, rings of equal projected solid
 // angle.
 glm::dvec3 skyIlluminance(const SkyLight& light) {
@@ -26,6 +32,13 @@ glm::dvec3 skyIlluminance(const SkyLight& light) {
   return sum * (std::numbers::pi / (kRings * kSectors));
 }
 
+// The program's light of what the shell's tables hold, even and under the haze's phase function.
+glm::dvec3 shellRadiance(const SkyLight& light, const glm::dvec3& direction, const glm::dvec3& even,
+                         const glm::dvec3& haze) {
+  const double phase = shared::henyeyGreenstein(glm::dot(direction, light.toSun), light.air.hazeAnisotropy);
+  return (even + haze * phase) * light.sunOutside + light.night;
+}
+
 }  // namespace
 
 glm::dvec3 directionToSun(double elevationDegrees, double azimuthDegrees) {
@@ -38,44 +51,78 @@ Atmosphere makeAtmosphere(double visibilityM, double hazeHeightM, double hazeAni
   return shared::make_atmosphere(visibilityM, hazeHeightM, hazeAnisotropy);
 }
 
-SkyLight skyLight(const Atmosphere& air, const glm::dvec3& toSun, double heightM) {
+SkyLight skyLight(const Atmosphere& air, const glm::dvec3& toSun, double heightM, SkyModel model) {
   SkyLight light;
   light.toSun = toSun;
+  light.heightM = heightM;
   light.air = air;
   light.sunOutside = shared::kSunIlluminance;
   light.night = shared::kNightRadiance;
+  if (model == SkyModel::shell) {
+    light.views = SkyViews::of(air);
+    light.view = light.views->view(heightM, toSun.y);
+  }
   light.sun = sunIlluminance(light, heightM);
   light.column = shared::make_skyColumn(air, heightM, toSun.y);
-  light.sky = skyIlluminance(light);
   light.horizon = shared::skySource(light.column, air, 0);
+  light.sky = skyIlluminance(light);
   light.ground = (light.sun * std::max(toSun.y, 0.0) + light.sky) * shared::kGroundAlbedo;
   return light;
 }
 
 glm::dvec3 skyRadiance(const SkyLight& light, const glm::dvec3& direction) {
+  if (light.isShell()) {
+    const double azimuth = cosAzimuthBetween(direction, light.toSun);
+    return shellRadiance(light, direction, light.view->at(SkyLayer::skyEven, direction.y, azimuth),
+                         light.view->at(SkyLayer::skyHaze, direction.y, azimuth));
+  }
   const SkySource source = shared::skySource(light.column, light.air, direction.y);
   return shared::skyRadiance(source, glm::dot(direction, light.toSun), light.air.hazeAnisotropy) *
              light.sunOutside +
          light.night;
 }
 
-glm::dvec3 horizonRadiance(const SkyLight& light, double cosSunAngle) {
-  return shared::skyRadiance(light.horizon, cosSunAngle, light.air.hazeAnisotropy) * light.sunOutside +
+glm::dvec3 airRadiance(const SkyLight& light, const glm::dvec3& direction, double distanceM) {
+  if (light.isShell()) {
+    const double azimuth = cosAzimuthBetween(direction, light.toSun);
+    return shellRadiance(light, direction,
+                         light.view->upTo(SkyLayer::airEven, direction.y, azimuth, distanceM),
+                         light.view->upTo(SkyLayer::airHaze, direction.y, azimuth, distanceM));
+  }
+  return shared::skyRadiance(light.horizon, glm::dot(direction, light.toSun), light.air.hazeAnisotropy) *
+             light.sunOutside +
          light.night;
 }
 
 glm::dvec3 meanHorizonRadiance(const SkyLight& light) {
+  if (light.isShell()) {
+    constexpr int kSectors = 24;
+    glm::dvec3 sum(0);
+    for (int i = 0; i < kSectors; ++i) {
+      const double azimuth = 2 * std::numbers::pi * (i + 0.5) / kSectors;
+      sum += skyRadiance(light, {std::cos(azimuth), 0, std::sin(azimuth)}) - light.night;
+    }
+    return sum / static_cast<double>(kSectors);
+  }
   const glm::dvec3 horizon =
       (light.horizon.rayleigh + light.horizon.haze) / (4 * std::numbers::pi) + light.horizon.isotropic;
   return horizon * light.sunOutside;
 }
 
 glm::dvec3 sunDiscRadiance(const SkyLight& light) {
-  return light.sun / (std::numbers::pi * kSunRadiusRad * kSunRadiusRad);
+  const double solidAngle = std::numbers::pi * kSunRadiusRad * kSunRadiusRad;
+  if (!light.isShell()) return light.sun / solidAngle;
+  // The horizon cuts what it hides where the disc is drawn.
+  const AirTables::Level level = light.views->tables().at(static_cast<float>(light.heightM));
+  return light.sunOutside * glm::dvec3(level.transmittance(static_cast<float>(light.toSun.y))) / solidAngle;
 }
 
 glm::dvec3 sunIlluminance(const SkyLight& light, double heightM) {
-  return shared::sunIlluminanceAt(light.air, heightM, light.toSun.y);
+  if (!light.isShell()) return shared::sunIlluminanceAt(light.air, heightM, light.toSun.y);
+  const AirTables::Level level = light.views->tables().at(static_cast<float>(heightM));
+  const auto cosine = static_cast<float>(light.toSun.y);
+  return light.sunOutside * glm::dvec3(level.transmittance(cosine)) *
+         shared::sunVisibleShareAt(heightM, light.toSun.y);
 }
 
 glm::dvec3 opticalDepth(const Atmosphere& air, double fromHeightM, double toHeightM, double lengthM) {
@@ -90,8 +137,7 @@ glm::dvec3 applyAerialPerspective(const SkyLight& light, const glm::dvec3& radia
                                   const glm::dvec3& relative) {
   const double distance = glm::length(relative);
   const glm::dvec3 kept = transmittance(light.air, eyeHeightM, eyeHeightM + relative.y, distance);
-  const double cosine = glm::dot(relative, light.toSun) / std::max(distance, 1e-6);
-  return radiance * kept + horizonRadiance(light, cosine) * (1.0 - kept);
+  return radiance * kept + airRadiance(light, relative / std::max(distance, 1e-6), distance) * (1.0 - kept);
 }
 
 }  // namespace skydrop::sky

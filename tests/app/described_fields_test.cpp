@@ -111,6 +111,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::GroundFogSettings;
   using render::LandShadowSettings;
   using render::RenderSettings;
+  using render::SkySettings;
   using render::StarsSettings;
   using render::SunSettings;
   using terrain::TerrainSettings;
@@ -131,6 +132,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(CloudPlaneSettings), SKYDROP_STRUCT(CloudPlanesSettings),
       SKYDROP_STRUCT(CloudDomeSettings),  SKYDROP_STRUCT(GroundFogSettings),
       SKYDROP_STRUCT(StarsSettings),      SKYDROP_STRUCT(LandShadowSettings),
+      SKYDROP_STRUCT(SkySettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

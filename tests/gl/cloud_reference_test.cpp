@@ -30,8 +30,7 @@ class CloudReferenceGLTest : public test::CloudFrameTest {
   glm::dvec4 litBy(const clouds::MarchResult& gathered, double eyeHeight) const {
     const SkyLight light = skyLight(settings_, eyeHeight);
     const double middle = clouds_.layers[0].cloudHeight + 0.5 * clouds_.layers[0].thickness;
-    const glm::dvec3 sun = light.sunOutside * f64::sunTransmittance(light.air, middle, light.toSun.y) *
-                           f64::sunVisibleShare(light.toSun.y);
+    const glm::dvec3 sun = sky::sunIlluminance(light, middle);
     return {(sun * gathered.sun + light.sky * gathered.sky + light.ground * gathered.ground) * light.exposure,
             gathered.transmittance};
   }

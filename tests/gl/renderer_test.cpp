@@ -112,20 +112,29 @@ TEST_F(FrameTest, resourcesAreFoundByLaterPassesOfTheSameFrameAlone) {
 }
 
 TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
-  // Two passes, one draw each; the targets of 320x180 are 8 + 4 + 4 bytes a pixel.
+  // Two passes, one draw each; the targets of 320x180 are 8 + 4 + 4 bytes a pixel. The shell has two textures
+  // of tables, of four floats a texel; the closed form has none, also after the shell was drawn.
   renderer().add(std::make_unique<SkyPass>(context()));
   renderer().add(std::make_unique<ToneMapPass>(context()));
-  draw(pose({0, 100, 0}, 0, 0, 0));
-  core::FrameStatistics statistics;
-  renderer().fillStatistics(statistics);
-  EXPECT_EQ(statistics.passes[0].second.draws, 1);
-  EXPECT_EQ(statistics.passes[1].second.draws, 1);
-  EXPECT_EQ(statistics.gl.textures, 3);
-  EXPECT_EQ(statistics.gl.programs, 2);
-  EXPECT_EQ(statistics.gl.framebuffers, 2);
-  EXPECT_EQ(statistics.gl.errors, 0);
-  EXPECT_EQ(statistics.gl.bytes, static_cast<std::int64_t>(320 * 180 * 16 + sizeof(FrameUniforms)));
-  EXPECT_EQ(statistics.clock, "none");
+  const auto expect = [&](sky::SkyModel model, int textures, std::size_t bytes) {
+    settings_.sky.model = model;
+    draw(pose({0, 100, 0}, 0, 0, 0));
+    core::FrameStatistics statistics;
+    renderer().fillStatistics(statistics);
+    EXPECT_EQ(statistics.passes[0].second.draws, 1);
+    EXPECT_EQ(statistics.passes[1].second.draws, 1);
+    EXPECT_EQ(statistics.gl.textures, textures);
+    EXPECT_EQ(statistics.gl.framebuffers, 2);
+    EXPECT_EQ(statistics.gl.errors, 0);
+    EXPECT_EQ(statistics.gl.bytes, static_cast<std::int64_t>(320 * 180 * 16 + sizeof(FrameUniforms) + bytes));
+    EXPECT_EQ(statistics.clock, "none");
+    return statistics.gl.programs;
+  };
+  namespace shared = core::shared::f32;
+  const std::size_t tables = sky::kSkyLayers * shared::kSkyRows * shared::kSkyColumns * sizeof(glm::vec4);
+  EXPECT_EQ(expect(sky::SkyModel::closedForm, 3, 0), 2);
+  EXPECT_EQ(expect(sky::SkyModel::shell, 5, tables), 3);
+  EXPECT_EQ(expect(sky::SkyModel::closedForm, 3, 0), 3);
 }
 
 TEST_F(FrameTest, framesAreAFunctionOfTheirInput) {
@@ -196,7 +205,8 @@ TEST_F(FrameTest, uniformBlockHasTheSameOffsetsOnBothSides) {
       MEMBER(nightRadiance),   MEMBER(airRayleigh), MEMBER(airHaze),
       MEMBER(columnDepth),     MEMBER(columnHere),  MEMBER(airLight),
       MEMBER(hazeLight),       MEMBER(overhead),    MEMBER(depthToSea),
-      MEMBER(horizonRayleigh), MEMBER(horizonHaze), MEMBER(horizonIsotropic)};
+      MEMBER(horizonRayleigh), MEMBER(horizonHaze), MEMBER(horizonIsotropic),
+      MEMBER(skyTable)};
 #undef MEMBER
   for (const auto& [name, offset] : members) {
     const char* text = name.c_str();

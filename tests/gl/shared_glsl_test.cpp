@@ -25,6 +25,7 @@ class SharedGLTest : public test::GLTest {
   void run(const std::vector<glm::vec4>& input, const std::string& body) {
     ComputeShader shader(context(), folder_.write("run.comp", R"(
 #include "shared/atmosphere.glsl"
+#include "shared/atmosphere_shell.glsl"
 #include "shared/cloud_light.glsl"
 #include "shared/cloud_medium.glsl"
 #include "shared/depth.glsl"
@@ -80,7 +81,8 @@ void main() {
     return air;
   }
   static constexpr const char* kAir =
-      "Atmosphere air = Atmosphere(vec3(5.802e-6, 13.558e-6, 33.1e-6), 8000.0, 5e-5, 1200.0, 0.94, 0.76);\n";
+      "Atmosphere air = Atmosphere(vec3(5.802e-6, 13.558e-6, 33.1e-6), 8000.0, 5e-5, 1200.0, 0.94, 0.76, "
+      "vec3(0.0));\n";
 
   test::TemporaryFolder folder_;
   std::vector<glm::vec4> result_ = std::vector<glm::vec4>(kCount);
@@ -164,6 +166,24 @@ TEST_F(SharedGLTest, skyAgrees) {
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(result_[i][c], expected[c], 5e-5f * scale);
     const float depth = shared::opticalDepthBetween(air(), a.x * 3000, a.y * 3000, a.w * 1e5f).y;
     ASSERT_NEAR(result_[i].w, depth, 1e-5f * depth + 1e-7f);
+  }
+}
+
+TEST_F(SharedGLTest, placesInTheSkysTablesAgree) {
+  // Every direction from 0 to 20 km: rows and columns within 1e-3 of a texel (the root beside the horizon
+  // doubles rounding), slices within 1e-5.
+  const std::vector<glm::vec4> rows = randomRows(8);
+  run(rows,
+      "float horizon = horizonSine(a.x * 20000.0);\n"
+      "r = vec4(skyTableRow(a.y * 2.0 - 1.0, horizon, 1.0), skyTableColumn(a.z * 2.0 - 1.0), "
+      "skyTableSlice(a.w * 1e5), horizon);");
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const float horizon = shared::horizonSine(a.x * 20000);
+    ASSERT_NEAR(result_[i].x, shared::skyTableRow(a.y * 2 - 1, horizon, 1), 1e-3f);
+    ASSERT_NEAR(result_[i].y, shared::skyTableColumn(a.z * 2 - 1), 1e-5f);
+    ASSERT_NEAR(result_[i].z, shared::skyTableSlice(a.w * 1e5f), 1e-5f);
+    ASSERT_NEAR(result_[i].w, horizon, 1e-6f);
   }
 }
 

@@ -136,6 +136,61 @@ TEST_F(SkyGLTest, sunFitsAHalfFloat) {
   EXPECT_LE(brightest, 60001.0f);  // the stated clip, and half-float rounding above it
 }
 
+TEST_F(SkyGLTest, S12_farFromTheOriginTheSkyIsTheSame) {
+  // 1e9 m away, where a float of a position is 64 m off: the sky asks for the height and for directions
+  // alone.
+  settings_.sun.elevationDegrees = -2;
+  draw(pose({0, 500, 0}, 20, 3, 10));
+  const std::vector<glm::vec4> here = light_;
+  draw(pose({1e9, 500, -1e9}, 20, 3, 10));
+  EXPECT_EQ(here, light_);
+}
+
+TEST_F(SkyGLTest, S13_nextToTheSunNoHalfFloatOverflows) {
+  // In a picture of 2 degrees about the disc, in haze that scatters forward and six stops over: finite,
+  // within the format, and bright.
+  settings_.atmosphere.hazeAnisotropy = 0.95;
+  settings_.exposureStops = 6;
+  for (const sky::SkyModel model : {sky::SkyModel::closedForm, sky::SkyModel::shell}) {
+    settings_.sky.model = model;
+    for (const double elevation : {50.0, 0.2}) {
+      settings_.sun.elevationDegrees = elevation;
+      View view = pose({0, 500, 0}, 0, elevation, 0);
+      view.fovYRad = glm::radians(2.0);
+      draw(view);
+      for (const glm::vec4& light : light_) {
+        for (int c = 0; c < 3; ++c) ASSERT_TRUE(light[c] >= 0 && light[c] <= 60001.0f) << elevation;
+      }
+      EXPECT_GT(luminance(lightAt(160, 90)), 100.0f) << elevation;
+    }
+  }
+}
+
+TEST_F(SkyGLTest, shadersReadTheTablesAsTheProgramDoes) {
+  // Pixel for pixel against the same tables in double: in the light, at the horizon and below it, by day and
+  // in twilight. Half floats hold 1e-3.
+  for (const double elevation : {25.0, -1.0}) {
+    for (const double height : {10.0, 9000.0}) {
+      settings_.sun.elevationDegrees = elevation;
+      const View view = pose({0, height, 0}, 200, 0, 0);
+      draw(view);
+      const SkyLight light = skyLight(settings_, height);
+      ASSERT_TRUE(light.isShell());
+      const glm::dmat3 toRay = rayMatrix(view);
+      for (int y = 5; y < 180; y += 13) {
+        for (int x = 3; x < 320; x += 29) {
+          const glm::dvec3 direction =
+              glm::normalize(toRay * glm::dvec3((x + 0.5) / 160 - 1, (y + 0.5) / 90 - 1, 1));
+          if (direction.y < light.view->horizon) continue;  // the plain adds to it
+          const glm::dvec3 expected = sky::skyRadiance(light, direction) * light.exposure;
+          for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(static_cast<double>(lightAt(x, y)[c]) / expected[c], 1, 2e-3) << x << ' ' << y;
+        }
+      }
+    }
+  }
+}
+
 // A black surface seen through haze from every pixel, straight ahead and level.
 class HazePass final : public Pass {
  public:

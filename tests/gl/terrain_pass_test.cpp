@@ -307,12 +307,25 @@ TEST_F(TerrainGLTest, T19_noEndOfTheWorldShowsFromTheGroundTo6Km) {
   // Upright pictures of the horizon from 2 m to 6 km, in four directions: where the land ends the picture has
   // turned into the haze of the horizon. So from the land's end to just above the horizon no pixel differs
   // from the one above it by more than 6/255 (the sky's own gradient at the horizon, seen from 6 km, has 4).
+  // So it is with the closed form; with the shell the sea has a horizon of its own, which dips below the
+  // level, and there each pixel beyond the land's end is that of the sky alone within 3/255.
   useLand(terrain::makeNoiseHeightSource({}, 1));
   const double end = terrain::TerrainStreamingSettings().farDistanceM;
+  const auto skyAlone = [&](const View& view) {
+    Renderer alone(context(), settings_, false);
+    alone.add(std::make_unique<ToneMapPass>(context()));
+    alone.add(std::make_unique<SkyPass>(context()));
+    alone.draw({.view = view, .features = features_});
+    return alone.readBack();
+  };
   for (const double height : {2.0, 300.0, 2000.0, 6000.0}) {
     for (const double yaw : {20.0, 110.0, 200.0, 290.0}) {
       const double ground = std::max(land_->source().height({300, 300}), 0.0);
       const View view = pose({300, ground + height, 300}, yaw, 0, 0);
+      settings_.sky.model = sky::SkyModel::shell;
+      const core::Image withShell = drawLand(view);
+      const core::Image sky = skyAlone(view);
+      settings_.sky.model = sky::SkyModel::closedForm;
       const core::Image image = drawLand(view);
       const std::vector<float> depth = landDepth();
       const auto row = [&](int y) { return static_cast<std::size_t>(y) * 320; };
@@ -327,6 +340,8 @@ TEST_F(TerrainGLTest, T19_noEndOfTheWorldShowsFromTheGroundTo6Km) {
             const std::size_t here = (row(y) + static_cast<std::size_t>(x)) * 4 + c;
             ASSERT_NEAR(image.rgba[here], image.rgba[here - 320 * 4], 6)
                 << height << " m, " << yaw << " deg, " << x;
+            ASSERT_NEAR(withShell.rgba[here], sky.rgba[here], 3)
+                << height << " m, " << yaw << " deg, " << x << ' ' << y;
           }
         }
       }

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 #include <string>
 #include <string_view>
 
 #include "skydrop/core/hash.h"
 #include "skydrop/render/frame/sky_light.h"
 #include "skydrop/sky/almanac.h"
+#include "skydrop/sky/atmosphere.h"
 #include "skydrop/sky/refraction.h"
 #include "skydrop/sky/rise_and_set.h"
 #include "support/instrumented.h"
@@ -185,6 +187,175 @@ TEST(Stability, S06_sunAndMoonAtTheSamePlace) {
     ASSERT_TRUE(isSound(phase));
     ASSERT_LT(phase.illuminatedFraction, 1e-3);
     ASSERT_LT(std::abs(std::remainder(phase.phase, 1)), 0.002);
+  }
+}
+
+// Finite, not negative, and no brighter than the sun's own light scattered at once.
+bool isSound(const glm::dvec3& radiance) {
+  for (int c = 0; c < 3; ++c) {
+    if (!(std::isfinite(radiance[c]) && radiance[c] >= 0 && radiance[c] < 1e6)) return false;
+  }
+  return true;
+}
+
+bool isSound(const SkyLight& light) {
+  return isSound(light.sun) && isSound(light.sky) && isSound(light.ground) &&
+         isSound(sunDiscRadiance(light) / 1e3);
+}
+
+const double kHardSines[] = {1, -1, 0, 1e-300, -1e-300, 1e-9, -1e-9, 0.5, -0.5, 1 - 1e-16, -1 + 1e-16};
+
+// Towards a sine of elevation, at an azimuth.
+glm::dvec3 towards(double sine, double azimuth) {
+  const double across = std::sqrt(std::max(1 - sine * sine, 0.0));
+  return {across * std::cos(azimuth), sine, across * std::sin(azimuth)};
+}
+
+Atmosphere airOf(double visibilityM) { return makeAtmosphere(visibilityM, 1200, 0.7); }
+
+TEST(Stability, S07_theSkyFromBelowTheSeaToOutsideTheAir) {
+  // Sound in all directions; below the sea as from its surface; no jump at the end of the air; outside there
+  // is no light above the air's limb, and light below it.
+  for (const double height :
+       {-1e9, -50.0, 0.0, 0.5, 1.0, 59999.0, 60001.0, 80000.0, 99999.0, 100001.0, 4e5, 1e9}) {
+    for (const double sun : {60.0, 3.0, -4.0}) {
+      const SkyLight light = skyLight(airOf(1e5), directionToSun(sun, 90), height);
+      ASSERT_TRUE(isSound(light)) << height;
+      for (const double sine : kHardSines) {
+        for (const double azimuth : {0.0, 2.0}) {
+          const glm::dvec3 direction = towards(sine, azimuth);
+          ASSERT_TRUE(isSound(skyRadiance(light, direction))) << height << ' ' << sine;
+          for (const double distance : {0.0, 1.0, 1e5, 1e30})
+            ASSERT_TRUE(isSound(airRadiance(light, direction, distance))) << height << ' ' << sine;
+        }
+      }
+    }
+  }
+  const auto at = [](double height) { return skyLight(airOf(1e5), directionToSun(30, 90), height); };
+  const glm::dvec3 up = towards(0.4, 1);
+  EXPECT_EQ(skyRadiance(at(-50), up), skyRadiance(at(0), up));
+  for (const double border : {60000.0, 100000.0}) {
+    for (const double sine : {-0.1, -0.17, -0.3, -0.9}) {
+      const glm::dvec3 inside = skyRadiance(at(border - 1), towards(sine, 1)),
+                       outside = skyRadiance(at(border + 1), towards(sine, 1));
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(inside[c] / outside[c], 1, 0.02) << border << ' ' << sine;
+    }
+  }
+  const SkyLight outside = at(4e5);
+  const double limb = core::shared::f64::airEndsSine(4e5), sea = core::shared::f64::horizonSine(4e5);
+  EXPECT_LT(glm::length(skyRadiance(outside, towards(limb + 1e-3, 1)) - outside.night), 1e-5);
+  EXPECT_GT(skyRadiance(outside, towards(sea + 0.1 * (limb - sea), 1)).z, 0.1) << "the limb";
+}
+
+TEST(Stability, S08_viewAndSunExactlyAtZenithNadirAndHorizon) {
+  // Sound; the zenith and the nadir have one radiance whatever the azimuth that rounding gives them; a sun in
+  // the zenith lights all azimuths alike.
+  for (const double sunSine : kHardSines) {
+    for (const double sunAzimuth : {0.0, 1.0}) {
+      const SkyLight light = skyLight(airOf(1e5), towards(sunSine, sunAzimuth), 500);
+      ASSERT_TRUE(isSound(light)) << sunSine;
+      for (const double sine : kHardSines) {
+        for (const double azimuth : {0.0, 1.0, 1.0 + std::numbers::pi})
+          ASSERT_TRUE(isSound(skyRadiance(light, towards(sine, azimuth)))) << sunSine << ' ' << sine;
+      }
+      for (const double side : {1.0, -1.0}) {
+        const glm::dvec3 exact = skyRadiance(light, {0, side, 0});
+        for (const glm::dvec3& near : {glm::dvec3(1e-17, side, 0), glm::dvec3(-1e-9, side, 1e-9)}) {
+          const glm::dvec3 beside = skyRadiance(light, near);
+          for (int c = 0; c < 3; ++c) ASSERT_NEAR(beside[c], exact[c], 1e-5 * exact[c]) << sunSine;
+        }
+      }
+    }
+  }
+  const SkyLight noon = skyLight(airOf(1e5), {0, 1, 0}, 500);
+  for (const double azimuth : {1.0, 2.0, 3.0}) {
+    const glm::dvec3 a = skyRadiance(noon, towards(0.3, 0)), b = skyRadiance(noon, towards(0.3, azimuth));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-9 * a[c]);
+  }
+}
+
+TEST(Stability, S09_aSunFarBelowTheHorizon) {
+  // From -12 degrees down to the nadir: sound, each darker than the one before but for the night's own light,
+  // and no direct light from 2 to 60 km up that the earth hides.
+  double before = 1e30;
+  for (const double sun :
+       {-6.0, -9.0, -12.0, -15.0, -18.0, -18.001, -20.0, -25.0, -27.0, -40.0, -89.0, -90.0}) {
+    const SkyLight light = skyLight(airOf(1e5), directionToSun(sun, 90), 500);
+    ASSERT_TRUE(isSound(light)) << sun;
+    double sum = 0;
+    for (const double sine : {0.0, 0.1, 0.5, 1.0}) {
+      for (const double azimuth : {0.0, 1.5, 3.1}) {
+        const glm::dvec3 radiance = skyRadiance(light, towards(sine, azimuth));
+        ASSERT_TRUE(isSound(radiance));
+        for (int c = 0; c < 3; ++c) ASSERT_GE(radiance[c], light.night[c]);
+        sum += radiance.y - light.night.y;
+      }
+    }
+    EXPECT_LE(sum, before + 1e-14) << sun;  // rounding of the night's light
+    before = sum;
+    EXPECT_EQ(sunIlluminance(light, 2000), glm::dvec3(0)) << sun;
+    if (sun < -8) {
+      EXPECT_EQ(sunIlluminance(light, 60000), glm::dvec3(0)) << sun;
+    }
+  }
+  EXPECT_LT(before, 1e-9);
+}
+
+TEST(Stability, S10_airWithoutHazeOzoneOrMolecules) {
+  // Each may be nothing: sound light; without any of them black sky and the whole sun.
+  for (const unsigned which : {1u, 2u, 3u, 4u, 5u, 6u, 7u}) {
+    Atmosphere air = airOf(1e5);
+    if (which & 1) air.haze = 0;
+    if (which & 2) air.ozone = glm::dvec3(0);
+    if (which & 4) air.rayleigh = glm::dvec3(0);
+    for (const double sun : {40.0, 0.0, -5.0}) {
+      const SkyLight light = skyLight(air, directionToSun(sun, 90), 500);
+      ASSERT_TRUE(isSound(light)) << which;
+      for (const double sine : kHardSines) {
+        ASSERT_TRUE(isSound(skyRadiance(light, towards(sine, 1)))) << which;
+        ASSERT_TRUE(isSound(airRadiance(light, towards(sine, 1), 1e4))) << which;
+      }
+      if (which == 7) {
+        EXPECT_LT(glm::length(skyRadiance(light, towards(0.5, 1)) - light.night), 1e-12);
+        if (sun > 0) {
+          EXPECT_LT(glm::length(light.sun - light.sunOutside), 1e-3);
+        }
+      }
+    }
+  }
+}
+
+TEST(Stability, S11_theEdgesOfTheSkysTables) {
+  // At their first and last texels, and between the two rows at the horizon, a table gives the texel itself:
+  // nothing is mixed in from beyond an end or across the horizon.
+  namespace f64 = core::shared::f64;
+  for (const double height : {1.0, 500.0, 12000.0, 4e5}) {
+    SkyViews views(airOf(1e5));
+    const SkyView view = *views.view(height, 0.2);
+    const auto texel = [&](SkyLayer layer, int row, int column) {
+      const int index = (static_cast<int>(layer) * f64::kSkyRows + row) * f64::kSkyColumns + column;
+      return glm::dvec3(view.texels[static_cast<std::size_t>(index)]);
+    };
+    const auto expectSame = [&](double sine, double cosAzimuth, int row, int column) {
+      for (const SkyLayer layer : {SkyLayer::skyEven, SkyLayer::skyHaze, SkyLayer::left}) {
+        const glm::dvec3 a = view.at(layer, sine, cosAzimuth), b = texel(layer, row, column);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-7 + 1e-5 * b[c]) << height << ' ' << row;
+      }
+    };
+    const int lastColumn = f64::kSkyColumns - 1;
+    for (const auto& [cosine, column] : {std::pair{-1.0, 0}, {1.0, lastColumn}}) {
+      expectSame(-1, cosine, 0, column);
+      expectSame(view.airEnds, cosine, f64::kSkyRows - 1, column);
+      expectSame(1, cosine, f64::kSkyRows - 1, column);
+      expectSame(view.horizon, cosine, f64::kSkyRowsBelow, column);
+      expectSame(std::nextafter(view.horizon, -1), cosine, f64::kSkyRowsBelow - 1, column);
+    }
+    for (const double distance : {0.0, 1e300, HUGE_VAL}) {
+      const glm::dvec3 mean = view.upTo(SkyLayer::airEven, 0.1, 1, distance);
+      const auto slice = static_cast<SkyLayer>(static_cast<int>(SkyLayer::airEven) +
+                                               (distance > 0 ? f64::kSkySlices - 1 : 0));
+      EXPECT_LT(glm::length(mean - view.at(slice, 0.1, 1)), 1e-12) << distance;
+    }
   }
 }
 

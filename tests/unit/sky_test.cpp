@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kHazeHeightM = 1200, kAnisotropy = 0.7;
 
-SkyLight lightAt(double elevationDegrees, double heightM = 0, double visibilityM = 100000) {
+SkyLight lightAt(double elevationDegrees, double heightM = 0, double visibilityM = 100000,
+                 SkyModel model = SkyModel::closedForm) {
   return skyLight(makeAtmosphere(visibilityM, kHazeHeightM, kAnisotropy),
-                  directionToSun(elevationDegrees, 135), heightM);
+                  directionToSun(elevationDegrees, 135), heightM, model);
 }
 
 TEST(Sky, visibilityIsTheDistanceAtWhichContrastFallsToTwoPercent) {
@@ -40,7 +41,7 @@ TEST(Sky, airTakesOfALightAndAddsThatOfTheHorizon) {
   EXPECT_EQ(applyAerialPerspective(light, own, 500, glm::dvec3(0)), own);
   const glm::dvec3 black = applyAerialPerspective(light, glm::dvec3(0), 500, place);
   const glm::dvec3 lit = applyAerialPerspective(light, own, 500, place);
-  const glm::dvec3 horizon = horizonRadiance(light, glm::dot(place / 8000.0, light.toSun));
+  const glm::dvec3 horizon = airRadiance(light, place / 8000.0, 8000);
   const glm::dvec3 unchanged = applyAerialPerspective(light, horizon, 500, place);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR((lit - black)[c], own[c] * transmittance(light.air, 500, 500, 8000)[c], 1e-12);
@@ -83,7 +84,7 @@ TEST(Sky, theHorizonIsWhereTheSkyMeetsIt) {
   for (const double azimuth : {0.0, 1.0, 2.5}) {
     const glm::dvec3 level(std::sin(azimuth), 0, -std::cos(azimuth));
     const glm::dvec3 sky = skyRadiance(light, level);
-    const glm::dvec3 haze = horizonRadiance(light, glm::dot(level, light.toSun));
+    const glm::dvec3 haze = airRadiance(light, level, 0);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(sky[c] / haze[c], 1, 1e-12);
   }
 }
@@ -93,7 +94,11 @@ TEST(Sky, theMeanHorizonIsTheMeanOverAllDirections) {
   const SkyLight light = lightAt(20, 500);
   constexpr int kSteps = 20000;
   glm::dvec3 sum(0);
-  for (int i = 0; i < kSteps; ++i) sum += horizonRadiance(light, -1 + 2 * (i + 0.5) / kSteps) - light.night;
+  for (int i = 0; i < kSteps; ++i) {
+    const double cosine = -1 + 2 * (i + 0.5) / kSteps, sine = std::sqrt(1 - cosine * cosine);
+    const glm::dvec3 aside = glm::normalize(glm::cross(light.toSun, glm::dvec3(0, 1, 0)));
+    sum += airRadiance(light, light.toSun * cosine + aside * sine, 0) - light.night;
+  }
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / kSteps / meanHorizonRadiance(light)[c], 1, 1e-5);
 }
 

@@ -4,8 +4,8 @@
 #include "app/session/cloud_effect.h"
 #include "app/session/cloud_planes_effect.h"
 #include "app/session/ground_fog_effect.h"
-#include "app/session/night_sky_effects.h"
 #include "app/session/land_shadows_effect.h"
+#include "app/session/night_sky_effects.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
@@ -107,7 +107,9 @@ const std::vector<EffectDescriptor>& effectTable() {
        .menuSections = {{"render.land", "Views of the land"},
                         {"streaming", "Terrain LOD"},
                         {"terrain", "Shape of the land"}}},
-      {.effect = Effect::sky, .addPasses = addSky, .menuSections = {{"render.sun", "Sun"}}},
+      {.effect = Effect::sky,
+       .addPasses = addSky,
+       .menuSections = {{"render.sun", "Sun"}, {"render.sky", "Sky"}}},
       {.effect = Effect::moon, .addPasses = addMoon, .apply = applyMoon},
       {.effect = Effect::stars,
        .addPasses = addStars,

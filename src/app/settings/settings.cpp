@@ -87,7 +87,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
        .aliases = "graphics preset, performance"});
   visitor.renamed("clouds.windSpeed", "wind.speed");
   visitor.renamed("clouds.windDirection", "wind.direction");
-  // The short names of the clock that moves the sun.
+  // The short names of the sky's model and of the clock that moves the sun.
+  visitor.renamed("sky.model", "render.sky.model");
   visitor.renamed("sky.sun", "render.sun.source");
   visitor.renamed("sky.utc", "render.sun.utc");
   visitor.renamed("sky.shiftDays", "render.sun.shiftDays");

@@ -1,9 +1,13 @@
 #include <array>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <vector>
 
 #include "app/studies/subjects.h"
 #include "app/studies/table_subject.h"
+#include "skydrop/core/error.h"
 #include "skydrop/sky/atmosphere.h"
+#include "skydrop/sky/reference_sky.h"
 
 namespace skydrop::app {
 namespace {
@@ -11,24 +15,34 @@ namespace {
 namespace f64 = core::shared::f64;
 using glm::dvec3;
 
-enum class SkyMethod { closedForm, integral };
-constexpr std::array<std::string_view, 2> kMethodNames = {"closedForm", "integral"};
-enum class SkyQuantity { transmittance, singleScattering };
-constexpr std::array<std::string_view, 2> kQuantityNames = {"transmittance", "singleScattering"};
+enum class SkyMethod { closedForm, integral, shell, reference };
+constexpr std::array<std::string_view, 4> kMethodNames = {"closedForm", "integral", "shell", "reference"};
+enum class SkyQuantity { transmittance, singleScattering, radiance };
+constexpr std::array<std::string_view, 3> kQuantityNames = {"transmittance", "singleScattering", "radiance"};
+enum class SkyChannel { red, green, blue };
+constexpr std::array<std::string_view, 3> kChannelNames = {"red", "green", "blue"};
 
 struct SkyParameters {
   SkyMethod method = SkyMethod::closedForm;
   SkyQuantity quantity = SkyQuantity::transmittance;
   std::int64_t steps = 32;
+  std::int64_t paths = 4000;
+  SkyChannel channel = SkyChannel::green;
   double sunElevationDegrees = 40;
 };
 
 void describe(core::SettingsVisitor& visitor, SkyParameters& p) {
-  visitor.choice("method", p.method, kMethodNames, {.help = "The game's closed form, or a sum of steps."});
+  visitor.choice(
+      "method", p.method, kMethodNames,
+      {.help = "The game's closed form, a sum of steps in flat layers; of the radiance: the game's two "
+               "models, and single scattering by steps with the rest by random paths."});
   visitor.choice("quantity", p.quantity, kQuantityNames, {.help = "What is compared."});
   visitor.integer("steps", p.steps, {.unit = "1", .min = 2, .max = 4096, .help = "Of the integral."});
+  visitor.integer("paths", p.paths,
+                  {.unit = "1", .min = 2, .max = 1e7, .help = "Of the reference's radiance, a direction."});
+  visitor.choice("channel", p.channel, kChannelNames, {.help = "Of the radiance."});
   visitor.number("sunElevationDegrees", p.sunElevationDegrees,
-                 {.unit = "degree", .min = 2, .max = 90, .help = "Above the horizon."});
+                 {.unit = "degree", .min = -30, .max = 90, .help = "Above the horizon."});
 }
 
 constexpr double kEyeM = 500, kEarthM = 6.371e6, kTopM = 100e3;
@@ -123,9 +137,48 @@ dvec3 valueOf(const SkyParameters& p, int index) {
   return once / f64::ozoneTransmittance(cosSun);
 }
 
+// The whole sky's radiance over the dome, per irradiance of the sun, without the night's: rings of equal
+// solid angle.
+std::vector<double> radiances(const SkyParameters& p) {
+  constexpr int kRings = 6, kSectors = 6;
+  const auto channel = static_cast<glm::length_t>(p.channel);
+  const double elevation = glm::radians(p.sunElevationDegrees);
+  std::vector<double> values;
+  const auto visit = [&](const auto& radianceOf) {
+    for (int i = 0; i < kRings * kSectors; ++i) {
+      values.push_back(radianceOf(sky::ReferenceRay{
+          kEyeM, (i / kSectors + 0.5) / kRings, std::cos(glm::pi<double>() * (i % kSectors + 0.5) / kSectors),
+          std::sin(elevation)}));
+    }
+  };
+  if (p.method == SkyMethod::reference) {
+    static const sky::ReferenceSky reference(air());
+    visit([&](const sky::ReferenceRay& ray) {
+      return reference.once(ray, static_cast<int>(p.steps))[channel] +
+             reference.often(ray, static_cast<int>(channel), static_cast<int>(p.paths), 1).mean;
+    });
+    return values;
+  }
+  if (p.method == SkyMethod::integral) throw core::RangeError("method: 'integral' has no radiance");
+  const sky::SkyLight light =
+      sky::skyLight(air(), {std::cos(elevation), std::sin(elevation), 0}, kEyeM,
+                    p.method == SkyMethod::shell ? sky::SkyModel::shell : sky::SkyModel::closedForm);
+  visit([&](const sky::ReferenceRay& ray) {
+    const double across = std::sqrt(1 - ray.sine * ray.sine);
+    const dvec3 direction(across * ray.cosAzimuth, ray.sine,
+                          across * std::sqrt(std::max(1 - ray.cosAzimuth * ray.cosAzimuth, 0.0)));
+    return (sky::skyRadiance(light, direction) - light.night)[channel] / light.sunOutside[channel];
+  });
+  return values;
+}
+
 class SkySubject final : public TableSubject<SkyParameters> {
   accuracy::Observation compute(const SkyParameters& p) override {
     accuracy::Observation observation;
+    if (p.quantity == SkyQuantity::radiance) {
+      observation.values = radiances(p);
+      return observation;
+    }
     for (int i = 0; i < kDirections; ++i) {
       const dvec3 value = valueOf(p, i);
       observation.values.insert(observation.values.end(), {value.x, value.y, value.z});
@@ -133,6 +186,7 @@ class SkySubject final : public TableSubject<SkyParameters> {
     return observation;
   }
   double work(const SkyParameters& p) override {
+    if (p.quantity == SkyQuantity::radiance) return radiances(p).back();
     double sum = 0;
     for (int i = 0; i < kDirections; ++i) sum += valueOf(p, i).y;
     return sum;

@@ -8,7 +8,7 @@
 namespace skydrop::render {
 namespace {
 
-constexpr double kEarthRadiusM = 6.371e6;
+constexpr double kEarthRadiusM = core::shared::f64::kEarthRadius;
 
 // With the sun's whole disc in view.
 glm::dvec3 sunAt(const SkyLight& light, double heightM, double sine) {
@@ -20,6 +20,7 @@ glm::dvec3 sunAt(const SkyLight& light, double heightM, double sine) {
 }  // namespace
 
 glm::dvec3 sunOnSheet(const SkyLight& light, double heightM) {
+  if (light.isShell()) return sky::sunIlluminance(light, heightM) * light.exposure;
   const double sine = light.toSun.y;
   if (sine >= 0) return sunAt(light, heightM, sine) * light.exposure;
   // The ray passes its lowest point, where it is level, before it reaches the sheet: out from there through

@@ -128,10 +128,20 @@ void describe(core::SettingsVisitor& visitor, AtmosphereSettings& s) {
                   .aliases = "g, Mie, fog, phase function"});
 }
 
+void describe(core::SettingsVisitor& visitor, SkySettings& s) {
+  visitor.choice(
+      "model", s.model, sky::kSkyModelNames,
+      {.help = "The shell scatters light many times in air around a round earth, with ozone and the "
+               "earth's shadow; the closed form is cheap, and wrong in twilight.",
+       .takesEffect = core::TakesEffect::variant,
+       .aliases = "atmosphere, scattering, twilight, quality"});
+}
+
 void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
   visitor.group("camera", s.camera, "Where the frame is seen from.");
   visitor.group("sun", s.sun, "Where the sun stands.");
   visitor.group("atmosphere", s.atmosphere, "Air and haze between the eye and the land.");
+  visitor.group("sky", s.sky, "How the light of the air is worked out.");
   visitor.enterGroup("picture", "From light to the screen.");
   visitor.number("exposureStops", s.exposureStops,
                  {.unit = "EV",

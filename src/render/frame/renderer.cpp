@@ -15,6 +15,9 @@ namespace {
 constexpr gl::FrameBufferFormat kSceneFormat{GL_RGBA16F, GL_DEPTH_COMPONENT32F};
 constexpr gl::FrameBufferFormat kOutputFormat{GL_RGBA8, 0};
 
+// Of the sky's tables that later frames will need, made in each frame: 0.4 ms.
+constexpr int kSkyRowsAhead = 16;
+
 // What is timed beside the passes; no pass has such a name.
 constexpr std::string_view kBegin = "begin of the frame", kBeginLayer = "begin of the layer";
 
@@ -176,7 +179,8 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   input.view = scaled(asked.view, settings_.scale);
   resize(input.view, picture.view);
   const FrameUniforms uniforms = frameUniforms(input.view, light, input.simulatedSeconds);
-  const std::vector<std::string> defines = definesOf(input.features);
+  std::vector<std::string> defines = definesOf(input.features);
+  if (light.isShell()) defines.emplace_back(kSkyShellDefine);
 
   gl::GpuResourceTracker& resources = context_.resources();
   resources.clearPasses();
@@ -185,6 +189,10 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   timer_.begin(kBegin);
   uniforms_.writeValue(0, uniforms);
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kFrameUniformsBinding);
+  if (light.isShell())
+    skyTables_.bind(context_, light);
+  else
+    skyTables_ = {};
   if (stages.first <= RenderStage::models) targets_->scene.clear();
   targets_->output.clear();
   timer_.end();
@@ -239,6 +247,8 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   }
   if (layered) composeLayer(failure);
   if (failure) std::rethrow_exception(failure);
+  if (light.isShell() && targets_ == &screen_)
+    light.views->prepare(light.heightM, light.toSun.y, kSkyRowsAhead);
   return complete;
 }
 

@@ -37,7 +37,8 @@ sky::Atmosphere atmosphereOf(const AtmosphereSettings& settings) {
 
 SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds) {
   SkyLight light{sky::skyLight(atmosphereOf(settings.atmosphere),
-                               directionToSun(settings.sun, simulatedSeconds), eyeHeight)};
+                               directionToSun(settings.sun, simulatedSeconds), eyeHeight,
+                               settings.sky.model)};
   const glm::dvec3 level = light.sun * std::max(light.toSun.y, 0.0) + light.sky;
   // A low sun lights the horizon more than the land, and the horizon is what fills the picture.
   const double seen = luminance(level + std::numbers::pi * meanHorizonRadiance(light));

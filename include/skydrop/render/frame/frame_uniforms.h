@@ -35,6 +35,8 @@ struct FrameUniforms {
   glm::vec4 horizonRayleigh;  // rgb: the sky's sources at the horizon
   glm::vec4 horizonHaze;
   glm::vec4 horizonIsotropic;  // with the night's radiance
+  glm::vec4 skyTable;  // of the shell: sines of the elevations at which the sea (x) and the air (y) end; zw:
+                       // level unit vector (x, z) towards the sun, 0 where it is vertical
 };
 
 FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simulatedSeconds);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "skydrop/core/settings.h"
+#include "skydrop/sky/atmosphere.h"
 
 namespace skydrop::render {
 
@@ -50,6 +51,10 @@ struct AtmosphereSettings {
   bool operator==(const AtmosphereSettings&) const = default;
 };
 
+struct SkySettings {
+  sky::SkyModel model = sky::SkyModel::shell;
+};
+
 // How much of the land's surface is worked out.
 enum class LandDetail {
   plain,  // colours down to 40 m, and the samples' normals
@@ -60,6 +65,7 @@ struct RenderSettings {
   CameraSettings camera;
   SunSettings sun;
   AtmosphereSettings atmosphere;
+  SkySettings sky;
   double exposureStops = 0;  // EV, -6 .. 6, on top of the automatic exposure
   double scale = 1;          // of the sides in which the scene is drawn, .25 .. 1 of the picture's
   bool smoothModels = true;  // four samples a pixel for aircraft and packages
@@ -71,6 +77,7 @@ struct RenderSettings {
 void describe(core::SettingsVisitor& visitor, CameraSettings& settings);
 void describe(core::SettingsVisitor& visitor, SunSettings& settings);
 void describe(core::SettingsVisitor& visitor, AtmosphereSettings& settings);
+void describe(core::SettingsVisitor& visitor, SkySettings& settings);
 void describe(core::SettingsVisitor& visitor, RenderSettings& settings);
 
 }  // namespace skydrop::render

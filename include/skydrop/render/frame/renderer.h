@@ -15,6 +15,7 @@
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
 #include "skydrop/render/frame/pass.h"
+#include "skydrop/render/frame/sky_tables.h"
 #include "skydrop/render/frame/stage_layer.h"
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/gl/pass_timer.h"
@@ -163,6 +164,7 @@ class Renderer {
   gl::ShaderCache shaders_;
   gl::PassTimer timer_;
   gl::Buffer uniforms_;
+  SkyTables skyTables_;
   Targets screen_, unseen_;      // of draw(), of warmUp()
   Targets* targets_ = &screen_;  // of the frame that is drawn
   std::vector<Entry> passes_;

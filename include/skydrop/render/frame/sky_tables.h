@@ -1,0 +1,38 @@
+// The sky's tables on the GPU (sky/sky_view.h): what shaders/sky/atmosphere.glsl reads with the model of the
+// shell.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "skydrop/render/frame/sky_light.h"
+#include "skydrop/render/gl/context.h"
+#include "skydrop/render/gl/texture.h"
+
+namespace skydrop::render {
+
+// What the shaders of a frame are compiled with where its light is that of the shell.
+inline constexpr std::string_view kSkyShellDefine = "SKY_SHELL";
+// No pass binds textures here.
+inline constexpr GLuint kSkyTablesUnit = 15, kAirTablesUnit = 14;
+
+// A layer for each of sky::SkyLayer, in light times exposure; the night's radiance is in the even ones. 270
+// KB in RGBA32F: half floats would show their steps in the sky.
+class SkyTables {
+ public:
+  // Makes the textures where there are none, writes what has changed since the last call, and binds them.
+  // `light` is a shell's.
+  void bind(gl::Context& context, const SkyLight& light);
+
+ private:
+  void write(gl::Context& context, const SkyLight& light);
+
+  gl::Texture sky_, air_;
+  std::vector<glm::vec4> texels_;
+  // What was written.
+  std::shared_ptr<const sky::SkyView> view_;
+  double exposure_ = 0;
+};
+
+}  // namespace skydrop::render

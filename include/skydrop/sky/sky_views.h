@@ -1,0 +1,59 @@
+// Skies of one air from any height and under any light, at little cost from frame to frame.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "skydrop/sky/air_tables.h"
+#include "skydrop/sky/sky_view.h"
+
+namespace skydrop::sky {
+
+// A sky is mixed from those at the corners of a cell of a fixed grid of heights and elevations of the light,
+// so that it is a function of both whatever was asked for before: the corners are kept, which costs time and
+// no change of the result. A light is given by its elevation alone, so sun and moon share the corners. All
+// functions from any thread.
+class SkyViews {
+ public:
+  explicit SkyViews(const Atmosphere& air) : tables_(air) {}
+
+  // Those of an air: the same object for as long as it is held or among the last few asked for.
+  static std::shared_ptr<SkyViews> of(const Atmosphere& air);
+
+  const AirTables& tables() const { return tables_; }
+
+  // heightM: any finite value, as makeSkyView has it; sine: of the light's elevation, [-1, 1]. Makes the
+  // corners that are missing: about 2 ms each, none in most frames.
+  // The same object as long as nothing else is asked for.
+  std::shared_ptr<const SkyView> view(double heightM, double sine);
+  // Works on the corners that are needed next if height and light go on as they went since the last call: at
+  // most so many rows (25 us each). The slices in which tables are rebuilt.
+  void prepare(double heightM, double sine, int rows);
+
+ private:
+  struct Corner {
+    SkyView view;
+    int rows = 0;  // that are made
+    std::uint64_t used = 0;
+  };
+  using Place = std::pair<int, int>;  // along heights and elevations
+
+  // Makes up to so many rows; returns how many it made.
+  int make(Corner& corner, const Place& place, int rows);
+  Corner& cornerAt(const Place& place);
+  SkyView mixed(double heightM, double sine);
+
+  const AirTables tables_;
+  std::mutex mutex_;
+  std::map<Place, Corner> corners_;
+  std::uint64_t uses_ = 0;
+  std::shared_ptr<const SkyView> newest_;  // of these
+  double newestHeightM_ = 0, newestSine_ = 0;
+  double lastHeight_ = 0, lastElevation_ = 0;  // on the grid
+  bool goesOn_ = false;                        // those are set
+};
+
+}  // namespace skydrop::sky

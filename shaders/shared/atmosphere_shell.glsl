@@ -1,0 +1,158 @@
+// The air as a spherical shell around the earth: geometry, densities, and how tables of its light are laid out (after
+// Hillaire, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique", 2020; the table of transmittance
+// is laid out as Bruneton and Neyret 2008). C++ makes the tables (include/skydrop/sky/air_tables.h, sky_view.h);
+// shaders read those of the sky (shaders/sky/atmosphere.glsl).
+//
+// Heights in metres above the sea, lengths in metres; `cosine` is that of a direction's zenith angle.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#include "shared/atmosphere.glsl"
+#endif
+
+CONST Real kEarthRadius = Real(6.371e6);
+CONST Real kShellTop = Real(100000.0);  // above it there is no air
+
+// The ozone layer: a tent about its middle (Bruneton 2017).
+CONST Real kOzoneMiddle = Real(25000.0);
+CONST Real kOzoneHalfWidth = Real(15000.0);
+
+// Share of the middle's density, [0, 1].
+FN Real ozoneDensity(Real heightM) {
+  return max(Real(1.0) - abs(heightM - kOzoneMiddle) / kOzoneHalfWidth, Real(0.0));
+}
+
+// What the air does to light at a height, 1/m.
+struct ShellAir {
+  Vec3 rayleigh;    // scattered by molecules
+  Real haze;        // scattered by aerosol
+  Vec3 extinction;  // scattered or absorbed by anything
+};
+
+FN ShellAir shellAirAt(Atmosphere air, Real heightM) {
+  Real hazeHere = air.haze * densityAt(heightM, air.hazeHeight);
+  ShellAir here;
+  here.rayleigh = air.rayleigh * densityAt(heightM, air.rayleighHeight);
+  here.haze = hazeHere * air.hazeAlbedo;
+  here.extinction = here.rayleigh + Vec3(hazeHere, hazeHere, hazeHere) + air.ozone * ozoneDensity(heightM);
+  return here;
+}
+
+// The height that a ray reaches after a length. Factored, so that a planet's radius cancels nowhere: 0.01 m in float
+// where radius - kEarthRadius is off by half a metre.
+FN Real shellHeightAlong(Real heightM, Real cosine, Real lengthM) {
+  Real r = kEarthRadius + heightM;
+  Real d = lengthM * (lengthM + Real(2.0) * r * cosine);
+  return heightM + d / (r + squareRoot(r * r + d));
+}
+
+// The cosine there.
+FN Real shellCosineAlong(Real heightM, Real cosine, Real lengthM) {
+  Real there = kEarthRadius + shellHeightAlong(heightM, cosine, lengthM);
+  return clamp(((kEarthRadius + heightM) * cosine + lengthM) / there, Real(-1.0), Real(1.0));
+}
+
+// Where a ray from a height meets the sphere of another height: lengths of entry and exit, x > y where it misses. With
+// c = (h - H) (2 R + h + H) instead of a difference of squares, and the root that does not cancel.
+FN Vec2 shellCrossing(Real heightM, Real cosine, Real sphereM) {
+  Real b = (kEarthRadius + heightM) * cosine;
+  Real c = (heightM - sphereM) * (Real(2.0) * kEarthRadius + heightM + sphereM);
+  Real square = b * b - c;
+  if (square < Real(0.0)) return Vec2(Real(1.0), Real(-1.0));
+  Real q = b > Real(0.0) ? -b - sqrt(square) : -b + sqrt(square);
+  Real other = q == Real(0.0) ? Real(0.0) : c / q;
+  return q < other ? Vec2(q, other) : Vec2(other, q);
+}
+
+// Sine of the elevation at which a level sea ends, seen from a height: 0 at the sea, negative above. (Below: 0.)
+FN Real horizonSine(Real heightM) {
+  Real h = max(heightM, Real(0.0));
+  return -sqrt(h * (Real(2.0) * kEarthRadius + h)) / (kEarthRadius + h);
+}
+
+// Sine of the elevation above which a ray from a height meets no air; 1 within the air.
+FN Real airEndsSine(Real heightM) {
+  if (heightM <= kShellTop) return Real(1.0);
+  Real above = heightM - kShellTop;
+  return -sqrt(above * (Real(2.0) * kEarthRadius + heightM + kShellTop)) / (kEarthRadius + heightM);
+}
+
+// Share of the sun's disc above the horizon of a height, [0, 1].
+FN Real sunVisibleShareAt(Real heightM, Real cosine) {
+  Real dip = horizonSine(heightM);
+  // The angle between both, exact where it matters: within some degrees of the horizon.
+  return sunVisibleShare((cosine - dip) / sqrt(Real(1.0) - dip * dip));
+}
+
+// The table of transmittance to the end of the air, of rays that miss the ground: x along kTransmittanceSines, y along
+// kTransmittanceHeights, both in [0, 1] from the first texel's middle to the last one's.
+CONST int kTransmittanceSines = 256;
+CONST int kTransmittanceHeights = 64;
+
+FN Vec2 transmittanceTableAt(Real heightM, Real cosine) {
+  Real h = clamp(heightM, Real(0.0), kShellTop);
+  Real most = sqrt(kShellTop * (Real(2.0) * kEarthRadius + kShellTop));
+  Real toHorizon = sqrt(h * (Real(2.0) * kEarthRadius + h));
+  Real shortest = kShellTop - h;
+  Real longest = toHorizon + most;
+  Real length = shellCrossing(h, max(cosine, horizonSine(h)), kShellTop).y;
+  return Vec2(saturate((length - shortest) / (longest - shortest)), toHorizon / most);
+}
+
+// Height (x) and cosine (y) of a place of the table.
+FN Vec2 transmittanceTablePlace(Vec2 at) {
+  Real most = sqrt(kShellTop * (Real(2.0) * kEarthRadius + kShellTop));
+  Real toHorizon = at.y * most;
+  Real h = toHorizon * toHorizon / (kEarthRadius + sqrt(kEarthRadius * kEarthRadius + toHorizon * toHorizon));
+  Real shortest = kShellTop - h;
+  Real length = shortest + at.x * (toHorizon + most - shortest);
+  // From the triangle of both radii and the length.
+  Real c = (kShellTop - h) * (Real(2.0) * kEarthRadius + kShellTop + h);
+  Real cosine = length > Real(0.0) ? (c - length * length) / (Real(2.0) * (kEarthRadius + h) * length) : Real(1.0);
+  return Vec2(h, clamp(cosine, Real(-1.0), Real(1.0)));
+}
+
+// The tables of a sky seen from one height under one light. Columns go by the cosine of the azimuth between view and
+// light, in which the light in the air is smooth: from -1 to 1, so that there is no seam. Rows go by the root of the
+// sine above and below the horizon, which lies between two rows: nothing is interpolated across it.
+CONST int kSkyColumns = 16;
+CONST int kSkyRowsAbove = 64;
+CONST int kSkyRowsBelow = 16;
+CONST int kSkyRows = kSkyRowsBelow + kSkyRowsAbove;
+
+// Row as a number: k + 0 is the middle of row k. horizon, airEnds: sines, horizon < airEnds <= 1.
+FN Real skyTableRow(Real sine, Real horizon, Real airEnds) {
+  bool isAbove = sine >= horizon;
+  Real share = sqrt(saturate((sine - horizon) / (isAbove ? airEnds - horizon : -(horizon + Real(1.0)))));
+  return isAbove ? Real(kSkyRowsBelow) + share * Real(kSkyRowsAbove - 1) : Real(kSkyRowsBelow - 1) * (Real(1.0) - share);
+}
+
+// The sine that a row is made for.
+FN Real skyTableSine(int row, Real horizon, Real airEnds) {
+  if (row >= kSkyRowsBelow) {
+    Real above = Real(row - kSkyRowsBelow) / Real(kSkyRowsAbove - 1);
+    return horizon + (airEnds - horizon) * above * above;
+  }
+  Real below = Real(1.0) - Real(row) / Real(kSkyRowsBelow - 1);
+  return horizon - (horizon + Real(1.0)) * below * below;
+}
+
+// Distances up to which the air's mean radiance along a ray is known: slices by d / (d + kSkySliceLength), from the place of
+// the eye to the end of the ray.
+CONST int kSkySlices = 5;
+CONST Real kSkySliceLength = Real(16000.0);
+
+// As skyTableRow.
+FN Real skyTableSlice(Real distanceM) {
+  return distanceM / (distanceM + kSkySliceLength) * Real(kSkySlices - 1);
+}
+
+// The distance that a slice before the last is made for.
+FN Real skyTableDistance(int slice) {
+  Real share = Real(slice) / Real(kSkySlices - 1);
+  return kSkySliceLength * share / (Real(1.0) - share);
+}
+
+// As skyTableRow.
+FN Real skyTableColumn(Real cosAzimuth) {
+  return (cosAzimuth * Real(0.5) + Real(0.5)) * Real(kSkyColumns - 1);
+}
