@@ -28,7 +28,12 @@ bool mayBeInView(const View& view, const terrain::Box& box) {
                             i & 4 ? box.hi.z : box.lo.z);
     corners[i] = corner - view.position;
   }
-  return isPotentiallyVisible(view, corners);
+  if (!isPotentiallyVisible(view, corners)) return false;
+  // Boxes below a view that rises, which the picture's sides alone do not tell from those in it.
+  return view.offAxis != glm::dvec2(0) ||
+         terrain::mayBeVisible(
+             terrain::makeViewVolume(view.position, view.worldToView, view.fovYRad, view.width, view.height),
+             box);
 }
 
 double reliefOf(const terrain::HeightSource& ground) {
