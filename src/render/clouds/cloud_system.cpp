@@ -272,7 +272,7 @@ void CloudSystem::march(FrameContext& context, Defines defines) {
   if (history_) {
     const gl::Buffer& list =
         history_->recallTiles(context, defines, widest, raysApart(widest), tiles_, tileCount_);
-    marchListed(context, withSpacing(defines, widest), raysApart(widest), list);
+    marchListed(context, defines, widest, list);
   } else {
     marchTiles(context, defines, widest);
   }
@@ -284,6 +284,7 @@ void CloudSystem::marchTiles(FrameContext& context, Defines defines, int widest)
       context.shaders.computeShader("clouds/march_tiles.comp", withGroups(defines, widest));
   shader.use();
   shader.setIvec2("tileCount", tileCount_);
+  shader.setInt("raySpacing", widest);
   raysApart(widest).light.bindImage(0, GL_WRITE_ONLY);
   raysApart(widest).distances.bindImage(1, GL_WRITE_ONLY);
   tiles_.bind(GL_DISPATCH_INDIRECT_BUFFER);
@@ -309,17 +310,18 @@ void CloudSystem::refine(FrameContext& context, Defines defines, int spacing) {
   context_.api().MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                                GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   if (history_) history_->recallCandidates(context, all, raysApart(spacing), tileCount_, list);
-  marchListed(context, all, raysApart(spacing), list);
+  marchListed(context, defines, spacing, list);
 }
 
-void CloudSystem::marchListed(FrameContext& context, Defines defines, const CloudRays& rays,
-                              const gl::Buffer& list) {
+void CloudSystem::marchListed(FrameContext& context, Defines defines, int spacing, const gl::Buffer& list) {
   list.bindBase(GL_SHADER_STORAGE_BUFFER, kRaysBinding);
-  rays.light.bindImage(0, GL_WRITE_ONLY);
-  rays.distances.bindImage(1, GL_WRITE_ONLY);
+  raysApart(spacing).light.bindImage(0, GL_WRITE_ONLY);
+  raysApart(spacing).distances.bindImage(1, GL_WRITE_ONLY);
+  // One program for all spacings: the march is what takes longest to compile.
   gl::ComputeShader& shader = context.shaders.computeShader("clouds/march_rays.comp", defines);
   shader.use();
   shader.setIvec2("tileCount", tileCount_);
+  shader.setInt("raySpacing", spacing);
   list.bind(GL_DISPATCH_INDIRECT_BUFFER);
   context_.dispatchIndirect(0);
 }

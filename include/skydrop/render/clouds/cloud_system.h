@@ -90,7 +90,7 @@ class CloudSystem final : public Pass {
   void march(FrameContext& context, Defines defines);
   void marchTiles(FrameContext& context, Defines defines, int widest);
   void refine(FrameContext& context, Defines defines, int spacing);
-  void marchListed(FrameContext& context, Defines defines, const CloudRays& rays, const gl::Buffer& list);
+  void marchListed(FrameContext& context, Defines defines, int spacing, const gl::Buffer& list);
   void marchExactly(FrameContext& context, Defines defines);
   void marchMultiDispatch();
   void cover(FrameContext& context, Defines defines);
