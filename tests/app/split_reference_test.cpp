@@ -14,6 +14,7 @@ scene::EffectSet everything() {
   scene::EffectSet effects;
   effects.insert(scene::Effect::clouds);
   effects.insert(scene::Effect::terrain);
+  effects.insert(scene::Effect::sky);
   return effects;
 }
 
@@ -38,6 +39,12 @@ TEST(SplitReference, differsFromThePresentSettingsInItsSubjectAlone) {
   const SettingsChange land = SettingsChange::between(before, core::SettingsTable(ofLand.settings));
   EXPECT_EQ(land.paths(), std::vector<std::string>{"streaming.pixelError"});
   EXPECT_EQ(ofLand.present, "2 px");
+  present.render.sky.model = sky::SkyModel::closedForm;
+  const core::SettingsTable beforeSky(present);
+  SplitReference ofSky = splitReference(present, everything(), "sky=reference");
+  const SettingsChange sky = SettingsChange::between(beforeSky, core::SettingsTable(ofSky.settings));
+  EXPECT_EQ(sky.paths(), std::vector<std::string>{"render.sky.model"});
+  EXPECT_EQ(ofSky.present, "closedForm");
 }
 
 TEST(SplitReference, aTierIsTheWholeTierWhateverRowsWereChanged) {
@@ -53,8 +60,8 @@ TEST(SplitReference, aTierIsTheWholeTierWhateverRowsWereChanged) {
 TEST(SplitReference, whatCannotBeComparedIsRefusedWithWhatIsPossible) {
   const Settings present;
   for (const auto& [words, names] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"sky=reference", "possible are clouds, land"},
-           {"birds=reference", "possible are clouds, land"},
+           {"birds=reference", "possible are clouds, land, sky"},
+           {"sky=fine", "possible is reference"},
            {"clouds=best", "low, medium, high, ultra, reference"},
            {"clouds=off", "low, medium, high, ultra, reference"},
            {"land=fine", "possible is reference"},
@@ -74,6 +81,7 @@ TEST(SplitReference, whatIsDrawnAlreadyIsNoReference) {
   EXPECT_EQ(refusalOf(present, "clouds=reference"), "");
   present.streaming.pixelError = 0.2;
   EXPECT_TRUE(test::isOneLineAbout(refusalOf(present, "land=reference"), "nothing to compare"));
+  EXPECT_TRUE(test::isOneLineAbout(refusalOf(present, "sky=reference"), "nothing to compare"));
   present.clouds.tier = clouds::CloudTier::off;  // no clouds at all against some
   EXPECT_EQ(refusalOf(present, "clouds=ultra"), "");
 }

@@ -1,6 +1,7 @@
 #include "app/session/split_reference.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "app/settings/cloud_tier.h"
@@ -13,9 +14,19 @@
 namespace skydrop::app {
 namespace {
 
-// Of assets/studies/land-lod.json, which doubles it.
-constexpr std::string_view kLandReference = "streaming.pixelError=0.2";
-constexpr std::string_view kLandRow = "streaming.pixelError";
+// One for each SplitSubject. What a subject is but for clouds is one row: that of
+// assets/studies/land-lod.json, which doubles it, and the model of the sky that assets/studies/sky.json
+// compares with the reference in double precision.
+struct Subject {
+  scene::Effect effect;
+  std::string_view row, reference;
+  std::string_view absent;  // what a scene without the effect has none of
+};
+constexpr std::array<Subject, kSplitSubjectNames.size()> kSubjects = {{
+    {scene::Effect::clouds, kCloudTierRow, {}, "clouds with thickness"},
+    {scene::Effect::terrain, "streaming.pixelError", "0.2", "land"},
+    {scene::Effect::sky, "render.sky.model", "shell", "sky"},
+}};
 
 void takeTier(const core::SettingsTable& table, Settings& settings, std::string_view name) {
   const auto found = std::ranges::find(clouds::kCloudTierNames, name);
@@ -31,39 +42,40 @@ void takeTier(const core::SettingsTable& table, Settings& settings, std::string_
   applyCloudTier(table, readCloudTier(cloudTierPath(settings.clouds.tier)));
 }
 
-void takeLand(const core::SettingsTable& table, std::string_view name) {
+void takeRow(const core::SettingsTable& table, const Subject& subject, std::string_view what,
+             std::string_view name) {
   if (name != kSplitReference)
-    throw core::RangeError("land has no reference '" + core::printable(name) + "'; possible is " +
-                           std::string(kSplitReference));
-  core::setField(table, kLandReference);
+    throw core::RangeError(std::string(what) + " has no reference '" + core::printable(name) +
+                           "'; possible is " + std::string(kSplitReference));
+  core::setField(table, std::string(subject.row) + "=" + std::string(subject.reference));
 }
 
 // That a tier has another name makes no other picture.
-bool isSamePicture(const SettingsChange& change, bool clouds) {
-  return std::ranges::all_of(change.paths(),
-                             [&](const std::string& path) { return clouds && path == kCloudTierRow; });
+bool isSamePicture(const SettingsChange& change) {
+  return std::ranges::all_of(change.paths(), [](const std::string& path) { return path == kCloudTierRow; });
 }
 
 }  // namespace
 
 SplitReference splitReference(const Settings& present, const scene::EffectSet& effects, SplitSubject subject,
                               std::string_view name) {
-  const bool ofClouds = subject == SplitSubject::clouds;
-  const std::string what(kSplitSubjectNames[static_cast<std::size_t>(subject)]);
-  if (!effects.contains(ofClouds ? scene::Effect::clouds : scene::Effect::terrain))
-    throw core::RangeError("the scene has no " + what + (ofClouds ? " with thickness" : ""));
+  const auto index = static_cast<std::size_t>(subject);
+  const Subject& of = kSubjects[index];
+  const std::string what(kSplitSubjectNames[index]);
+  if (!effects.contains(of.effect)) throw core::RangeError("the scene has no " + std::string(of.absent));
   SplitReference reference{subject, std::string(name), {}, present};
   Settings before = present;
   const core::SettingsTable table(reference.settings), tableBefore(before);
+  const bool ofClouds = subject == SplitSubject::clouds;
   if (ofClouds) {
     takeTier(table, reference.settings, name);
-    reference.present = clouds::kCloudTierNames[static_cast<std::size_t>(present.clouds.tier)];
   } else {
-    takeLand(table, name);
-    reference.present = core::fieldText(tableBefore.at(kLandRow)) + " px";
+    takeRow(table, of, what, name);
   }
+  const core::Field& row = tableBefore.at(of.row);
+  reference.present = core::fieldText(row) + (subject == SplitSubject::land ? " px" : "");
   const bool wasOff = ofClouds && present.clouds.tier == clouds::CloudTier::off;
-  if (!wasOff && isSamePicture(SettingsChange::between(tableBefore, table), ofClouds))
+  if (!wasOff && isSamePicture(SettingsChange::between(tableBefore, table)))
     throw core::RangeError("'" + std::string(name) + "' is how " + what + (ofClouds ? " are" : " is") +
                            " drawn already: there is nothing to compare");
   return reference;
@@ -76,13 +88,10 @@ SplitReference splitReference(const Settings& present, const scene::EffectSet& e
   const auto found = std::ranges::find(kSplitSubjectNames, subject);
   if (equals == std::string_view::npos || equals == 0)
     throw core::RangeError("'" + core::printable(assignment) + "' is not SUBJECT=REFERENCE");
-  if (found == kSplitSubjectNames.end()) {
-    const std::string why = subject == "sky"
-                                ? "the sky's reference integral is not drawn (skydrop accuracy "
-                                  "sky-scattering compares it in numbers)"
-                                : "'" + core::printable(subject) + "' has no reference that can be drawn";
-    throw core::RangeError(why + "; possible are " + core::joined(kSplitSubjectNames));
-  }
+  if (found == kSplitSubjectNames.end())
+    throw core::RangeError("'" + core::printable(subject) +
+                           "' has no reference that can be drawn; possible are " +
+                           core::joined(kSplitSubjectNames));
   return splitReference(present, effects, static_cast<SplitSubject>(found - kSplitSubjectNames.begin()),
                         assignment.substr(equals + 1));
 }

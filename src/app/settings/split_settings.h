@@ -9,8 +9,8 @@
 namespace skydrop::app {
 
 // What is compared. Only what has a justified reference that can be drawn.
-enum class SplitSubject { clouds, land };
-inline constexpr std::array<std::string_view, 2> kSplitSubjectNames = {"clouds", "land"};
+enum class SplitSubject { clouds, land, sky };
+inline constexpr std::array<std::string_view, 3> kSplitSubjectNames = {"clouds", "land", "sky"};
 
 struct SplitSettings {
   SplitSubject subject = SplitSubject::clouds;
