@@ -16,6 +16,9 @@ namespace {
 // disc's radius.
 constexpr double kSameSunRad = 0.1 * kSunRadiusRad;
 
+// Sine of the elevation that a warm-up's sun has at least, so that there is a shade to draw with.
+constexpr double kWarmUpSun = 0.05;
+
 bool isGoodEnough(const terrain::ShadeKey& had, const terrain::ShadeKey& wanted) {
   return had.layout == wanted.layout && had.first == wanted.first &&
          glm::length(had.toSun - wanted.toSun) < kSameSunRad;
@@ -64,11 +67,14 @@ LandShadowPass::LandShadowPass(std::shared_ptr<const terrain::HeightSource> grou
     : relief_(reliefOf(*ground)), settings_(settings), work_(std::make_unique<Work>(std::move(ground))) {}
 
 std::optional<std::string> LandShadowPass::skipReason(const FrameInput& frame) const {
-  if (frame.toSun.y <= -std::sin(kSunRadiusRad)) return "the sun is below the horizon";
+  if (frame.toSun.y <= -std::sin(kSunRadiusRad) && !frame.warmsUp) return "the sun is below the horizon";
   if (relief_ <= 0) return "no land rises above other land";
   const View& view = frame.view;
-  work_->want(terrain::shadeKey(shadeLayout(settings_), {view.position.x, view.position.z}, frame.toSun),
-              !frame.followsLast);
+  glm::dvec3 toSun = frame.toSun;
+  if (frame.warmsUp) toSun = glm::normalize(glm::dvec3(toSun.x, std::max(toSun.y, kWarmUpSun), toSun.z));
+  work_->want(terrain::shadeKey(shadeLayout(settings_), {view.position.x, view.position.z}, toSun),
+              frame.warmsUp || !frame.followsLast);
+  if (frame.warmsUp) return std::nullopt;
   if (!work_->shade) return "the shade is being worked out";
   const std::vector<terrain::Box>& shaded = work_->shade->shaded();
   if (shaded.empty()) return "the sun stands above every slope";
