@@ -78,6 +78,8 @@ vec3 skyTransmittance(vec3 direction) {
   return textureLod(skyTables, vec3(skyTablePlace(direction), kSkyLeft), 0.0).xyz;
 }
 
+vec3 airTransmittanceTowards(vec3 direction) { return skyTransmittance(direction); }
+
 // Sine of the elevation at which a level sea ends.
 float seaEndsSine() { return frame.skyTable.x; }
 
@@ -124,6 +126,9 @@ vec3 airBeforeSky(vec3 direction, float distanceM, vec3 transmittance) {
   vec3 leftOfSky = skyTransmittance(frameColumn(), direction.y);
   return skyTowards(direction) * min((1.0 - transmittance) / max(1.0 - leftOfSky, vec3(1e-6)), vec3(1.0));
 }
+
+// Transmittance of all the air in a direction; below the horizon as at the horizon.
+vec3 airTransmittanceTowards(vec3 direction) { return skyTransmittance(frameColumn(), direction.y); }
 
 // Sine of the elevation at which a level sea ends: here the earth is flat.
 float seaEndsSine() { return 0.0; }

@@ -39,7 +39,7 @@ vec3 moonCorner(int i) {
 vec2 moonShade(vec3 direction) {
   vec2 aside = vec2(dot(direction, moonEast()), dot(direction, moonNorth)) / sin(moonPlace.w);
   float beside = 1.0 - dot(aside, aside);
-  if (beside <= 0.0 || direction.y < 0.0) return vec2(0.0);
+  if (beside <= 0.0 || direction.y < seaEndsSine()) return vec2(0.0);
   float seen = sqrt(beside);
   vec3 normal = aside.x * moonEast() + aside.y * moonNorth - seen * moonPlace.xyz;
   float lit = max(dot(normal, moonToSun), 0.0);

@@ -37,7 +37,7 @@ bool isHidden(vec3 direction) {
 #ifdef MOON
   if (dot(direction, moon.xyz) > moon.w) return true;
 #endif
-  return direction.y < 0.0;
+  return direction.y < seaEndsSine();
 }
 
 // Peak radiance of a star whose light is spread over pixels; 0 where it cannot be seen.

@@ -98,7 +98,9 @@ class NightSkyGLTest : public test::FrameTest {
   // Of light from outside, by what the frame's atmosphere leaves of it.
   double through(const glm::dvec3& direction) const {
     const SkyLight light = skyLight(settings_, kHeightM);
-    const glm::dvec3 kept = glm::exp(-light.column.depth * core::shared::f64::airMass(direction.y));
+    const glm::dvec3 kept = light.isShell()
+                                ? light.view->at(sky::SkyLayer::left, direction.y, 1)
+                                : glm::exp(-light.column.depth * core::shared::f64::airMass(direction.y));
     return glm::dot(kept, glm::dvec3(0.2126, 0.7152, 0.0722)) * light.exposure;
   }
 
@@ -115,7 +117,8 @@ TEST_F(NightSkyGLTest, aStarStandsWhereTheAlmanacSaysAndSendsTheLightOfItsMagnit
     const sky::Star star = starAt(direction, 1.5);
     renderer().setGroup({"star", 0});
     addStars({star});
-    const View view = pose({0, kHeightM, 0}, yawOf(direction) + aside, pitchOf(direction), 0, kWidth, kHeight);
+    const View view =
+        pose({0, kHeightM, 0}, yawOf(direction) + aside, pitchOf(direction), 0, kWidth, kHeight);
     const Received star1 = received(view);
     const glm::dvec3 seen = view.worldToView * direction;
     const double perPixel = std::tan(view.fovYRad / 2) * 2 / kHeight;

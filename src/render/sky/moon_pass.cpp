@@ -6,6 +6,7 @@
 
 #include "render/frame/visibility.h"
 #include "render/sky/moon_view.h"
+#include "skydrop/core/shared.h"
 #include "skydrop/sky/night_light.h"
 
 namespace skydrop::render {
@@ -23,7 +24,9 @@ std::optional<std::string> MoonPass::skipReason(const FrameInput& frame) const {
   if (frame.warmsUp) return std::nullopt;
   if (clock_.source != SunSource::clock) return "the sun is set by hand (sky.sun)";
   const MoonView moon = moonView(clock_, frame.simulatedSeconds);
-  if (moon.direction.y < -std::sin(moon.radiusRad)) return "the moon is below the horizon";
+  if (moon.direction.y <
+      core::shared::f64::horizonSine(std::max(frame.view.position.y, 0.0)) - std::sin(moon.radiusRad))
+    return "the moon is below the horizon";
   constexpr double kFarM = 1e6;
   const double radius = kFarM * std::tan(2 * moon.radiusRad);
   if (!isPotentiallyVisible(frame.view, frame.view.position + kFarM * moon.direction, radius))
