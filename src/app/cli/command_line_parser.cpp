@@ -357,7 +357,7 @@ class Parser {
   void addSplit(CLI::App& verb) {
     text(verb, "--split", "SUBJECT=REFERENCE",
          "the picture left of a divider, that of a reference right of it, and the error between them: "
-         "clouds=reference (or any tier), land=reference",
+         "clouds=reference (or any tier), land=reference, sky=reference",
          [this](const std::string& t) { line_.split = t; });
     verb.add_flag_callback(
         "--heat",
