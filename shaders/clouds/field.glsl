@@ -1,4 +1,5 @@
-// The clouds' medium at a place relative to the eye, in the field: where a straight ray is bent (placeOnBentRay()). DETAIL: edges are eroded by the detail texture, else by its mean.
+// The clouds' medium at a place relative to the eye, in the field: where a straight ray is bent (placeOnBentRay()). DETAIL:
+// edges are eroded by the detail texture, else by its mean.
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
 #include "clouds/far.glsl"

@@ -39,7 +39,8 @@ void gather(inout Walk walk, vec4 ray, int spansAt, float limitM, const bool isF
   int parts = int(spans[spansAt].x);
   float longer = isFar ? clouds.farField.y : 1.0;
   int iterations = kMostIterations / kSamplesATurn;
-  while (walk.transmittance > clouds.march.w && (walk.at < walk.end || (walk.part < parts && walk.at < limitM)) && iterations > 0) {
+  while (walk.transmittance > clouds.march.w && (walk.at < walk.end || (walk.part < parts && walk.at < limitM)) &&
+         iterations > 0) {
     --iterations;
     while (walk.at >= walk.end && walk.part < parts && walk.at < limitM) {
       ++walk.part;
