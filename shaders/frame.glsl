@@ -27,6 +27,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 horizonRayleigh;
   vec4 horizonHaze;
   vec4 horizonIsotropic;
+  vec4 skySun;
   vec4 skyTable;
 } frame;
 

@@ -19,8 +19,9 @@ CONST Vec3 kSunIlluminance = Real(128.0) * Vec3(Real(1.04), Real(0.99), Real(0.9
 // Angular radius of the sun's disc, rad: 0.267 degrees, the mean over the year.
 CONST Real kSunRadius = Real(0.00466);
 
-// Radiance of the night sky of the game, kcd/m^2: brighter than starlight (2e-7) by far, so that land can be made out.
-CONST Vec3 kNightRadiance = Real(4e-4) * Vec3(Real(0.55), Real(0.75), Real(1.3));
+// Radiance of the night sky without sun and moon, kcd/m^2: airglow and starlight, 2e-4 cd/m^2 at a dark place (Leinert and
+// others 1998).
+CONST Vec3 kNightRadiance = Real(2.3e-7) * Vec3(Real(0.75), Real(0.9), Real(1.2));
 
 // Rayleigh scattering at sea level for sRGB's primaries, 1/m, and its scale height, m (Bruneton 2017 after Penndorf
 // 1957).

@@ -50,7 +50,7 @@ vec3 skyByTable(vec3 direction, float anisotropy) {
   vec2 place = skyTablePlace(direction);
   return textureLod(skyTables, vec3(place, kSkyEven), 0.0).xyz +
          textureLod(skyTables, vec3(place, kSkyHaze), 0.0).xyz *
-             henyeyGreenstein(dot(direction, frame.toSun.xyz), anisotropy);
+             henyeyGreenstein(dot(direction, frame.skySun.xyz), anisotropy);
 }
 
 // Radiance of all the air in a direction, the night's included, without the sun's disc; a direction that meets the sea ends
@@ -65,7 +65,7 @@ vec3 airRadiance(vec3 direction, float distanceM) {
   vec3 place = vec3(skyTablePlace(direction), (skyTableSlice(distanceM) + 0.5) / float(2 * kSkySlices));
   return textureLod(airTables, place, 0.0).xyz +
          textureLod(airTables, place + vec3(0.0, 0.0, 0.5), 0.0).xyz *
-             henyeyGreenstein(dot(direction, frame.toSun.xyz), frame.airHaze.w);
+             henyeyGreenstein(dot(direction, frame.skySun.xyz), frame.airHaze.w);
 }
 
 // Light of the air before something at a distance that the sky is seen behind, by the air's transmittance.
@@ -103,19 +103,19 @@ vec3 skyAndPlain(vec3 direction) {
 // horizon, which is what haze sends towards the eye.
 vec3 skyTowards(vec3 direction) {
   SkySource source = skySource(frameColumn(), frameAtmosphere(), direction.y);
-  return skyRadiance(source, dot(direction, frame.toSun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
+  return skyRadiance(source, dot(direction, frame.skySun.xyz), frame.airHaze.w) + frame.nightRadiance.xyz;
 }
 
 // The same without the glow of the haze around the sun, as a surface that blurs its mirror image shows it.
 vec3 skyWithoutGlow(vec3 direction) {
   SkySource source = skySource(frameColumn(), frameAtmosphere(), direction.y);
-  return skyRadiance(source, dot(direction, frame.toSun.xyz), 0.0) + frame.nightRadiance.xyz;
+  return skyRadiance(source, dot(direction, frame.skySun.xyz), 0.0) + frame.nightRadiance.xyz;
 }
 
 // What air of any opacity sends towards the eye is its opacity times this: the radiance of the sky at the horizon below a
 // direction.
 vec3 airRadiance(vec3 direction, float distanceM) {
-  float c = dot(direction, frame.toSun.xyz);
+  float c = dot(direction, frame.skySun.xyz);
   return frame.horizonRayleigh.xyz * rayleighPhase(c) + frame.horizonHaze.xyz * henyeyGreenstein(c, frame.airHaze.w) +
          frame.horizonIsotropic.xyz;
 }

@@ -3,11 +3,11 @@
 
 // The sun's disc, its edge smoothed over a pixel; the horizon cuts it.
 vec3 sunDisc(vec3 direction) {
-  vec3 aside = cross(direction, frame.toSun.xyz);
-  float pixels = (frame.toSun.w - sqrt(dot(aside, aside))) / frame.depthToSea.w;
+  vec3 aside = cross(direction, frame.skySun.xyz);
+  float pixels = (frame.skySun.w - sqrt(dot(aside, aside))) / frame.depthToSea.w;
   float above = (direction.y - seaEndsSine()) / frame.depthToSea.w;
   float inDisc = clamp(pixels + 0.5, 0.0, 1.0) * clamp(above + 0.5, 0.0, 1.0);
-  return dot(direction, frame.toSun.xyz) > 0.0 ? frame.sunDisc.xyz * inDisc : vec3(0.0);
+  return dot(direction, frame.skySun.xyz) > 0.0 ? frame.sunDisc.xyz * inDisc : vec3(0.0);
 }
 
 vec3 skyInDirection(vec3 direction) { return min(skyAndPlain(direction) + sunDisc(direction), vec3(kBrightest)); }

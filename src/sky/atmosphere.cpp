@@ -118,7 +118,9 @@ glm::dvec3 sunDiscRadiance(const SkyLight& light) {
 }
 
 glm::dvec3 sunIlluminance(const SkyLight& light, double heightM) {
-  if (!light.isShell()) return shared::sunIlluminanceAt(light.air, heightM, light.toSun.y);
+  if (!light.isShell())
+    return shared::sunIlluminanceAt(light.air, heightM, light.toSun.y) *
+           (light.sunOutside / shared::kSunIlluminance);
   const AirTables::Level level = light.views->tables().at(static_cast<float>(heightM));
   const auto cosine = static_cast<float>(light.toSun.y);
   return light.sunOutside * glm::dvec3(level.transmittance(cosine)) *

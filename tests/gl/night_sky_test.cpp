@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/settings/settings.h"
-#include "render/sky/moon_view.h"
+#include "render/frame/moon_view.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/render/frame/sky_clock.h"
 #include "skydrop/render/frame/sky_light.h"

@@ -26,7 +26,7 @@ CloudFrame frameOf(const FrameContext& context, const glm::dvec3& eyeInField,
           .eyeInField = eyeInField,
           .seconds = context.frame.simulatedSeconds,
           .exposure = context.light.exposure,
-          .toSun = context.light.toSun,
+          .toSun = context.light.direct.toSun,
           .atmosphere = context.settings.atmosphere,
           .settings = settings,
           .defines = {context.defines.begin(), context.defines.end()}};

@@ -234,7 +234,7 @@ void CloudPlanes::drawLight(FrameContext& context, CloudPlane& plane, gl::Shader
     return static_cast<float>(noise.lost[std::min(level, noise.lost.size() - 1)]);
   };
   shader.setVec4("lost", {lostAt(2), lostAt(4), lostAt(6), lostAt(8)});
-  const glm::dvec3 sun = context.light.toSun;
+  const glm::dvec3 sun = context.light.direct.toSun;
   const double level = std::max(std::hypot(sun.x, sun.z), 1e-9);
   const double shadeM = std::min(kShadeHeightM * level / std::max(sun.y, 0.01), kMostShadeM);
   shader.setVec2("towardsSun", glm::vec2(glm::dvec2(sun.x, sun.z) / level * (shadeM / layer.period)));

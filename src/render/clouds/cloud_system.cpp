@@ -135,7 +135,7 @@ void CloudSystem::resize(const View& view) {
 void CloudSystem::update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
                          const glm::dvec3& middle) {
   grid.update(context_, context.shaders,
-              sunOpticalDepthGridLayout(layer(), clouds::raisedSun(context.light.toSun), cellM,
+              sunOpticalDepthGridLayout(layer(), clouds::raisedSun(context.light.direct.toSun), cellM,
                                         std::min(radiusM, settings_.fadeDistance), middle),
               layer(), settings_, textures_->meanDetail());
 }
@@ -159,7 +159,7 @@ CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
   if (context.frame.toSun.y <= 0) return CloudShadowMap(sky, baseAndThickness);
   textures_->bind(kMarchedLayer);
   // What shades the land around the eye stands where the sun's rays to that land pass the base.
-  const glm::dvec3 toSun = clouds::raisedSun(context.light.toSun);
+  const glm::dvec3 toSun = clouds::raisedSun(context.light.direct.toSun);
   const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (layer().cloudHeight / toSun.y);
   const auto map = [&](SunOpticalDepthGrid& grid, double cellM, double radiusM) {
     const double reach = std::min(radiusM, settings_.fadeDistance);

@@ -50,9 +50,9 @@ CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& s, double fadeDist
 }
 
 void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const SkyLight& light) {
-  u.toSun = packed(clouds::raisedSun(light.toSun), 0);
+  u.toSun = packed(clouds::raisedSun(light.direct.toSun), 0);
   const double middle = layer.cloudHeight + 0.5 * layer.thickness;
-  u.sunLight = packed(sky::sunIlluminance(light, middle) * light.exposure, 0);
+  u.sunLight = packed(sky::sunIlluminance(light.direct, middle) * light.exposure, 0);
   u.skyLight = packed(light.sky * light.exposure, 0);
   u.groundLight = packed(light.ground * light.exposure, 0);
 }

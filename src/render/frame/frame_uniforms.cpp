@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace skydrop::render {
 namespace {
@@ -21,12 +22,16 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simu
   u.ndcToRay = glm::mat4(glm::mat3(rayMatrix(view)));
   u.eye = glm::vec4(view.position.y, view.nearM, e, std::fmod(simulatedSeconds, kTimeWrap));
   u.viewport = glm::vec4(view.width, view.height, 1.0 / view.width, 1.0 / view.height);
-  u.toSun = rgb(light.toSun, kSunRadiusRad);
-  u.sunLight = rgb(light.sun * e);
+  u.toSun = rgb(light.direct.toSun, light.directRadiusRad);
+  u.skySun = rgb(light.toSun, kSunRadiusRad);
+  u.sunLight = rgb(light.direct.sun * e);
   u.skyLight = rgb(light.sky * e);
   u.groundLight = rgb(light.ground * e);
   u.sunDisc = rgb(sunDiscRadiance(light) * e);
-  u.nightRadiance = rgb(light.night * e);
+  // Of the closed form: moonlight scattered by the air is the same in all directions.
+  const glm::dvec3 night =
+      light.night + (light.moon ? light.moon->illuminance / std::numbers::pi : glm::dvec3(0));
+  u.nightRadiance = rgb(night * e);
   u.airRayleigh = rgb(light.air.rayleigh, light.air.rayleighHeight);
   u.airHaze = glm::vec4(light.air.haze, light.air.hazeHeight, light.air.hazeAlbedo, light.air.hazeAnisotropy);
   u.columnDepth = rgb(light.column.depth, light.column.sunMass);
@@ -38,7 +43,7 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simu
   u.depthToSea = rgb(sky::opticalDepth(light.air, height, 0, height), view.pixelAngleRad());
   u.horizonRayleigh = rgb(light.horizon.rayleigh * light.sunOutside * e);
   u.horizonHaze = rgb(light.horizon.haze * light.sunOutside * e);
-  u.horizonIsotropic = rgb((light.horizon.isotropic * light.sunOutside + light.night) * e);
+  u.horizonIsotropic = rgb((light.horizon.isotropic * light.sunOutside + night) * e);
   const double across = std::hypot(light.toSun.x, light.toSun.z), perAcross = across > 1e-6 ? 1 / across : 0;
   const sky::SkyView* sky = light.view.get();
   u.skyTable = glm::vec4(sky ? sky->horizon : 0, sky ? sky->airEnds : 1, light.toSun.x * perAcross,

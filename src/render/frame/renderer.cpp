@@ -174,7 +174,8 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   context_.makeCurrent();
   const SkyLight light = skyLight(settings_, asked.view.position.y, asked.simulatedSeconds);
   FrameInput picture = asked;  // of what is drawn over the scene, which may have fewer pixels
-  picture.toSun = light.toSun;
+  picture.toSun = light.direct.toSun;
+  picture.sunSine = light.toSun.y;
   FrameInput input = picture;
   input.view = scaled(asked.view, settings_.scale);
   resize(input.view, picture.view);

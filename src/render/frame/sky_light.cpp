@@ -5,8 +5,11 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "render/frame/moon_view.h"
+#include "skydrop/core/shared.h"
 #include "skydrop/render/frame/sky_clock.h"
 #include "skydrop/sky/almanac.h"
+#include "skydrop/sky/night_light.h"
 #include "skydrop/sky/refraction.h"
 
 namespace skydrop::render {
@@ -17,9 +20,30 @@ namespace {
 constexpr double kNoonExposure = 0.08;  // where the level is kNoonLevel
 constexpr double kNoonLevel = 140;      // klx
 constexpr double kAdaptation = 0.82;    // exponent: 1 adapts fully
-constexpr double kDarkestLevel = 5e-3;  // klx, below which the eye adapts no further
+constexpr double kDarkestLevel = 3e-6;  // klx, below which the eye adapts no further
+
+// Of moonlight against sunlight: it is a little redder (Ciocca and Wang 2013).
+constexpr glm::dvec3 kMoonTint(1.04, 1.0, 0.93);
 
 double luminance(const glm::dvec3& light) { return glm::dot(light, glm::dvec3(0.2126, 0.7152, 0.0722)); }
+
+void addMoon(SkyLight& light, const MoonView& moon, sky::SkyModel model) {
+  if (moon.direction.y <= core::shared::f64::horizonSine(std::max(light.heightM, 0.0)) - moon.radiusRad)
+    return;
+  sky::SkyLight there = sky::skyLight(light.air, moon.direction, light.heightM, model);
+  const double share =
+      sky::moonIlluminance(moon.phaseAngleDegrees, moon.distanceKm) / luminance(there.sunOutside);
+  const glm::dvec3 scale = share * kMoonTint;
+  const glm::dvec3 ofSky = (there.sky - std::numbers::pi * there.night) * scale;
+  there.sunOutside *= scale;
+  there.sun *= scale;
+  light.moon = MoonSky{there.view, there.sunOutside, ofSky};
+  light.sky += ofSky;
+  light.ground += (there.sun * std::max(moon.direction.y, 0.0) + ofSky) * core::shared::f64::kGroundAlbedo;
+  if (luminance(there.sun) <= luminance(light.sun)) return;
+  light.direct = there;
+  light.directRadiusRad = moon.radiusRad;
+}
 
 }  // namespace
 
@@ -39,9 +63,14 @@ SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simul
   SkyLight light{sky::skyLight(atmosphereOf(settings.atmosphere),
                                directionToSun(settings.sun, simulatedSeconds), eyeHeight,
                                settings.sky.model)};
-  const glm::dvec3 level = light.sun * std::max(light.toSun.y, 0.0) + light.sky;
+  light.direct = light;
+  if (settings.sun.source == SunSource::clock && light.toSun.y < 0)
+    addMoon(light, moonView(settings.sun, simulatedSeconds), settings.sky.model);
+  const glm::dvec3 level = light.direct.sun * std::max(light.direct.toSun.y, 0.0) + light.sky;
   // A low sun lights the horizon more than the land, and the horizon is what fills the picture.
-  const double seen = luminance(level + std::numbers::pi * meanHorizonRadiance(light));
+  glm::dvec3 horizon = std::numbers::pi * meanHorizonRadiance(light);
+  if (light.moon) horizon += light.moon->illuminance;
+  const double seen = luminance(level + horizon);
   light.exposure = kNoonExposure * std::pow(kNoonLevel / std::max(seen, kDarkestLevel), kAdaptation) *
                    std::exp2(settings.exposureStops);
   return light;

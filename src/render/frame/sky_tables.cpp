@@ -1,6 +1,10 @@
 #include "skydrop/render/frame/sky_tables.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
+#include <numbers>
 #include <span>
 
 namespace skydrop::render {
@@ -15,13 +19,50 @@ constexpr int kLeft = static_cast<int>(sky::SkyLayer::left), kAir = static_cast<
               kAirHaze = static_cast<int>(sky::SkyLayer::airHaze);
 static_assert(kAir == kLeft + 1 && sky::kSkyLayers == kAir + 2 * kSlices);
 
+constexpr float kMeanPhase = 0.25f / std::numbers::pi_v<float>;  // of any phase function, over all directions
+
+// How much each column counts in a mean over all azimuths.
+std::array<float, kColumns> azimuthShares() {
+  constexpr int kSamples = 256;
+  std::array<float, kColumns> shares{};
+  for (int i = 0; i < kSamples; ++i) {
+    const float at = shared::skyTableColumn(
+        std::cos(std::numbers::pi_v<float> * (static_cast<float>(i) + 0.5f) / kSamples));
+    const int column = std::clamp(static_cast<int>(at), 0, kColumns - 2);
+    const float share = at - static_cast<float>(column);
+    shares[static_cast<std::size_t>(column)] += (1 - share) / kSamples;
+    shares[static_cast<std::size_t>(column) + 1] += share / kSamples;
+  }
+  return shares;
+}
+const std::array<float, kColumns> kAzimuthShares = azimuthShares();
+
 }  // namespace
 
 void SkyTables::bind(gl::Context& context, const SkyLight& light) {
   assert(light.isShell());
-  if (light.view != view_ || light.exposure != exposure_) write(context, light);
+  const std::shared_ptr<const sky::SkyView> moon = light.moon ? light.moon->view : nullptr;
+  if (light.view != view_ || moon != moon_ || light.exposure != exposure_) write(context, light);
   sky_.bind(kSkyTablesUnit);
   air_.bind(kAirTablesUnit);
+}
+
+// The mean over all azimuths of what a layer has, and of the haze's layer that belongs to it without its
+// phase function.
+void SkyTables::addMoon(const MoonSky& moon, double exposure) {
+  const std::span<const glm::vec4> of(moon.view->texels);
+  const glm::vec4 scale(glm::vec3(moon.outside * exposure), 0);
+  const auto add = [&](int even, int haze) {
+    for (int row = 0; row < kRows; ++row) {
+      const auto at = [&](int layer) { return static_cast<std::size_t>((layer * kRows + row) * kColumns); };
+      glm::vec4 mean(0);
+      for (std::size_t c = 0; c < kColumns; ++c)
+        mean += kAzimuthShares[c] * (of[at(even) + c] + of[at(haze) + c] * kMeanPhase);
+      for (std::size_t c = 0; c < kColumns; ++c) texels_[at(even) + c] += mean * scale;
+    }
+  };
+  add(static_cast<int>(sky::SkyLayer::skyEven), kSkyHaze);
+  for (int slice = 0; slice < kSlices; ++slice) add(kAir + slice, kAirHaze + slice);
 }
 
 void SkyTables::write(gl::Context& context, const SkyLight& light) {
@@ -39,6 +80,7 @@ void SkyTables::write(gl::Context& context, const SkyLight& light) {
         std::span(texels_).subspan(static_cast<std::size_t>(layer) * kLayerTexels, kLayerTexels);
     for (glm::vec4& texel : texels) texel = texel * scale + added;
   }
+  if (light.moon) addMoon(*light.moon, light.exposure);
   const std::span<const glm::vec4> all(texels_);
   for (GLint layer = 0; layer < kAir; ++layer) {
     const auto texels = all.subspan(static_cast<std::size_t>(layer) * kLayerTexels, kLayerTexels);
@@ -46,6 +88,7 @@ void SkyTables::write(gl::Context& context, const SkyLight& light) {
   }
   air_.upload(GL_RGBA, GL_FLOAT, std::as_bytes(all.subspan(kAir * kLayerTexels)));
   view_ = light.view;
+  moon_ = light.moon ? light.moon->view : nullptr;
   exposure_ = light.exposure;
 }
 

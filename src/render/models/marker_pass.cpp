@@ -76,8 +76,9 @@ glm::dvec3 throughAir(const FrameContext& context, const glm::dvec3& radiance, c
 
 glm::dvec3 signalRadiance(const SkyLight& light) {
   // A low sun leaves the land dark before the horizon, against which a beam is seen.
-  const glm::dvec3 sheet = (light.sun * std::max(light.toSun.y, 0.0) + light.sky) / std::numbers::pi +
-                           sky::meanHorizonRadiance(light);
+  const glm::dvec3 sheet =
+      (light.direct.sun * std::max(light.direct.toSun.y, 0.0) + light.sky) / std::numbers::pi +
+      sky::meanHorizonRadiance(light);
   const double white = glm::dot(sheet, glm::dvec3(0.2126, 0.7152, 0.0722));
   return kSignalOrange * (kDaylightShare * white + kLampRadiance);
 }

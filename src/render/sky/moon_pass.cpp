@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render/frame/moon_view.h"
 #include "render/frame/visibility.h"
-#include "render/sky/moon_view.h"
 #include "skydrop/core/shared.h"
 #include "skydrop/sky/night_light.h"
 

@@ -44,7 +44,7 @@ void StarsPass::apply(const StarsSettings& settings) { settings_ = settings; }
 
 std::optional<std::string> StarsPass::skipReason(const FrameInput& frame) const {
   if (frame.warmsUp) return std::nullopt;
-  if (frame.toSun.y > 0) return "the sun is up";
+  if (frame.sunSine > 0) return "the sun is up";
   if (settings_.brightness <= 0) return "the brightness is 0";
   return std::nullopt;
 }

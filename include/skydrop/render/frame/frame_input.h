@@ -19,7 +19,10 @@ struct FrameInput {
   FrameFeatures features{};
   double simulatedSeconds = 0;           // finite, any sign: waves and clouds move by it
   const game::Snapshot* game = nullptr;  // null: there is no game; must outlive Renderer::draw()
-  glm::dvec3 toSun{0, 1, 0};             // unit; the renderer puts its settings' sun here
+  // The renderer puts here what follows from its settings: the unit vector to what casts shadows (the sun, at
+  // night the moon), and the sine of the sun's elevation.
+  glm::dvec3 toSun{0, 1, 0};
+  double sunSine = 1;
   // The frame may use what passes kept of the one that the same renderer drew before it: only then is it a
   // function of more than what is in here. It need not fit: passes find out what of it does.
   bool followsLast = false;

@@ -17,9 +17,10 @@ struct FrameUniforms {
   glm::mat4 viewProjection;  // eye-relative position to clip space
   glm::mat4 ndcToRay;        // (ndc.x, ndc.y, 1, 0) to a ray whose component along the view axis is 1
   glm::vec4 eye;  // height above the sea (m), near plane (m), exposure, simulated time (s, wrapped at 3600)
-  glm::vec4 viewport;       // width, height (pixels), 1 / width, 1 / height
-  glm::vec4 toSun;          // xyz: unit vector; w: angular radius of the disc (rad)
-  glm::vec4 sunLight;       // rgb: illuminance of the sun at the eye's height on a surface that faces it
+  glm::vec4 viewport;  // width, height (pixels), 1 / width, 1 / height
+  glm::vec4
+      toSun;  // xyz: unit vector to what casts shadows, sun or moon; w: angular radius of its disc (rad)
+  glm::vec4 sunLight;       // rgb: its illuminance at the eye's height on a surface that faces it
   glm::vec4 skyLight;       // rgb: illuminance by the sky on a level surface
   glm::vec4 groundLight;    // rgb: illuminance from below
   glm::vec4 sunDisc;        // rgb: radiance of the sun's disc; may exceed a half float
@@ -35,6 +36,8 @@ struct FrameUniforms {
   glm::vec4 horizonRayleigh;  // rgb: the sky's sources at the horizon
   glm::vec4 horizonHaze;
   glm::vec4 horizonIsotropic;  // with the night's radiance
+  glm::vec4
+      skySun;  // xyz: unit vector to the sun, around which its sky is bright; w: radius of its disc (rad)
   glm::vec4 skyTable;  // of the shell: sines of the elevations at which the sea (x) and the air (y) end; zw:
                        // level unit vector (x, z) towards the sun, 0 where it is vertical
 };

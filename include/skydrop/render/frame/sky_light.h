@@ -4,6 +4,8 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
 
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/sky/atmosphere.h"
@@ -12,8 +14,23 @@ namespace skydrop::render {
 
 using sky::kSunRadiusRad;
 
+// What the moon adds to the light of the sky. Its own direction in the sky is left out: it is the same
+// towards all azimuths.
+struct MoonSky {
+  std::shared_ptr<const sky::SkyView> view;  // from this height, under this moon; null with the closed form
+  glm::dvec3 outside{0};                     // illuminance of the moon above the atmosphere
+  glm::dvec3 illuminance{0};                 // on a horizontal surface, from the sky
+};
+
+// The light of the sun and its sky, and what else there is. `sky` and `ground` are of all of it.
 struct SkyLight : sky::SkyLight {
-  double exposure = 1;  // what all light is multiplied by before it meets a half-float target
+  // What casts shadows: the sun, or the moon where the clock has one up that is brighter. Of its members
+  // `toSun`, `sunOutside` and `sun` are its own (sky::sunIlluminance() of it is that of this light); nothing
+  // else is used.
+  sky::SkyLight direct{};
+  double directRadiusRad = kSunRadiusRad;
+  std::optional<MoonSky> moon{};  // after sunset, with the moon above the horizon
+  double exposure = 1;          // what all light is multiplied by before it meets a half-float target
 };
 
 // The one place that decides where the sun stands: the two angles of the settings, or, with SunSource::clock,

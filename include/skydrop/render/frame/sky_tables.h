@@ -27,11 +27,12 @@ class SkyTables {
 
  private:
   void write(gl::Context& context, const SkyLight& light);
+  void addMoon(const MoonSky& moon, double exposure);
 
   gl::Texture sky_, air_;
   std::vector<glm::vec4> texels_;
   // What was written.
-  std::shared_ptr<const sky::SkyView> view_;
+  std::shared_ptr<const sky::SkyView> view_, moon_;
   double exposure_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "render/sky/moon_view.h"
+#include "render/frame/moon_view.h"
 
 #include <algorithm>
 #include <cmath>
