@@ -208,7 +208,7 @@ TEST_F(NightSkyGLTest, whatCannotBeSeenIsLeftOutWithAReason) {
   StarsPass& stars = addStars({starAt({0, 1, 0}, 0)});
   const auto reasons = [&](const View& view) {
     FrameInput input = gameFrame(snapshot_, view, features_);
-    input.toSun = directionToSun(settings_.sun);
+    input.sunSine = directionToSun(settings_.sun).y;
     moon.apply(settings_.sun);
     return std::pair(moon.skipReason(input).value_or(""), stars.skipReason(input).value_or(""));
   };

@@ -111,6 +111,12 @@ const std::vector<Golden>& goldens() {
       {"domeAt61", clouded("dome", "0,400,0,40,20,0", "40", "220", {"cloudDome.cutoff=0.61"})},
       {"domeAtDusk", clouded("dome", "0,400,0,220,12,0", "-1", "250")},
       {"valleyFog", withoutHud({"--scene", "valleyFog", "--pose=8000,1150,-7500,210,-11,0"})},
+      {"moonlitLake", withoutHud({"--pose=0,600,0,46,14,0", "--set", "sky.sun=clock", "--set",
+                                  "sky.utc=2026-09-26T21:00Z", "--set", "stars.twinkle=0"})},
+      {"starsOverTheRange", withoutHud({"--pose=0,600,0,-60,25,0", "--set", "sky.sun=clock", "--set",
+                                        "sky.utc=2026-01-18T22:00Z", "--set", "stars.twinkle=0"})},
+      {"cloudsByMoonlight", withoutHud({"--scene", "fair", "--pose=0,600,0,226,6,0", "--set", "sky.sun=clock",
+                                        "--set", "sky.utc=2026-09-26T21:00Z", "--set", "stars.twinkle=0"})},
   };
   return all;
 }
