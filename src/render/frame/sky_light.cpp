@@ -71,8 +71,8 @@ SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simul
   glm::dvec3 horizon = std::numbers::pi * meanHorizonRadiance(light);
   if (light.moon) horizon += light.moon->illuminance;
   const double seen = luminance(level + horizon);
-  light.exposure = kNoonExposure * std::pow(kNoonLevel / std::max(seen, kDarkestLevel), kAdaptation) *
-                   std::exp2(settings.exposureStops);
+  light.adaptation = kNoonExposure * std::pow(kNoonLevel / std::max(seen, kDarkestLevel), kAdaptation);
+  light.exposure = light.adaptation * std::exp2(settings.exposureStops);
   return light;
 }
 

@@ -23,8 +23,9 @@ namespace shared = core::shared::f64;
 constexpr glm::dvec3 kSignalOrange(1.0, 0.30, 0.01);
 // Of a white sheet's radiance: brighter, and the tone map would bleach the orange on its way to white.
 constexpr double kDaylightShare = 0.35;
-// kcd/m^2. A lantern: at night the exposure of the darkest sky shows it at half of white.
-constexpr double kLampRadiance = 1.5e-3;
+// A lantern, kcd/m^2, which is turned down for eyes that have adapted to a darker night: it is shown at no
+// more than this share of white.
+constexpr double kLampRadiance = 1.5e-3, kMostLampShown = 0.5;
 // A lamp shines through haze that hides paint: the beam is veiled by this share of the way to it.
 constexpr double kBeamHazeShare = 0.5;
 
@@ -80,7 +81,8 @@ glm::dvec3 signalRadiance(const SkyLight& light) {
       (light.direct.sun * std::max(light.direct.toSun.y, 0.0) + light.sky) / std::numbers::pi +
       sky::meanHorizonRadiance(light);
   const double white = glm::dot(sheet, glm::dvec3(0.2126, 0.7152, 0.0722));
-  return kSignalOrange * (kDaylightShare * white + kLampRadiance);
+  return kSignalOrange *
+         (kDaylightShare * white + std::min(kLampRadiance, kMostLampShown / light.adaptation));
 }
 
 std::optional<std::string> MarkerPass::skipReason(const FrameInput& frame) const {

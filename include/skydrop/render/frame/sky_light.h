@@ -30,7 +30,9 @@ struct SkyLight : sky::SkyLight {
   sky::SkyLight direct{};
   double directRadiusRad = kSunRadiusRad;
   std::optional<MoonSky> moon{};  // after sunset, with the moon above the horizon
-  double exposure = 1;          // what all light is multiplied by before it meets a half-float target
+  double adaptation = 1;          // the exposure that follows from the light alone
+  double exposure = 1;  // with the stops of the settings: what all light is multiplied by before it meets a
+                        // half-float target
 };
 
 // The one place that decides where the sun stands: the two angles of the settings, or, with SunSource::clock,
