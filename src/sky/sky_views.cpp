@@ -78,13 +78,18 @@ SkyViews::Corner& SkyViews::cornerAt(const Place& place) {
 
 std::shared_ptr<const SkyView> SkyViews::view(double heightM, double sine) {
   const std::lock_guard lock(mutex_);
-  if (!newest_ || newestHeightM_ != heightM || newestSine_ != sine) {
-    newest_ = std::make_shared<const SkyView>(heightM > kHighestCornerM ? makeSkyView(tables_, heightM, sine)
-                                                                        : mixed(heightM, sine));
-    newestHeightM_ = heightM;
-    newestSine_ = sine;
+  for (std::size_t i = 0; i < newest_.size(); ++i) {
+    const Newest& one = newest_[i];
+    if (!one.view || one.heightM != heightM || one.sine != sine) continue;
+    oldest_ = 1 - i;
+    return one.view;
   }
-  return newest_;
+  Newest& made = newest_[oldest_];
+  made = {heightM, sine,
+          std::make_shared<const SkyView>(heightM > kHighestCornerM ? makeSkyView(tables_, heightM, sine)
+                                                                    : mixed(heightM, sine))};
+  oldest_ = 1 - oldest_;
+  return made.view;
 }
 
 SkyView SkyViews::mixed(double heightM, double sine) {

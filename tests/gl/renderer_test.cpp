@@ -111,6 +111,21 @@ TEST_F(FrameTest, resourcesAreFoundByLaterPassesOfTheSameFrameAlone) {
   EXPECT_EQ(clouds, terrain);
 }
 
+TEST_F(FrameTest, aFrameThatNothingLightsMakesNoTablesOfTheSky) {
+  // With the shell too, until a pass comes that may ask for its light.
+  renderer().add(std::make_unique<ToneMapPass>(context()));
+  ASSERT_EQ(settings_.sky.model, sky::SkyModel::shell);
+  const auto textures = [&] {
+    draw(pose({0, 100, 0}, 0, 0, 0));
+    core::FrameStatistics statistics;
+    renderer().fillStatistics(statistics);
+    return statistics.gl.textures;
+  };
+  EXPECT_EQ(textures(), 3);
+  renderer().add(std::make_unique<SkyPass>(context()));
+  EXPECT_EQ(textures(), 5);
+}
+
 TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
   // Two passes, one draw each; the targets of 320x180 are 8 + 4 + 4 bytes a pixel. The shell has two textures
   // of tables, of four floats a texel; the closed form has none, also after the shell was drawn.

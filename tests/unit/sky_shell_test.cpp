@@ -279,5 +279,18 @@ TEST(SkyShell, theAirUpToADistanceAndTheSkyBehindItAreTheWholeSky) {
   }
 }
 
+TEST(SkyShell, skiesOfSunAndMoonAreKeptFromFrameToFrame) {
+  // Asked for in turns they are the same objects, so nothing is mixed or uploaded again.
+  SkyViews views(makeAtmosphere(100000, 1200, 0.7));
+  const auto sun = views.view(500, -0.3), moon = views.view(500, 0.6);
+  EXPECT_NE(sun, moon);
+  EXPECT_EQ(views.view(500, -0.3), sun);
+  EXPECT_EQ(views.view(500, 0.6), moon);
+  EXPECT_EQ(views.view(500, -0.3), sun);
+  const auto later = views.view(500, -0.301);  // in place of the one that was not asked for last
+  EXPECT_EQ(views.view(500, -0.3), sun);
+  EXPECT_EQ(views.view(500, -0.301), later);
+}
+
 }  // namespace
 }  // namespace skydrop::sky

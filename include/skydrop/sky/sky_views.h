@@ -1,6 +1,8 @@
 // Skies of one air from any height and under any light, at little cost from frame to frame.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -27,7 +29,7 @@ class SkyViews {
 
   // heightM: any finite value, as makeSkyView has it; sine: of the light's elevation, [-1, 1]. Makes the
   // corners that are missing: about 2 ms each, none in most frames.
-  // The same object as long as nothing else is asked for.
+  // The same object as long as no more than one other is asked for (a frame may have a sun and a moon).
   std::shared_ptr<const SkyView> view(double heightM, double sine);
   // Works on the corners that are needed next if height and light go on as they went since the last call: at
   // most so many rows (25 us each). The slices in which tables are rebuilt.
@@ -50,8 +52,12 @@ class SkyViews {
   std::mutex mutex_;
   std::map<Place, Corner> corners_;
   std::uint64_t uses_ = 0;
-  std::shared_ptr<const SkyView> newest_;  // of these
-  double newestHeightM_ = 0, newestSine_ = 0;
+  struct Newest {
+    double heightM = 0, sine = 0;
+    std::shared_ptr<const SkyView> view;
+  };
+  std::array<Newest, 2> newest_;
+  std::size_t oldest_ = 0;                     // of these two
   double lastHeight_ = 0, lastElevation_ = 0;  // on the grid
   bool goesOn_ = false;                        // those are set
 };

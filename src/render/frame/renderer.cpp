@@ -169,10 +169,17 @@ void Renderer::drawOverlays(const FrameInput& input, std::string_view reason) {
   drawPasses(input, Which::drawn, nullptr, {.first = RenderStage::hud, .others = reason});
 }
 
+bool Renderer::isLit() const {
+  return std::ranges::any_of(passes_,
+                             [](const Entry& entry) { return entry.pass->stage() < RenderStage::toneMap; });
+}
+
 bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& goesOn, const Stages& stages) {
   requireValid(asked.view);
   context_.makeCurrent();
-  const SkyLight light = skyLight(settings_, asked.view.position.y, asked.simulatedSeconds);
+  RenderSettings lit = settings_;
+  if (!isLit()) lit.sky.model = sky::SkyModel::closedForm;  // has no tables to make
+  const SkyLight light = skyLight(lit, asked.view.position.y, asked.simulatedSeconds);
   FrameInput picture = asked;  // of what is drawn over the scene, which may have fewer pixels
   picture.toSun = light.direct.toSun;
   picture.sunSine = light.toSun.y;
