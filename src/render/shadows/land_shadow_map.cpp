@@ -5,14 +5,23 @@
 
 namespace skydrop::render {
 
+void LandShadowMap::makeTexture(gl::Context& context) {
+  const GLsizei side = key_.layout.side;
+  if (clearances_ && clearances_.width() == side) return;
+  clearances_ = {};
+  clearances_ =
+      gl::Texture::make2DArray(context, GL_R16, side, side, terrain::kShadeLevels, "shade of the land");
+}
+
+void LandShadowMap::takeNone(gl::Context& context, const terrain::ShadeLayout& layout) {
+  key_ = {};
+  key_.layout = layout;
+  makeTexture(context);
+}
+
 void LandShadowMap::take(gl::Context& context, const terrain::LandShade& shade) {
   key_ = shade.key();
-  const GLsizei side = key_.layout.side;
-  if (!clearances_ || clearances_.width() != side) {
-    clearances_ = {};
-    clearances_ =
-        gl::Texture::make2DArray(context, GL_R16, side, side, terrain::kShadeLevels, "shade of the land");
-  }
+  makeTexture(context);
   for (int level = 0; level < terrain::kShadeLevels; ++level)
     clearances_.uploadLayer(level, GL_RED, GL_UNSIGNED_SHORT,
                             std::as_bytes(std::span(shade.clearances(level))));

@@ -73,7 +73,7 @@ std::optional<std::string> LandShadowPass::skipReason(const FrameInput& frame) c
   glm::dvec3 toSun = frame.toSun;
   if (frame.warmsUp) toSun = glm::normalize(glm::dvec3(toSun.x, std::max(toSun.y, kWarmUpSun), toSun.z));
   work_->want(terrain::shadeKey(shadeLayout(settings_), {view.position.x, view.position.z}, toSun),
-              frame.warmsUp || !frame.followsLast);
+              !frame.followsLast);
   if (frame.warmsUp) return std::nullopt;
   if (!work_->shade) return "the shade is being worked out";
   const std::vector<terrain::Box>& shaded = work_->shade->shaded();
@@ -84,7 +84,9 @@ std::optional<std::string> LandShadowPass::skipReason(const FrameInput& frame) c
 }
 
 void LandShadowPass::draw(FrameContext& context) {
-  if (uploaded_ != work_->shade) {
+  if (!work_->shade) {  // in a warm-up: what is drawn with is compiled, and no frame waits for the shade
+    map_.takeNone(context.gl, shadeLayout(settings_));
+  } else if (uploaded_ != work_->shade) {
     uploaded_ = work_->shade;
     map_.take(context.gl, *uploaded_);
   }
@@ -94,7 +96,7 @@ void LandShadowPass::draw(FrameContext& context) {
 
 LightShares LandShadowPass::at(const glm::dvec3& place) const {
   LightShares shares = before_ ? before_->at(place) : LightShares{};
-  shares.sun *= uploaded_->sunShare(place);
+  if (uploaded_) shares.sun *= uploaded_->sunShare(place);
   return shares;
 }
 

@@ -18,12 +18,17 @@ class LandShadowMap {
   // Uploads the shade: 2 bytes a texel and level (1.5 MiB for medium detail).
   void take(gl::Context& context, const terrain::LandShade& shade);
 
+  // A texture without content in its place, for frames that nobody sees.
+  void takeNone(gl::Context& context, const terrain::ShadeLayout& layout);
+
   // Texture and uniforms for a program that includes shaders/shadow/land_shadow_map.glsl, in a frame seen
   // from an eye at (x, z).
   void bind(gl::Shader& shader, const glm::dvec2& eye) const;
 
  private:
   static constexpr GLuint kUnit = 13;  // as in the shader
+
+  void makeTexture(gl::Context& context);
 
   gl::Texture clearances_;
   terrain::ShadeKey key_;
