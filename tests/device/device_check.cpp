@@ -1,15 +1,18 @@
 // The checks that a machine with a graphics card is borrowed for, as one program: tests, golden scenes,
 // passes at the sizes of real screens, accuracy. tests/device/check.sh starts it inside a bundle.
 //   device_check OUT [--quick]     --quick: small pictures and few frames, to try the check itself
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <future>
 #include <glm/trigonometric.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "app/measure/system_info.h"
@@ -29,6 +32,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kAllS = 480;  // of the whole check
 constexpr double kCloudsPromiseMs = 1.5;
+constexpr double kSkyPromiseMs = 0.3;
+constexpr int kMostShares = 6;  // of a suite, side by side
 
 class DeviceCheck {
  public:
@@ -42,6 +47,7 @@ class DeviceCheck {
                  : "-*EffectGLTest.*:EffectSetGLTest.*:ShaderVariantsGLTest.*:CostStudyGLTest.*",
           120);
     suite("golden_tests", quick_ ? "*GoldenFrame*empty" : "*GoldenFrame*", 90);
+    keepPictures();
     accuracy();
     keep();
     return report_.isGood();
@@ -134,32 +140,61 @@ class DeviceCheck {
       if (variant == "clouds.tier=high" && size.width == 1920 && row.ms.contains("clouds"))
         report_.promises.push_back(
             {"clouds of the tier high at 1920 x 1080", kCloudsPromiseMs, row.ms.at("clouds")});
+      if (scene == "terrain" && size.width == 1920 && row.ms.contains("sky"))
+        report_.promises.push_back({"sky at 1920 x 1080", kSkyPromiseMs, row.ms.at("sky")});
       keep();
     }
   }
 
-  // A binary of the test suite, as a program of its own: a crash there is a failure here, and no more.
+  // A binary of the test suite, in shares that run side by side (whatever is timed was timed before), each a
+  // program of its own: a crash there is a failure here, and no more.
   void suite(const std::string& name, const std::string& filter, double atMostS) {
     if (!hasTimeFor(name, atMostS)) return;
-    tell(name);
+    const int shares =
+        quick_ ? 1 : std::clamp(static_cast<int>(std::thread::hardware_concurrency()) / 2, 1, kMostShares);
+    tell(name + " in " + std::to_string(shares) + (shares == 1 ? " share" : " shares"));
     Suite suite{.name = name};
-    const std::filesystem::path results = folder_ / (name + ".json");
     const double begin = seconds();
-    const test::ProcessResult ran = test::runProcess(
-        {(std::filesystem::path(test::binaryDir()) / "tests" / name).string(), "--gtest_brief=1",
-         "--gtest_filter=" + filter, "--gtest_output=json:" + results.string()},
-        {"SKYDROP_TEST_BACKEND=egl", "SKYDROP_TEST_DRIVER=any", "SKYDROP_GOLDEN_LIMITS=loose"}, atMostS);
-    suite.seconds = seconds() - begin;
-    try {
-      read(suite, core::readTextFile(results));
-    } catch (const std::exception& error) {
-      suite.error = ran.exitCode < 0
-                        ? "ended by a signal or after " + std::to_string(static_cast<int>(atMostS)) + " s"
-                        : error.what();
+    std::vector<std::future<test::ProcessResult>> running;
+    for (int share = 0; share < shares; ++share) {
+      const std::vector<std::string> words = {
+          (std::filesystem::path(test::binaryDir()) / "tests" / name).string(), "--gtest_brief=1",
+          "--gtest_filter=" + filter, "--gtest_output=json:" + resultsOf(name, share).string()};
+      const std::vector<std::string> environment = {
+          "SKYDROP_TEST_BACKEND=egl", "SKYDROP_TEST_DRIVER=any", "SKYDROP_GOLDEN_LIMITS=loose",
+          "GTEST_TOTAL_SHARDS=" + std::to_string(shares), "GTEST_SHARD_INDEX=" + std::to_string(share)};
+      running.push_back(
+          std::async(std::launch::async, [=] { return test::runProcess(words, environment, atMostS); }));
     }
-    core::writeFileAtomically(folder_ / (name + ".log"), ran.out + ran.err);
+    std::string log;
+    for (int share = 0; share < shares; ++share) {
+      const test::ProcessResult ran = running[static_cast<std::size_t>(share)].get();
+      log += ran.out + ran.err;
+      try {
+        read(suite, core::readTextFile(resultsOf(name, share)));
+      } catch (const std::exception& error) {
+        suite.error = ran.exitCode < 0
+                          ? "ended by a signal or after " + std::to_string(static_cast<int>(atMostS)) + " s"
+                          : error.what();
+      }
+      std::filesystem::remove(resultsOf(name, share));
+    }
+    suite.seconds = seconds() - begin;
+    core::writeFileAtomically(folder_ / (name + ".log"), log);
     report_.suites.push_back(suite);
     keep();
+  }
+  std::filesystem::path resultsOf(const std::string& name, int share) const {
+    return folder_ / (name + '.' + std::to_string(share) + ".json");
+  }
+
+  // What the golden scenes looked like where they differ, before the folder of the programs goes.
+  void keepPictures() const {
+    const std::filesystem::path pictures = std::filesystem::path(test::binaryDir()) / "artifacts";
+    if (std::filesystem::exists(pictures))
+      std::filesystem::copy(
+          pictures, folder_ / "pictures",
+          std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
   }
 
   static void read(Suite& suite, const std::string& text) {
