@@ -55,20 +55,21 @@ RaySpan occupiedSpan(vec3 direction, float width, RaySpan span, int notedAt) {
   return make_raySpan(found.begin, min(found.end, span.end));
 }
 
-void classifyTile(ivec2 tile, ivec2 tileCount) {
-  if (tile.x >= tileCount.x || tile.y >= tileCount.y) return;
+// The interval of a tile in which there may be cloud before a surface, its parts noted at a place in the buffer; empty: none.
+RaySpan cloudSpanOf(ivec2 tile, int notedAt) {
   ivec2 corner = tile * TILE_SIDE;
   vec3 ray = rayThrough(vec2(corner) + 0.5 * float(TILE_SIDE));
-  float rayLength = length(ray);
-  vec3 direction = ray / rayLength;
+  vec3 direction = normalize(ray);
   float width = clouds.sight.x;
   RaySpan span = layerOfCone(direction, width);
-  if (span.end <= span.begin) return;
+  if (span.end <= span.begin) return span;
   // The corners of a tile reach farther than its middle by the width of the cone at most.
   float surface = sceneDistance(farthestDepth(corner, TILE_SIDE), ray) * (1.0 + 2.0 * width);
   span = overlap(span, make_raySpan(0.0, surface));
-  span = occupiedSpan(direction, width, span, (tile.y * tileCount.x + tile.x) * kPlacesOfSpans);
-  if (span.end <= span.begin) return;
+  return occupiedSpan(direction, width, span, notedAt);
+}
+
+void listTile(ivec2 tile, RaySpan span) {
   uint index = atomicAdd(tiles.groups.w, 1u);
   tiles.tasks[index] = Task(packedPlace(tile), span.begin, span.end, 0u);
   atomicMax(tiles.groups.x, min(index + 1u, kGroupsARow));
@@ -76,4 +77,14 @@ void classifyTile(ivec2 tile, ivec2 tileCount) {
   uint four = index / 4u;
   atomicMax(tiles.groupsOfFour.x, min(four + 1u, kGroupsARow));
   atomicMax(tiles.groupsOfFour.y, four / kGroupsARow + 1u);
+}
+
+void classifyTile(ivec2 tile, ivec2 tileCount) {
+  if (tile.x >= tileCount.x || tile.y >= tileCount.y) return;
+  int notedAt = (tile.y * tileCount.x + tile.x) * kPlacesOfSpans;
+  RaySpan span = cloudSpanOf(tile, notedAt);
+  if (span.end > span.begin)
+    listTile(tile, span);
+  else
+    spans[notedAt] = vec2(0.0);
 }

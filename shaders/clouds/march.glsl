@@ -34,6 +34,20 @@ struct Walk {
   int count;  // of those that are
 };
 
+// The open segment is kept, and another begun, where it closes.
+void keepSegment(inout Walk walk, bool closes) {
+#ifdef FLAT_LOOPS
+  segments[walk.count] = walk.open;
+  walk.count += closes ? 1 : 0;
+  walk.open = closes ? vec2(0.0) : walk.open;
+#else
+  if (!closes) return;
+  segments[walk.count] = walk.open;
+  ++walk.count;
+  walk.open = vec2(0.0);
+#endif
+}
+
 // On through the parts of the spans before a distance. isFar: those of the far field, in longer steps.
 void gather(inout Walk walk, vec4 ray, int spansAt, float limitM, const bool isFar) {
   int parts = int(spans[spansAt].x);
@@ -71,10 +85,8 @@ void gather(inout Walk walk, vec4 ray, int spansAt, float limitM, const bool isF
     // Where segments get scarce, those that are left have to suffice for all light that is left.
     float scarce = walk.count < kThinSegments ? 0.0 : walk.transmittance / float(kMostSegments - walk.count);
     float enough = max(clouds.march.z, scarce);
-    segments[walk.count] = walk.open;
     bool closes = walk.open.x > enough && walk.count < kMostSegments - 1;
-    walk.count += closes ? 1 : 0;
-    walk.open = closes ? vec2(0.0) : walk.open;
+    keepSegment(walk, closes);
   }
 }
 
@@ -136,20 +148,18 @@ void addLight(inout Gathered gathered, vec2 segment, SunRay way, vec4 phases) {
   gathered.distance += segment.y;
 }
 
-// Each ray goes on to its next segment when it is through with one: rays that run together do not wait for the longest way
-// of each segment.
-Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
-  Gathered gathered = Gathered(0.0, 0.0, 0.0, 1.0, 0.0, 0.0);
-  vec4 ray = vec4(direction, rayBend(direction));
-  int count = gatherSegments(ray, spansAt, surfaceM, gathered.transmittance);
-  vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
+// The light of all segments. The sums are the same in both forms, bit for bit (docs/clouds.md#on-a-graphics-card).
+#ifdef FLAT_LOOPS
+// For a renderer that runs rays together and leaves a part of a loop out only where none of them needs it. Each ray goes on to
+// its next segment when it is through with one, so none waits for the longest way of each; the way to the next is a loop of
+// one turn at most, because that is left out and a branch is not.
+void lightSegments(inout Gathered gathered, int count, vec4 ray, vec4 phases) {
   vec2 segment = segments[0];
   SunRay way = sunRayOf(segment, ray);
   int i = 0;
   while (i < count) {
     for (int k = 0; k < kSunSamplesATurn; ++k) stepTowardsSun(way);
     bool isThrough = way.at >= way.total;
-    // A loop of one turn at most, and not a branch: a software renderer leaves it out where no ray needs it.
     while (isThrough) {
       addLight(gathered, segment, way, phases);
       ++i;
@@ -158,5 +168,29 @@ Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
       isThrough = false;
     }
   }
+}
+#else
+// For a graphics card, which waits for what it fetches: the ways of two segments at once, with nothing to wait for between
+// them. A step beyond the end of a way has no length.
+void lightSegments(inout Gathered gathered, int count, vec4 ray, vec4 phases) {
+  for (int i = 0; i < count; i += 2) {
+    int second = min(i + 1, count - 1);
+    SunRay way = sunRayOf(segments[i], ray);
+    SunRay other = sunRayOf(segments[second], ray);
+    do {
+      stepTowardsSun(way);
+      stepTowardsSun(other);
+    } while (way.at < way.total || other.at < other.total);
+    addLight(gathered, segments[i], way, phases);
+    if (second > i) addLight(gathered, segments[second], other, phases);
+  }
+}
+#endif
+
+Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
+  Gathered gathered = Gathered(0.0, 0.0, 0.0, 1.0, 0.0, 0.0);
+  vec4 ray = vec4(direction, rayBend(direction));
+  int count = gatherSegments(ray, spansAt, surfaceM, gathered.transmittance);
+  lightSegments(gathered, count, ray, cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y));
   return gathered;
 }

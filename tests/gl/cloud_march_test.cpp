@@ -79,6 +79,36 @@ TEST_F(CloudMarchGLTest, tiersToPlayWithAreNearTheReference) {
   }
 }
 
+TEST_F(CloudMarchGLTest, bothFormsOfTheLoopsGiveTheSamePicture) {
+  // The loops that a graphics card is given and those for a software renderer: every bit, at every tier that
+  // has them.
+  addClouds(test::sharedNoise());
+  for (const CloudTier tier : {CloudTier::low, CloudTier::medium, CloudTier::high, CloudTier::ultra}) {
+    clouds_.march = test::rowsOf(tier);
+    for (const View& view : views()) {
+      system_->setFlatLoops(true);
+      const std::vector<glm::vec4> flat = cloudsFrom(view);
+      system_->setFlatLoops(false);
+      EXPECT_EQ(cloudsFrom(view), flat) << "tier " << static_cast<int>(tier);
+    }
+  }
+}
+
+TEST_F(CloudMarchGLTest, whatIsNotMarchedIsClearWhateverWasThere) {
+  // A picture full of clouds, then one that has them in a part of it: every ray of the rest sees nothing, in
+  // the pictures of all spacings.
+  addClouds(test::sharedNoise());
+  clouds_.march = test::rowsOf(CloudTier::high);
+  clouds_.layers[0].coverage = 1;
+  cloudsFrom(picture({0, 600, 0}, 40, 40));
+  clouds_.layers[0].coverage = 0.3;
+  const View view = picture({0, 600, 0}, 40, 10);
+  const std::vector<glm::vec4> after = cloudsFrom(view);
+  EXPECT_LT(system_->lastWork().tiles, 100u) << "proves little";  // of 130
+  cloudsFrom(pose({0, 600, 0}, 40, 40, 0, 64, 36));               // another size: pictures are made again
+  EXPECT_EQ(after, cloudsFrom(view));
+}
+
 TEST_F(CloudMarchGLTest, raysThatAreNotMarchedAreNearThoseThatAre) {
   // Against a ray for each pixel the pictures of rays two and four pixels apart differ by less, the less is
   // tolerated; where nothing is, by nothing.

@@ -40,8 +40,9 @@ int raysAcross(int pixels, int spacing, int widest) {
 }
 
 std::vector<std::string> marchDefines(std::span<const std::string> ofFrame,
-                                      const clouds::CloudSettings& settings) {
+                                      const clouds::CloudSettings& settings, bool flatLoops) {
   std::vector<std::string> defines(ofFrame.begin(), ofFrame.end());
+  if (flatLoops) defines.emplace_back("FLAT_LOOPS");
   if (settings.march.detail) defines.emplace_back("DETAIL");
   if (isMultiDispatch(settings)) defines.emplace_back("MULTI_DISPATCH");
   defines.push_back("TILE_SIDE " + std::to_string(tileSideOf(settings)));

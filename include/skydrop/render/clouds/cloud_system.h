@@ -59,6 +59,10 @@ class CloudSystem final : public Pass {
   LightShares lightAt(const glm::dvec3& place, const FrameInput& frame) const;
   std::optional<std::string> shadowSkipReason(const FrameInput& frame) const;
 
+  // Which form the loops of the march have from the next frame on: flat ones for a software renderer, plain
+  // ones for a graphics card. Both give the same picture; the context decides unless told (measuring, tests).
+  void setFlatLoops(bool flat) { flatLoops_ = flat; }
+
   // What the last frame that was not skipped marched; 0 before the first. Waits for the GPU.
   struct Work {
     unsigned tiles = 0;  // of 16 x 16 pixels; of 8 x 8 in the exact march
@@ -87,6 +91,7 @@ class CloudSystem final : public Pass {
   using Defines = std::span<const std::string>;  // of the variant
   void beginHistory(const FrameContext& context);
   void classify(FrameContext& context, Defines defines);
+  void clearOthers(FrameContext& context, Defines defines);
   void march(FrameContext& context, Defines defines);
   void marchTiles(FrameContext& context, Defines defines, int widest);
   void refine(FrameContext& context, Defines defines, int spacing);
@@ -102,6 +107,7 @@ class CloudSystem final : public Pass {
   gl::Context& context_;
   clouds::CloudSettings settings_;
   core::WindSettings wind_;
+  bool flatLoops_;
   std::unique_ptr<CloudTextures> textures_;
   std::unique_ptr<CloudHistory> history_;  // null in frames that use none
   std::unique_ptr<SunOpticalDepthGrid> fineShadowMap_, coarseShadowMap_;
