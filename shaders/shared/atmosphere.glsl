@@ -148,11 +148,13 @@ FN Real twilight(Real cosSunZenith, Real scaleHeightM) {
 // Rayleigh's phase function: 1/sr, integral 1 over the sphere.
 FN Real rayleighPhase(Real cosAngle) { return Real(3.0) / (Real(16.0) * kPi) * (Real(1.0) + cosAngle * cosAngle); }
 
-// Henyey and Greenstein (1941): 1/sr, integral 1 over the sphere. g is clamped to +-0.95; the denominator is
-// arranged so that nothing cancels where g and the cosine come near 1.
+// Henyey and Greenstein (1941): 1/sr, integral 1 over the sphere. g is clamped to +-0.95; the denominator is a sum of
+// what is not negative, so nothing cancels at the peak, be it forwards or backwards.
 FN Real henyeyGreenstein(Real cosAngle, Real g) {
   Real a = clamp(g, Real(-0.95), Real(0.95));
-  Real base = (Real(1.0) - a) * (Real(1.0) - a) + Real(2.0) * a * (Real(1.0) - clamp(cosAngle, Real(-1.0), Real(1.0)));
+  Real size = abs(a);
+  Real toPeak = clamp(a < Real(0.0) ? -cosAngle : cosAngle, Real(-1.0), Real(1.0));
+  Real base = (Real(1.0) - size) * (Real(1.0) - size) + Real(2.0) * size * (Real(1.0) - toPeak);
   return (Real(1.0) - a * a) / (Real(4.0) * kPi * base * sqrt(base));
 }
 

@@ -88,8 +88,9 @@ FN RaySpan bentRayInLayer(RaySpan underTop, RaySpan underBase, Real lengthM) {
 // What a step of this optical depth takes from the light behind it, in [0, 1]: 1 - exp(-depth) without cancellation
 // (relative error below 5e-6 for depths of 1e-9 and more; 1 for infinite depth; 0 for a depth that is not positive).
 FN Real stepOpacity(Real depth) {
-  if (!(depth > Real(0.0))) return Real(0.0);
-  return depth < Real(0.5) ? depth * oneMinusExpOverX(depth) : Real(1.0) - exp(-depth);
+  // Asked for what is positive: a compiler may read "not greater" as "less or equal", which NaN is not.
+  if (depth > Real(0.0)) return depth < Real(0.5) ? depth * oneMinusExpOverX(depth) : Real(1.0) - exp(-depth);
+  return Real(0.0);
 }
 
 // Scattering many times, as a sum of octaves of single scattering: each has less light, meets less extinction and

@@ -353,7 +353,8 @@ TEST_F(ModelPassGLTest, markersRingLiesOnTheGroundAtItsRadius) {
   };
   EXPECT_GT(redAt(100), 50);
   EXPECT_LT(redAt(60), 40);
-  EXPECT_EQ(redAt(140), 0);
+  EXPECT_LE(std::abs(redAt(140)),
+            1);  // a step of 8 bits: not every card blends with nothing to the same bits
 }
 
 TEST_F(ModelPassGLTest, severalTexturesOfAKindMultiply) {
