@@ -35,7 +35,7 @@ double denseDepth(const CloudField& field, const glm::dvec3& place, const glm::d
 
 TEST(CloudShade, ofTheSunIsThatOfManySteps) {
   // What the clouds leave of the sun (64 places, sun anywhere above 5 degrees) differs from that of 8000 even
-  // steps by less than .04 RMS (half of that is measured): 48 samples that lie up to a 24th of the way apart.
+  // steps by less than .01 RMS (half of that is measured).
   core::RandomStream random{4, 0};
   const CloudField field(quickNoise(), cloudySettings());
   double square = 0, shaded = 0;
@@ -51,7 +51,7 @@ TEST(CloudShade, ofTheSunIsThatOfManySteps) {
   }
   RecordProperty("rms", std::to_string(std::sqrt(square / kPlaces)));
   EXPECT_GE(shaded, 10);
-  EXPECT_LT(std::sqrt(square / kPlaces), 0.04);
+  EXPECT_LT(std::sqrt(square / kPlaces), 0.01);
 }
 
 TEST(CloudShade, isNoneAboveTheLayerAndFiniteAnywhere) {

@@ -15,6 +15,7 @@ constexpr std::array kMakers = {
     Maker{"farNoise", makeFarNoiseSubject}, Maker{"depth", makeDepthSubject},
     Maker{"target", makeTargetSubject},     Maker{"noiseTexture", makeNoiseTextureSubject},
     Maker{"sky", makeSkySubject},           Maker{"march", makeMarchSubject},
+    Maker{"cloudShade", makeCloudShadeSubject},
 };
 
 }  // namespace

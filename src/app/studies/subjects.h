@@ -50,5 +50,7 @@ std::unique_ptr<accuracy::Subject> makeNoiseTextureSubject();
 std::unique_ptr<accuracy::Subject> makeSkySubject();
 // The march through a smooth cloud in double: method, steps, sunSamples. Values.
 std::unique_ptr<accuracy::Subject> makeMarchSubject();
+// What clouds leave of the sun on what flies below and in them: samples, sunElevationDegrees. Values.
+std::unique_ptr<accuracy::Subject> makeCloudShadeSubject();
 
 }  // namespace skydrop::app

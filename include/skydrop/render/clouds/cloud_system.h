@@ -55,7 +55,7 @@ class CloudSystem final : public Pass {
   CloudShadowMap shadowMap(FrameContext& context);
   // Gives up what shadowMap() has made; it is made again when it is asked for.
   void forgetShadowMap();
-  // The same at a place in the world, worked out on the processor (clouds::sunOpticalDepth(): 4 us).
+  // The same at a place in the world, worked out on the processor (clouds::sunOpticalDepth(): 28 us).
   LightShares lightAt(const glm::dvec3& place, const FrameInput& frame) const;
   std::optional<std::string> shadowSkipReason(const FrameInput& frame) const;
 
