@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/measure/frame_times.h"
+#include "app/measure/stopwatch.h"
 #include "bench/bench_game.h"
 #include "bench/cloud_study.h"
 #include "bench/expectation.h"
@@ -194,6 +195,24 @@ void memoryOfClouds(benchmark::State& state) {
   }
 }
 BENCHMARK(memoryOfClouds)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
+
+// What a slider that changes the field costs the frame after: occupancy and what is made beside it.
+void sliderOfClouds(benchmark::State& state) {
+  CloudStudy study({64, 36});
+  clouds::CloudSettings settings = settingsOf(CloudTier::high);
+  for (auto _ : state) {
+    app::FrameTimes ms;
+    for (int i = 0; i < 21; ++i) {
+      settings.layers[0].coverage = 0.4 + 0.01 * i;
+      const app::Stopwatch watch;
+      study.use(settings);
+      ms.add(watch.ms());
+    }
+    state.counters["ms"] = ms.quantile(0.5);
+    expect(ms.quantile(0.5) <= 20, "a slider of the clouds' field takes more than 20 ms");
+  }
+}
+BENCHMARK(sliderOfClouds)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
 
 // Frames of two games take turns: the scene clear as it is, and without the effect.
 void clearSky(benchmark::State& state) {
