@@ -109,7 +109,9 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::AtmosphereSettings;
   using render::CameraSettings;
   using render::GroundFogSettings;
+  using render::HaloSettings;
   using render::LandShadowSettings;
+  using render::RainbowSettings;
   using render::RenderSettings;
   using render::SkySettings;
   using render::StarsSettings;
@@ -132,7 +134,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(CloudPlaneSettings), SKYDROP_STRUCT(CloudPlanesSettings),
       SKYDROP_STRUCT(CloudDomeSettings),  SKYDROP_STRUCT(GroundFogSettings),
       SKYDROP_STRUCT(StarsSettings),      SKYDROP_STRUCT(LandShadowSettings),
-      SKYDROP_STRUCT(SkySettings),
+      SKYDROP_STRUCT(SkySettings),        SKYDROP_STRUCT(HaloSettings),
+      SKYDROP_STRUCT(RainbowSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -462,7 +462,7 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
                                    "clouds.",    "render.",  "wind."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog.", "stars.",
-                                             "landShadows."};
+                                             "landShadows.", "halo.",      "rainbow."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

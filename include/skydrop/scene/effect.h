@@ -25,13 +25,15 @@ enum class Effect {
   moon,         // the moon's disc, by place and time
   stars,        // stars to magnitude 6, by place and time
   landShadows,  // shadows of mountains on land, sea and what flies
+  halo,         // halos and sun dogs of ice around sun or moon
+  rainbow,      // rainbows in rain opposite sun or moon
   count_        // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
     {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud", "cloudPlanes", "cloudDome",
-     "groundFog", "moon", "stars", "landShadows"});
+     "groundFog", "moon", "stars", "landShadows", "halo", "rainbow"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {

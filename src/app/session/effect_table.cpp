@@ -6,6 +6,7 @@
 #include "app/session/ground_fog_effect.h"
 #include "app/session/land_shadows_effect.h"
 #include "app/session/night_sky_effects.h"
+#include "app/session/optics_effects.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
@@ -115,6 +116,11 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addPasses = addStars,
        .apply = applyStars,
        .menuSections = {{"stars", "Stars"}}},
+      {.effect = Effect::halo, .addPasses = addHalo, .apply = applyHalo, .menuSections = {{"halo", "Halo"}}},
+      {.effect = Effect::rainbow,
+       .addPasses = addRainbow,
+       .apply = applyRainbow,
+       .menuSections = {{"rainbow", "Rainbow"}}},
       {.effect = Effect::haze, .addFeatures = addHaze, .menuSections = {{"render.atmosphere", "Air"}}},
       {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
       {.effect = Effect::hud},

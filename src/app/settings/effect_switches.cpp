@@ -39,6 +39,10 @@ std::string_view helpOf(Effect effect) {
       return "The stars that the eye sees at night, turned by place and time.";
     case Effect::landShadows:
       return "Mountains cast shadows on land, sea and aircraft while the sun is low.";
+    case Effect::halo:
+      return "Halos and sun dogs around sun or moon, where ice lies before them.";
+    case Effect::rainbow:
+      return "Two rainbows opposite sun or moon, where rain stands there.";
     case Effect::count_:
       break;
   }

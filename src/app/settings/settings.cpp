@@ -75,6 +75,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("groundFog", settings.groundFog, "Fog that lies on the ground.");
   visitor.group("stars", settings.stars, "The stars of the night.");
   visitor.group("landShadows", settings.landShadows, "Shadows that mountains cast.");
+  visitor.group("halo", settings.halo, "The ice of halos and sun dogs.");
+  visitor.group("rainbow", settings.rainbow, "The rain of rainbows.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");

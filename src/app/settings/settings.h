@@ -27,6 +27,8 @@
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/render/shadows/land_shadow_settings.h"
+#include "skydrop/render/sky/halo_settings.h"
+#include "skydrop/render/sky/rainbow_settings.h"
 #include "skydrop/render/sky/stars_settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/terrain/terrain_settings.h"
@@ -67,6 +69,8 @@ struct Settings {
   render::GroundFogSettings groundFog;
   render::StarsSettings stars;
   render::LandShadowSettings landShadows;
+  render::HaloSettings halo;
+  render::RainbowSettings rainbow;
   core::WindSettings wind;
   audio::AudioSettings audio;
   ViewSettings view;
