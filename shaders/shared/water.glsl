@@ -23,14 +23,3 @@ FN Vec3 throughWater(Real depthM) {
   Vec3 optical = seaExtinction() * (max(depthM, Real(0.0)) * Real(2.4));
   return Vec3(exp(-optical.x), exp(-optical.y), exp(-optical.z));
 }
-
-// The sun's reflection in waves of Gaussian slopes (Cox and Munk 1954), per illuminance: `half` is the unit vector
-// midway between the directions to the sun and to the eye, y up; cosView and cosSun at least 0.
-FN Real sunGlitter(Vec3 halfway, Real cosView, Real cosSunHalf, Real slope) {
-  Real up = max(halfway.y, Real(0.05));
-  Real tangent2 = (Real(1.0) - up * up) / (up * up);
-  Real variance = slope * slope;
-  Real density = exp(-tangent2 / (Real(2.0) * variance)) / (Real(2.0) * kPi * variance * up * up * up * up);
-  Real fresnel = Real(0.02) + Real(0.98) * pow(Real(1.0) - saturate(cosSunHalf), Real(5.0));
-  return density * fresnel / (Real(4.0) * max(cosView, Real(0.05)));
-}

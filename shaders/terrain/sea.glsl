@@ -1,6 +1,7 @@
 // The sea: a level plane with small waves.
 #include "terrain/noise.glsl"
 #include "shared/water.glsl"
+#include "shared/sun_glitter.glsl"
 
 uniform float seaFloorM;  // depth of the floor where none is drawn
 
@@ -21,6 +22,7 @@ vec4 seaCorner(int vertex) {
 struct Waves {
   vec2 slope;    // as far as pixels can show it
   float hidden;  // standard deviation of what is left to statistics
+  float all;     // the same of both together
 };
 
 // Three sizes of waves, which together have most of the slope; gusts over kilometres and hundreds of metres roughen
@@ -33,6 +35,7 @@ Waves wavesAt(vec2 place, float footprint) {
   Waves waves;
   waves.slope = (noiseAt(place + drift * 2.0, 24) * (0.8 * swell) + noiseAt(place + drift, 96) * (1.4 * wave) +
                  turnedNoiseAt(place - drift * 0.6, 80) * (1.6 * ripple)) * rough;
+  waves.all = rough;
   waves.hidden = rough * sqrt(1.0 - 0.08 * swell - 0.22 * wave - 0.3 * ripple);
   return waves;
 }
@@ -55,12 +58,8 @@ SeaLight seaLight(vec3 relative, float depthM, vec2 shares) {
   mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.02), mirrored.z));
   vec3 sky = skyTowards(mirrored) * shares.y;
 
-  // Waves that pixels do not show tilt the mirror: the slope that would send the sun here, against that of
-  // the waves that they show.
-  vec3 halfway = normalize(toEye + frame.toSun.xyz);
-  vec3 tilted = normalize(vec3(halfway.x - normal.x * halfway.y, halfway.y, halfway.z - normal.z * halfway.y));
-  vec3 glitter = frame.sunLight.xyz * (shares.x * step(0.0, frame.toSun.y) *
-                 sunGlitter(tilted, cosView, dot(halfway, toEye), waves.hidden));
+  vec3 glitter = frame.sunLight.xyz * (shares.x * sunGlitter(toEye, frame.toSun.xyz, frame.toSun.w, waves.slope,
+                                                             waves.hidden, waves.all));
 
   vec3 through = throughWater(depthM);
   vec3 body = shadeLambert(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), shares) * (1.0 - through);

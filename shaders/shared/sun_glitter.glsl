@@ -1,0 +1,69 @@
+// The reflection of sun or moon in a sea of waves whose slopes are Gaussian (Cox and Munk 1954): their path of glitter at
+// every height of the light, down to its setting. Directions are unit vectors from the water, y up.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
+
+CONST Real kIndexOfWater = Real(1.34);
+
+// Share of unpolarised light that water reflects, by the cosine of the angle of incidence: Fresnel.
+FN Real waterReflectance(Real cosine) {
+  Real outside = saturate(cosine);
+  Real inside = sqrt(Real(1.0) - (Real(1.0) - outside * outside) / (kIndexOfWater * kIndexOfWater));
+  Real s = (outside - kIndexOfWater * inside) / (outside + kIndexOfWater * inside);
+  Real p = (kIndexOfWater * outside - inside) / (kIndexOfWater * outside + inside);
+  return Real(0.5) * (s * s + p * p);
+}
+
+// Smith's function of how much waves hide of each other, times the sine of the elevation: a sea whose waves have the
+// standard deviation of slope `slope` along each axis shows 1 / (1 + lambda) of itself. (Walter and others 2007 for
+// Gaussian slopes, within 0.35 % of 1 + lambda; times the sine because lambda itself has no bound on level rays.)
+FN Real hiddenByWaves(Real sine, Real slope) {
+  Real s = saturate(sine);
+  Real scale = slope * Real(1.4142135623730951);
+  // cotangent of the zenith angle over scale, in a form without 0/0 straight up: t / level.
+  Real level = sqrt(max(Real(1.0) - s * s, Real(1e-12))) * scale;
+  Real a = min(s / level, Real(1.6));
+  return level * (Real(1.0) - a * (Real(1.259) - Real(0.396) * a)) / (Real(3.535) + Real(2.181) * a) *
+         (s < Real(1.6) * level ? Real(1.0) : Real(0.0));
+}
+
+// Sine of the mean elevation of what is above the horizon of a disc, by that of its middle and its radius (radians):
+// 0 once the disc has set. Within 1.4 % of the radius.
+FN Real risenSine(Real sine, Real radius) {
+  Real t = clamp(sine / radius, Real(-1.0), Real(1.0));
+  return max(max(sine, Real(0.0)), radius * (Real(0.4244) + t * (Real(0.4744) + t * (Real(0.0756) + Real(0.0256) * t))));
+}
+
+// Radiance towards the eye per illuminance across the light's rays. `shown`: x and z of the normal of the waves that
+// are drawn at this place, over y; `hidden`: standard deviation of the slope of those that are not, `slope` of all. Waves
+// hide each other from eye and light, and what is seen of them is scaled to fill the view (Smith 1967; Ross, Dion, Potvin
+// 2005). It all goes by the level sea, so that the mean over the waves that are drawn is that of a sea of which none is.
+// Where eye and light both are low, the path is narrower than the light's disc: that is a second spread, across it.
+FN Real sunGlitter(Vec3 toEye, Vec3 toLight, Real radius, Vec2 shown, Real hidden, Real slope) {
+  Real eye = max(toEye.y, Real(1e-4));
+  Real light = risenSine(toLight.y, radius);
+  Real rise = eye + light;
+  // Slopes along the light's azimuth and across it: the one that sends the light here, and that of the drawn waves.
+  Real level = Real(1.0) / sqrt(max(toLight.x * toLight.x + toLight.z * toLight.z, Real(1e-12)));
+  Real c = toLight.x * level;
+  Real d = toLight.z * level;
+  Real x = (toEye.x + toLight.x) / rise;
+  Real z = (toEye.z + toLight.z) / rise;
+  Real steep = x * c + z * d;
+  Real along = steep - (shown.x * c + shown.y * d);
+  Real drawnAcross = shown.x * d - shown.y * c;
+  Real across = x * d - z * c - drawnAcross;
+  Real variance = hidden * hidden;
+  Real spread = variance + radius * radius / (Real(4.0) * rise * rise);
+  Real density = exp(Real(-0.5) * (along * along / variance + across * across / spread)) /
+                 (Real(2.0) * kPi * sqrt(variance * spread));
+  // Of the faces that do it: 1 / cosine^2 of their tilt.
+  Real aside = drawnAcross + across * (variance / spread);
+  Real tilt = steep * steep + aside * aside;
+  Real stretch = Real(1.0) + min(tilt, Real(1.0));
+  Real incidence = sqrt(saturate(Real(0.5) + Real(0.5) * dot(toEye, toLight)));
+  // cosine of the view times (1 + lambda of the view + lambda of the light), over the sine of the light.
+  Real seen = light * (eye + hiddenByWaves(eye, slope)) + eye * hiddenByWaves(light, slope);
+  return density * stretch * stretch * waterReflectance(incidence) * light / (Real(4.0) * max(seen, Real(1e-9)));
+}
