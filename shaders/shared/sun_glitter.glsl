@@ -35,6 +35,19 @@ FN Real risenSine(Real sine, Real radius) {
   return max(max(sine, Real(0.0)), radius * (Real(0.4244) + t * (Real(0.4744) + t * (Real(0.0756) + Real(0.0256) * t))));
 }
 
+// The waves that are drawn, in three sizes: their slopes are lattice noise times these and the slope of all waves.
+CONST Real kSwellShare = Real(0.8);
+CONST Real kWaveShare = Real(1.4);
+CONST Real kRippleShare = Real(1.6);
+CONST Real kLatticeNoiseVariance = Real(0.0801);  // of each component, turned or not
+
+// Standard deviation of the slope of all other waves over that of all, by how much of each size is drawn, [0, 1].
+FN Real hiddenShare(Real swell, Real wave, Real ripple) {
+  Real drawn = kSwellShare * kSwellShare * swell * swell + kWaveShare * kWaveShare * wave * wave +
+               kRippleShare * kRippleShare * ripple * ripple;
+  return sqrt(Real(1.0) - kLatticeNoiseVariance * drawn);
+}
+
 // Radiance towards the eye per illuminance across the light's rays. `shown`: x and z of the normal of the waves that
 // are drawn at this place, over y; `hidden`: standard deviation of the slope of those that are not, `slope` of all. Waves
 // hide each other from eye and light, and what is seen of them is scaled to fill the view (Smith 1967; Ross, Dion, Potvin

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <random>
 
 #include "skydrop/core/shared_glitter.h"
 
@@ -108,6 +109,32 @@ TEST(SunGlitter, wavesThatAreDrawnMakeTheSameMean) {
         }
       }
       EXPECT_NEAR(sum / weight / drawn(eye, elevation), 1, 1e-3) << elevation << ' ' << seen;
+    }
+  }
+}
+
+TEST(SunGlitter, drawnAndHiddenWavesHaveTheSlopeOfAll) {
+  // Slopes of drawn waves at 400 000 places, each size wholly drawn, half and not at all: with what is hidden
+  // 1, within 1 %.
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const double swell : {0.0, 0.5, 1.0}) {
+    for (const double ripple : {0.0, 1.0}) {
+      const double wave = std::max(swell, ripple);
+      double squares = 0;
+      constexpr int kPlaces = 400'000;
+      for (int i = 0; i < kPlaces; ++i) {
+        const auto noise = [&](bool isTurned) {
+          const f64::Uvec2 cell(random() % 100'000, random() % 100'000);
+          const f64::Vec2 inside(unit(random), unit(random));
+          return isTurned ? f64::turnedLatticeNoise(cell, inside).x : f64::latticeNoise(cell, inside).x;
+        };
+        const double slope = noise(false) * f64::kSwellShare * swell + noise(false) * f64::kWaveShare * wave +
+                             noise(true) * f64::kRippleShare * ripple;
+        squares += slope * slope;
+      }
+      const double hidden = f64::hiddenShare(swell, wave, ripple);
+      EXPECT_NEAR(squares / kPlaces + hidden * hidden, 1, 0.01) << swell << ' ' << ripple;
     }
   }
 }
