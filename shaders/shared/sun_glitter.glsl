@@ -10,22 +10,25 @@ CONST Real kIndexOfWater = Real(1.34);
 FN Real waterReflectance(Real cosine) {
   Real outside = saturate(cosine);
   Real inside = sqrt(Real(1.0) - (Real(1.0) - outside * outside) / (kIndexOfWater * kIndexOfWater));
-  Real s = (outside - kIndexOfWater * inside) / (outside + kIndexOfWater * inside);
-  Real p = (kIndexOfWater * outside - inside) / (kIndexOfWater * outside + inside);
-  return Real(0.5) * (s * s + p * p);
+  // s-polarised a / b, p-polarised c / d: one division for both.
+  Real a = outside - kIndexOfWater * inside;
+  Real b = outside + kIndexOfWater * inside;
+  Real c = kIndexOfWater * outside - inside;
+  Real d = kIndexOfWater * outside + inside;
+  Real s = a * d;
+  Real p = c * b;
+  return Real(0.5) * (s * s + p * p) / (b * b * d * d);
 }
 
 // Smith's function of how much waves hide of each other, times the sine of the elevation: a sea whose waves have the
 // standard deviation of slope `slope` along each axis shows 1 / (1 + lambda) of itself. (Walter and others 2007 for
 // Gaussian slopes, within 0.35 % of 1 + lambda; times the sine because lambda itself has no bound on level rays.)
 FN Real hiddenByWaves(Real sine, Real slope) {
+  // Its variable is the cotangent of the zenith angle over sqrt(2) slopes, s / level.
   Real s = saturate(sine);
-  Real scale = slope * Real(1.4142135623730951);
-  // cotangent of the zenith angle over scale, in a form without 0/0 straight up: t / level.
-  Real level = sqrt(max(Real(1.0) - s * s, Real(1e-12))) * scale;
-  Real a = min(s / level, Real(1.6));
-  return level * (Real(1.0) - a * (Real(1.259) - Real(0.396) * a)) / (Real(3.535) + Real(2.181) * a) *
-         (s < Real(1.6) * level ? Real(1.0) : Real(0.0));
+  Real level = squareRoot(Real(1.0) - s * s) * slope * Real(1.4142135623730951);
+  Real hidden = (level * level - s * (Real(1.259) * level - Real(0.396) * s)) / (Real(3.535) * level + Real(2.181) * s);
+  return s < Real(1.6) * level ? hidden : Real(0.0);
 }
 
 // Sine of the mean elevation of what is above the horizon of a disc, by that of its middle and its radius (radians):
@@ -56,27 +59,28 @@ FN Real hiddenShare(Real swell, Real wave, Real ripple) {
 FN Real sunGlitter(Vec3 toEye, Vec3 toLight, Real radius, Vec2 shown, Real hidden, Real slope) {
   Real eye = max(toEye.y, Real(1e-4));
   Real light = risenSine(toLight.y, radius);
-  Real rise = eye + light;
+  Real perRise = Real(1.0) / (eye + light);
   // Slopes along the light's azimuth and across it: the one that sends the light here, and that of the drawn waves.
   Real level = Real(1.0) / sqrt(max(toLight.x * toLight.x + toLight.z * toLight.z, Real(1e-12)));
   Real c = toLight.x * level;
   Real d = toLight.z * level;
-  Real x = (toEye.x + toLight.x) / rise;
-  Real z = (toEye.z + toLight.z) / rise;
+  Real x = (toEye.x + toLight.x) * perRise;
+  Real z = (toEye.z + toLight.z) * perRise;
   Real steep = x * c + z * d;
   Real along = steep - (shown.x * c + shown.y * d);
   Real drawnAcross = shown.x * d - shown.y * c;
   Real across = x * d - z * c - drawnAcross;
   Real variance = hidden * hidden;
-  Real spread = variance + radius * radius / (Real(4.0) * rise * rise);
-  Real density = exp(Real(-0.5) * (along * along / variance + across * across / spread)) /
-                 (Real(2.0) * kPi * sqrt(variance * spread));
+  Real disc = Real(0.5) * radius * perRise;
+  Real spread = variance + disc * disc;
+  Real perBoth = Real(1.0) / (variance * spread);
+  Real density = exp(Real(-0.5) * perBoth * (along * along * spread + across * across * variance)) * sqrt(perBoth);
   // Of the faces that do it: 1 / cosine^2 of their tilt.
-  Real aside = drawnAcross + across * (variance / spread);
+  Real aside = drawnAcross + across * (variance * variance * perBoth);
   Real tilt = steep * steep + aside * aside;
   Real stretch = Real(1.0) + min(tilt, Real(1.0));
   Real incidence = sqrt(saturate(Real(0.5) + Real(0.5) * dot(toEye, toLight)));
   // cosine of the view times (1 + lambda of the view + lambda of the light), over the sine of the light.
   Real seen = light * (eye + hiddenByWaves(eye, slope)) + eye * hiddenByWaves(light, slope);
-  return density * stretch * stretch * waterReflectance(incidence) * light / (Real(4.0) * max(seen, Real(1e-9)));
+  return density * stretch * stretch * waterReflectance(incidence) * light / (Real(8.0) * kPi * max(seen, Real(1e-9)));
 }

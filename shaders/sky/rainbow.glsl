@@ -13,7 +13,8 @@ const float kRainbowTo = 90.0;  // degrees from the antisolar point
 
 vec3 rainbowPhase(float degrees) {
   vec2 texels = vec2(textureSize(rainbowTable, 0));
-  vec2 place = vec2(texturePlace(degrees, 0.0, kRainbowTo, texels.x), texturePlace(rainbowRow(dropRadiusMm), 0.0, 1.0, texels.y));
+  vec2 place = vec2(texturePlace(degrees, 0.0, kRainbowTo, texels.x),
+                    texturePlace(rainbowRow(dropRadiusMm), 0.0, 1.0, texels.y));
   return textureLod(rainbowTable, place, 0.0).xyz;
 }
 

@@ -33,7 +33,8 @@ Waves wavesAt(vec2 place, float footprint) {
   vec2 gusts = noiseAt(place + drift * 3.0, 1) * 0.7 + turnedNoiseAt(place + drift * 3.0, 1) * resolved(192.0, footprint);
   float rough = kSeaSlope * clamp(1.0 + 0.28 * gusts.x, 0.75, 1.35);
   Waves waves;
-  waves.slope = (noiseAt(place + drift * 2.0, 24) * (kSwellShare * swell) + noiseAt(place + drift, 96) * (kWaveShare * wave) +
+  waves.slope = (noiseAt(place + drift * 2.0, 24) * (kSwellShare * swell) +
+                 noiseAt(place + drift, 96) * (kWaveShare * wave) +
                  turnedNoiseAt(place - drift * 0.6, 80) * (kRippleShare * ripple)) * rough;
   waves.all = rough;
   waves.hidden = rough * hiddenShare(swell, wave, ripple);
