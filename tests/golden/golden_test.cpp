@@ -117,6 +117,15 @@ const std::vector<Golden>& goldens() {
                                         "sky.utc=2026-01-18T22:00Z", "--set", "stars.twinkle=0"})},
       {"cloudsByMoonlight", withoutHud({"--scene", "fair", "--pose=0,600,0,226,6,0", "--set", "sky.sun=clock",
                                         "--set", "sky.utc=2026-09-26T21:00Z", "--set", "stars.twinkle=0"})},
+      {"haloWithSunDogs",
+       withoutHud({"--effect", "halo", "--pose=0,600,0,40,14,0", "--set", "render.sun.elevationDegrees=11",
+                   "--set", "render.sun.azimuthDegrees=130", "--set", "halo.plates=0.12", "--set",
+                   "render.picture.exposureStops=-1"})},
+      {"doubleRainbow",
+       withoutHud({"--scene", "plane1", "--effect", "rainbow", "--pose=0,300,0,220,13,0", "--set",
+                   "render.sun.elevationDegrees=14", "--set", "render.sun.azimuthDegrees=130", "--set",
+                   "render.camera.fovDegrees=75", "--set", "cloudPlanes.layers.0.cutoff=0.3", "--set",
+                   "rainbow.extinction=0.001", "--set", "render.picture.exposureStops=-0.6"})},
   };
   return all;
 }
