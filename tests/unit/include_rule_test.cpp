@@ -22,16 +22,16 @@ using Names = std::set<std::string>;
 std::map<std::string, Names> allowedIncludes() {
   const Names core = {"core"};
   Names scene = core;
-  scene.insert({"terrain", "noise", "clouds", "flight", "sky"});
+  scene.insert({"terrain", "noise", "clouds", "flight", "sky", "weather"});
   Names game = scene;
   game.insert("scene");
   Names outer = game;
   outer.insert("game");
   Names app = outer;
   app.insert({"render", "audio", "ui", "accuracy"});
-  return {{"core", {}},     {"terrain", core}, {"noise", core},  {"clouds", core}, {"accuracy", core},
-          {"flight", core}, {"sky", core},     {"scene", scene}, {"game", game},   {"render", outer},
-          {"audio", outer}, {"ui", outer},     {"app", app}};
+  return {{"core", {}},      {"terrain", core}, {"noise", core},   {"clouds", core}, {"accuracy", core},
+          {"flight", core},  {"sky", core},     {"weather", core}, {"scene", scene}, {"game", game},
+          {"render", outer}, {"audio", outer},  {"ui", outer},     {"app", app}};
 }
 
 // The same for rooms, the folders of a module.
