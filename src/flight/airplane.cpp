@@ -79,9 +79,9 @@ struct Flow {
   double liftCoefficient = 0;
 };
 
-Flow flowOf(const AirplaneSettings& s, double separation, const glm::dvec3& wind, const BodyState& state) {
+Flow flowOf(const AirplaneSettings& s, double separation, const AirMass& air, const BodyState& state) {
   Flow f;
-  f.velocity = glm::conjugate(state.orientation) * (state.velocity - wind);
+  f.velocity = glm::conjugate(state.orientation) * (state.velocity - air.wind);
   f.speed = glm::length(f.velocity);
   const double stallAngle = s.stallAngleDeg * dmath::kRadPerDeg;
   // Trim: with the flow along the nose the wing carries what a level turn at this bank, or a straight climb
@@ -93,7 +93,7 @@ Flow flowOf(const AirplaneSettings& s, double separation, const glm::dvec3& wind
   const double wanted =
       l * (c >= kTrimmedBankCosine ? 1 / c : (c + 1) / ((1 + kTrimmedBankCosine) * kTrimmedBankCosine));
   const double pressureArea =
-      0.5 * kAirDensity * f.speed * f.speed * s.wingArea;  // N per unit of coefficient
+      0.5 * kAirDensity * f.speed * f.speed * s.wingArea * air.densityShare;  // N per unit of coefficient
   const double most = kTrimShare * stallAngle;
   const double weight = s.mass * kGravity;
   const double trim = wanted * weight < most * s.liftSlope * pressureArea
@@ -106,7 +106,8 @@ Flow flowOf(const AirplaneSettings& s, double separation, const glm::dvec3& wind
   const double inPlane = f.velocity.y * f.velocity.y + f.velocity.z * f.velocity.z;
   f.liftArgument = f.velocity.y * f.velocity.z / (inPlane + 1e-12) + trimArgument;
   f.stallShare = f.liftArgument / stallAngle;
-  f.liftCoefficient = s.liftSlope * lifted(f.liftArgument, stallAngle) * (1 - s.stallLiftLoss * separation);
+  f.liftCoefficient =
+      s.liftSlope * lifted(f.liftArgument, stallAngle) * (1 - s.stallLiftLoss * separation) * air.liftShare;
   return f;
 }
 
@@ -140,11 +141,11 @@ RigidBody makeBody(const AirplaneSettings& s, const BodyState& start) {
 }  // namespace
 
 Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, const AirplaneInput& input,
-                      const AirplaneCondition& condition, const glm::dvec3& wind, const BodyState& state) {
-  const Flow f = flowOf(s, condition.separation, wind, state);
+                      const AirplaneCondition& condition, const AirMass& air, const BodyState& state) {
+  const Flow f = flowOf(s, condition.separation, air, state);
   const glm::dvec3& v = f.velocity;
-  const double air = airLeftAt(state.position.y);
-  const double halfDensityArea = 0.5 * kAirDensity * s.wingArea * air;
+  const double left = airLeftAt(state.position.y) * air.densityShare;
+  const double halfDensityArea = 0.5 * kAirDensity * s.wingArea * left;
 
   // Forces in body axes. None divides by the speed: each is built from speed times a component of the
   // velocity.
@@ -154,8 +155,8 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   const double inverseSquare = 1 / (f.speed * f.speed + 1e-12);
   const double dragCoefficient =
       s.dragCoefficient + s.inducedDrag * cl * cl + kBroadsideDrag * (v.x * v.x + v.y * v.y) * inverseSquare;
-  const glm::dvec3 drag = -halfDensityArea * dragCoefficient * f.speed * v;
-  const glm::dvec3 thrust{0, 0, -condition.throttle * maxThrust(s) * air};  // (3.7)
+  const glm::dvec3 drag = -halfDensityArea * dragCoefficient * air.dragShare * f.speed * v;
+  const glm::dvec3 thrust{0, 0, -condition.throttle * maxThrust(s) * left};  // (3.7)
   Wrench w;
   w.force = state.orientation * (lift + side + drag + thrust) - glm::dvec3(0, body.mass * kGravity, 0);
 
@@ -166,7 +167,7 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
                    up = state.orientation * glm::dvec3(0, 1, 0);
   const double sinePitch = std::clamp(forward.y, -1.0, 1.0), sineBank = -right.y;
   const auto authority = [&](double fullSpeed) {
-    return std::min(f.speed * f.speed / (fullSpeed * fullSpeed), 1.0) / kThesisInertia;
+    return std::min(f.speed * f.speed / (fullSpeed * fullSpeed) * air.densityShare, 1.0) / kThesisInertia;
   };
   const double pitchUp = s.pitchSpeed * input.pitch * (1 - s.pitchFade * std::abs(sinePitch))  // (3.8)
                          - s.inducedPitchFactor * std::abs(sineBank);                          // (3.14)
@@ -183,7 +184,7 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   acceleration.x += authority(kFullElevatorSpeed) * pitchUp;
 
   // The tail turns the nose into the airflow.
-  const double stiff = f.speed / (kStiffnessSpeed * kStiffnessSpeed);
+  const double stiff = f.speed / (kStiffnessSpeed * kStiffnessSpeed) * air.densityShare;
   acceleration.x += s.pitchStiffness * stiff * v.y;
   acceleration.y -= s.yawStiffness * stiff * v.x;
 
@@ -195,7 +196,7 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   // Damping of pitch and yaw is towards the rate at which the flight path itself turns: a turning aircraft is
   // not held back. Roll has no such rate.
   const glm::dvec3 pathRate =
-      glm::conjugate(state.orientation) * (glm::cross(state.velocity - wind, w.force / body.mass) /
+      glm::conjugate(state.orientation) * (glm::cross(state.velocity - air.wind, w.force / body.mass) /
                                            (f.speed * f.speed + kPathRateSpeed * kPathRateSpeed));
   const glm::dvec3& spin = state.angularVelocity;
   acceleration -= glm::dvec3(s.pitchDamping * (spin.x - pathRate.x), s.yawDamping * (spin.y - pathRate.y),
@@ -204,16 +205,15 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   return w;
 }
 
-Airflow airflowOf(const AirplaneSettings& s, double separation, const glm::dvec3& wind,
-                  const BodyState& state) {
-  const Flow f = flowOf(s, separation, wind, state);
+Airflow airflowOf(const AirplaneSettings& s, double separation, const AirMass& air, const BodyState& state) {
+  const Flow f = flowOf(s, separation, air, state);
   Airflow out;
   out.airspeed = f.speed;
   out.angleOfAttack = f.speed > 0 ? dmath::atan2(-f.velocity.y, -f.velocity.z) : 0;
   out.sideslip = dmath::atan2(f.velocity.x, glm::length(glm::dvec3(0, f.velocity.y, f.velocity.z)));
   out.liftCoefficient = f.liftCoefficient;
-  out.loadFactor =
-      0.5 * kAirDensity * s.wingArea * f.liftCoefficient * f.speed * -f.velocity.z / (s.mass * kGravity);
+  out.loadFactor = 0.5 * kAirDensity * s.wingArea * air.densityShare * f.liftCoefficient * f.speed *
+                   -f.velocity.z / (s.mass * kGravity);
   out.stallShare = std::abs(f.stallShare);
   return out;
 }
@@ -229,7 +229,7 @@ double cruiseThrottle(const AirplaneSettings& s) {
 Airplane::Airplane(const AirplaneSettings& settings, const BodyState& start)
     : settings_(settings), body_(makeBody(settings, start)), condition_{cruiseThrottle(settings), 0} {}
 
-void Airplane::step(const AirplaneInput& input, const glm::dvec3& wind, double dt) {
+void Airplane::step(const AirplaneInput& input, const AirMass& air, double dt) {
   if (!std::isfinite(dt) || dt <= 0) return;
   const double cruise = cruiseThrottle(settings_);
   const double wanted = std::clamp(cruise + input.thrust * (1 - cruise) - input.brake * cruise, 0.0, 1.0);
@@ -239,9 +239,9 @@ void Airplane::step(const AirplaneInput& input, const glm::dvec3& wind, double d
   // The mean of a ramp: second order in the step.
   acting.throttle = 0.5 * (acting.throttle + condition_.throttle);
   body_.update(dt, [&](const BodyState& at) {
-    return airplaneWrench(settings_, body_.properties(), input, acting, wind, at);
+    return airplaneWrench(settings_, body_.properties(), input, acting, air, at);
   });
-  const Flow flow = flowOf(settings_, condition_.separation, wind, body_.state());
+  const Flow flow = flowOf(settings_, condition_.separation, air, body_.state());
   const double wantedSeparation = smoothStep(kSeparatesFrom, kSeparatesTo, std::abs(flow.stallShare));
   const double seconds = wantedSeparation > condition_.separation ? kSeparationSeconds : kAttachmentSeconds;
   condition_.separation += (wantedSeparation - condition_.separation) * dt / (seconds + dt);

@@ -169,12 +169,31 @@ void Package::land(const glm::dvec3& position) {
   landed_ = true;
 }
 
-std::optional<Landing> predictLanding(const PackageSettings& s, const PointState& release,
-                                      const glm::dvec3& wind,
-                                      const std::function<double(const glm::dvec2&)>& surfaceHeight) {
-  requireUsable(s);
-  if (!core::isFinite(release.position) || !core::isFinite(release.velocity) || !core::isFinite(wind))
-    return {};
+namespace {
+
+// The wind of a step of the prediction from `from` on, `left` above the surface, and how long the step may be
+// at most because of it. One form of it for a wind that is the same everywhere, so that this costs nothing.
+struct EvenWind {
+  glm::dvec3 velocity;
+  double longest(double, const PointState&) const { return kLongestFallSeconds; }
+  glm::dvec3 over(const PointState&, double, double) const { return velocity; }
+};
+struct ChangingWind {
+  const WindField& field;
+  double longest(double left, const PointState& from) const {
+    return std::max(0.2 * left, 6.0) / std::max(std::abs(from.velocity.y), 1.0);
+  }
+  glm::dvec3 over(const PointState& from, double left, double dt) const {
+    const glm::dvec3 middle = from.position + from.velocity * (0.5 * dt);
+    // The surface below the start of the step: near enough for the wind.
+    return field(middle, from.position.y - left);
+  }
+};
+
+template <class Wind>
+std::optional<Landing> landingIn(const PackageSettings& s, const PointState& release, const Wind& wind,
+                                 const std::function<double(const glm::dvec2&)>& surfaceHeight) {
+  if (!core::isFinite(release.position) || !core::isFinite(release.velocity)) return {};
   const auto clearance = [&](const PointState& p) {
     return p.position.y - surfaceHeight({p.position.x, p.position.z});
   };
@@ -196,7 +215,9 @@ std::optional<Landing> predictLanding(const PackageSettings& s, const PointState
       const double sideways = glm::length(glm::dvec2(from.velocity.x, from.velocity.z));
       dt = std::min(way / std::max(sideways, 1e-3), std::max(0.5 * left / s.parachuteSpeed, 0.1));
     }
-    const PointState to = fallFor(s, from, age, wind, dt);
+    dt = std::min(dt, wind.longest(left, from));
+    const glm::dvec3 moves = wind.over(from, left, dt);
+    const PointState to = fallFor(s, from, age, moves, dt);
     const double leftAfter = clearance(to);
     if (leftAfter <= 0) {
       // The crossing inside this step, to a millimetre: false position with a halved stale end (Illinois:
@@ -206,7 +227,7 @@ std::optional<Landing> predictLanding(const PackageSettings& s, const PointState
       PointState hit = to;
       for (int i = 0; i < 60; ++i) {
         t = (low * atHigh - high * atLow) / (atHigh - atLow);
-        hit = fallFor(s, from, age, wind, t);
+        hit = fallFor(s, from, age, moves, t);
         const double at = clearance(hit);
         if (std::abs(at) < 1e-3) break;
         if (at > 0) {
@@ -227,6 +248,23 @@ std::optional<Landing> predictLanding(const PackageSettings& s, const PointState
     left = leftAfter;
   }
   return {};
+}
+
+}  // namespace
+
+std::optional<Landing> predictLanding(const PackageSettings& s, const PointState& release,
+                                      const glm::dvec3& wind,
+                                      const std::function<double(const glm::dvec2&)>& surfaceHeight) {
+  requireUsable(s);
+  if (!core::isFinite(wind)) return {};
+  return landingIn(s, release, EvenWind{wind}, surfaceHeight);
+}
+
+std::optional<Landing> predictLanding(const PackageSettings& s, const PointState& release,
+                                      const WindField& wind,
+                                      const std::function<double(const glm::dvec2&)>& surfaceHeight) {
+  requireUsable(s);
+  return landingIn(s, release, ChangingWind{wind}, surfaceHeight);
 }
 
 }  // namespace skydrop::flight

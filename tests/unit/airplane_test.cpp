@@ -515,7 +515,7 @@ TEST(Airplane, windCarriesTheWholeFlightAlong) {
   for (int i = 0; i < 1200; ++i) {
     const AirplaneInput input{.pitch = i > 300 && i < 500 ? 1.0 : 0.0, .roll = i < 200 ? 1.0 : 0.0};
     calm.airplane.step(input, glm::dvec3(0), 1.0 / 120);
-    windy.step(input, {12, 0, 0}, 1.0 / 120);
+    windy.step(input, glm::dvec3(12, 0, 0), 1.0 / 120);
   }
   const glm::dvec3 shifted = windy.body().position() - glm::dvec3(120, 0, 0);
   EXPECT_LT(glm::length(shifted - calm.airplane.body().position()), 1e-6);

@@ -45,13 +45,25 @@ struct AirplaneCondition {
   double separation = 0;  // of the flow from the wing: 0 attached .. 1 stalled
 };
 
+// The air that meets the aircraft during a step. A wind alone converts to it: air of the sea's level that
+// moves.
+struct AirMass {
+  AirMass() = default;
+  AirMass(const glm::dvec3& velocity) : wind(velocity) {}  // NOLINT: the common case
+
+  glm::dvec3 wind{0};       // its velocity, m/s, world axes
+  double densityShare = 1;  // of kAirDensity: forces of wing, tail, drag and engine scale with it
+  double liftShare = 1;     // of the wing's lift that ice has left
+  double dragShare = 1;     // of the drag, with ice more than 1
+};
+
 // The forces of one moment: a pure function of the state, evaluated several times within a step. Finite for
 // every finite state; the aerodynamic part goes to zero continuously with the airspeed.
 Wrench airplaneWrench(const AirplaneSettings& settings, const MassProperties& body,
-                      const AirplaneInput& input, const AirplaneCondition& condition, const glm::dvec3& wind,
+                      const AirplaneInput& input, const AirplaneCondition& condition, const AirMass& air,
                       const BodyState& state);
 
-Airflow airflowOf(const AirplaneSettings& settings, double separation, const glm::dvec3& wind,
+Airflow airflowOf(const AirplaneSettings& settings, double separation, const AirMass& air,
                   const BodyState& state);
 
 // The throttle at which level flight at cruise speed is steady, in [0, 1].
@@ -62,8 +74,8 @@ class Airplane {
   // Throws core::RangeError when the settings or the state are unusable. Starts at cruise throttle.
   Airplane(const AirplaneSettings& settings, const BodyState& start);
 
-  // Advances by dt seconds in air that moves with `wind` (m/s). dt <= 0 or not finite changes nothing.
-  void step(const AirplaneInput& input, const glm::dvec3& wind, double dt);
+  // Advances by dt seconds in this air. dt <= 0 or not finite changes nothing.
+  void step(const AirplaneInput& input, const AirMass& air, double dt);
 
   const RigidBody& body() const { return body_; }
   double throttle() const { return condition_.throttle; }  // 0 idle .. 1 full

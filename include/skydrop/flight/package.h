@@ -59,5 +59,11 @@ inline constexpr double kLongestFallSeconds = 3600;
 std::optional<Landing> predictLanding(const PackageSettings& settings, const PointState& release,
                                       const glm::dvec3& wind,
                                       const std::function<double(const glm::dvec2&)>& surfaceHeight);
+// The same in a wind that changes with the place: asked at the middle of each step, which then is at most a
+// fifth of the height above the surface or 6 m high. The surface's height there is handed along.
+using WindField = std::function<glm::dvec3(const glm::dvec3& position, double surfaceHeight)>;
+std::optional<Landing> predictLanding(const PackageSettings& settings, const PointState& release,
+                                      const WindField& wind,
+                                      const std::function<double(const glm::dvec2&)>& surfaceHeight);
 
 }  // namespace skydrop::flight
