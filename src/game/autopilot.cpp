@@ -38,6 +38,30 @@ double wrapped(double angle) {  // to (-pi, pi]
   return angle;
 }
 
+// Where to fly: to the target, and in wind to where a package that is dropped on the way drifts onto it. What
+// it drifts is known for the ground below; it is scaled to the height above the target.
+struct Aim {
+  double bearingRad, distance;
+};
+Aim aimOf(const Snapshot& now) {
+  const glm::dvec3& wind = now.wind;
+  const Aim target{now.target.bearingRad, now.target.distance};
+  if (!now.predictedLanding || (wind.x == 0 && wind.z == 0)) return target;
+  const AircraftSnapshot& craft = now.aircraft;
+  const glm::dvec2 path(craft.velocity.x, craft.velocity.z);
+  const double speed2 = path.x * path.x + path.y * path.y;
+  if (!(speed2 > 1)) return target;
+  const glm::dvec2 fall(now.predictedLanding->x - craft.position.x,
+                        now.predictedLanding->z - craft.position.z);
+  const double height = std::max(craft.position.y - now.predictedLanding->y, 1.0);
+  const double share = std::clamp((craft.position.y - now.target.position.y) / height, 0.2, 4.0);
+  const glm::dvec2 aside = (fall - path * ((fall.x * path.x + fall.y * path.y) / speed2)) * share;
+  const glm::dvec2 way =
+      glm::dvec2(now.target.position.x - craft.position.x, now.target.position.z - craft.position.z) - aside;
+  if (way.x == 0 && way.y == 0) return target;
+  return {dmath::atan2(way.x, -way.y), std::sqrt(way.x * way.x + way.y * way.y)};
+}
+
 }  // namespace
 
 void describe(core::SettingsVisitor& v, AutopilotSettings& s) {
@@ -83,13 +107,16 @@ Controls Autopilot::decide(const Snapshot& now) {
   const double track = dmath::atan2(craft.velocity.x, -craft.velocity.z);
   const double maxBank = settings_.maxBankDeg * dmath::kRadPerDeg;
   const double turnRate = flight::kGravity * dmath::tan(maxBank) / speed;  // rad/s in a full turn
-  const double turnDiameter = 2 * speed / turnRate;
+  // Wind carries turns along, and it may come from behind.
+  const double overGround = speed + std::sqrt(now.wind.x * now.wind.x + now.wind.z * now.wind.z);
+  const double turnDiameter = 2 * overGround / turnRate;
 
   // Where to: the target, or away from it when it lies inside the turn; without one around in a wide circle.
   double turn = 0.25;
   if (now.target.present) {
-    const double distance = now.target.distance;
-    turn = wrapped(now.target.bearingRad - track);
+    const Aim aim = aimOf(now);
+    const double distance = aim.distance;
+    turn = wrapped(aim.bearingRad - track);
     if (distance < kTurnDiameters * turnDiameter && std::abs(turn) > kAheadRad) goingAround_ = true;
     if (distance > kReturnDiameters * turnDiameter || std::abs(turn) < kAheadRad) goingAround_ = false;
     if (goingAround_) turn = 0;
@@ -108,11 +135,11 @@ Controls Autopilot::decide(const Snapshot& now) {
         const double height = surfaceAt(*ground_, at + aside * side).height;
         const double missing = height + settings_.clearance - craft.position.y;
         // Behind the margin a slope is a slope; inside it height is missing now.
-        const double way =
-            missing > 0 ? std::max(speed * t - kReachMetres, kReachMetres) : speed * t + kReachMetres;
+        const double way = missing > 0 ? std::max(overGround * t - kReachMetres, kReachMetres)
+                                       : overGround * t + kReachMetres;
         wantedSlope_ = std::max(wantedSlope_, missing / way);
       }
-      at += ahead * (speed * kLookSeconds);
+      at += ahead * (overGround * kLookSeconds);
       const double change = std::clamp(left, -turnRate * kLookSeconds, turnRate * kLookSeconds);
       heading += change;
       left -= change;

@@ -24,6 +24,8 @@ constexpr glm::dvec3 kBay{0, -1.2, 0};
 constexpr std::size_t kMostPackages = 64;
 // Without land in reach a target is searched again so often.
 constexpr std::uint64_t kTargetRetrySteps = 1200;
+// With weather a package asks for the wind so often: each .8 m under its parachute, 6 m in free fall.
+constexpr std::uint64_t kWindSteps = 12;
 
 double horizontalDistance(const glm::dvec3& a, const glm::dvec3& b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.z - b.z) * (a.z - b.z));
@@ -48,8 +50,9 @@ flight::PointState releaseState(const flight::BodyState& aircraft) {
 
 }  // namespace
 
-Deliveries::Deliveries(const WorldSetup& setup, core::RandomStream& random, EventLog& eventLog)
-    : setup_(&setup), random_(&random), eventLog_(&eventLog) {}
+Deliveries::Deliveries(const WorldSetup& setup, const FlownAir& air, core::RandomStream& random,
+                       EventLog& eventLog)
+    : setup_(&setup), air_(&air), random_(&random), eventLog_(&eventLog) {}
 
 void Deliveries::drawNextTarget(const glm::dvec3& around) {
   target_.reset();
@@ -80,6 +83,8 @@ void Deliveries::drop(const flight::BodyState& aircraft) {
                        flight::Package(setup_->package, body),
                        target_,
                        clearanceAt(*setup_->ground, release.position),
+                       glm::dvec3(0),
+                       0,
                        0,
                        false,
                        {0, 1, 0}});
@@ -90,9 +95,14 @@ void Deliveries::drop(const flight::BodyState& aircraft) {
 }
 
 std::optional<glm::dvec3> Deliveries::predictLanding(const flight::BodyState& aircraft) const {
+  const auto surface = [this](const glm::dvec2& xz) { return surfaceAt(*setup_->ground, xz).height; };
+  const auto wind = [this](const glm::dvec3& position, double height) {
+    return air_->meanWind(position, height);
+  };
+  const flight::PointState release = releaseState(aircraft);
   const auto landing =
-      flight::predictLanding(setup_->package, releaseState(aircraft), setup_->wind,
-                             [this](const glm::dvec2& xz) { return surfaceAt(*setup_->ground, xz).height; });
+      setup_->weather ? flight::predictLanding(setup_->package, release, flight::WindField(wind), surface)
+                      : flight::predictLanding(setup_->package, release, setup_->wind, surface);
   if (!landing) return {};
   return landing->position;
 }
@@ -101,10 +111,10 @@ bool Deliveries::isInTarget(const glm::dvec3& landing) const {
   return target_ && horizontalDistance(landing, target_->position) <= target_->radius;
 }
 
-void Deliveries::step(const std::optional<glm::dvec3>& aircraft) {
+void Deliveries::step(const std::optional<glm::dvec3>& aircraft, std::uint64_t step) {
   for (FlyingPackage& package : packages_) {
     if (!package.body.landed()) {
-      fall(package, aircraft);
+      fall(package, aircraft, step);
     } else if (package.stepsToRemoval > 0) {
       --package.stepsToRemoval;
     }
@@ -119,10 +129,18 @@ void Deliveries::step(const std::optional<glm::dvec3>& aircraft) {
   }
 }
 
-void Deliveries::fall(FlyingPackage& p, const std::optional<glm::dvec3>& aircraft) {
+void Deliveries::fall(FlyingPackage& p, const std::optional<glm::dvec3>& aircraft, std::uint64_t step) {
   const glm::dvec3 from = p.body.state().position;
   const bool wasClosed = p.body.parachuteOpen() == 0;
-  p.body.step(setup_->wind, FixedStep::kStepSeconds);
+  if (!setup_->weather) {
+    p.wind = setup_->wind;
+  } else if (p.stepsToWind == 0) {
+    p.clearance = clearanceAt(*setup_->ground, from);
+    p.wind = air_->meanWindOf(from, from.y - p.clearance, secondsOf(step));
+    p.stepsToWind = kWindSteps;
+  }
+  if (p.stepsToWind > 0) --p.stepsToWind;
+  p.body.step(p.wind, FixedStep::kStepSeconds);
   const glm::dvec3 to = p.body.state().position;
   if (wasClosed && p.body.parachuteOpen() > 0) eventLog_->report(GameEventKind::parachuteOpened, to, p.id);
   // The ground is asked only where what was left above it may be used up (1 microsecond a time on real land).
@@ -197,6 +215,7 @@ void Deliveries::addTo(core::StateHasher& h) const {
   for (const FlyingPackage& p : packages_) {
     h.add(std::uint64_t{p.id}), game::addTo(h, p.body.state()), h.add(p.body.age());
     h.add(std::uint64_t{p.body.landed()}), h.add(p.clearance), h.add(p.stepsToRemoval);
+    if (setup_->weather) game::addTo(h, p.wind), h.add(p.stepsToWind);
     addTo(h, p.target);
   }
 }

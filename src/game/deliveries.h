@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/event_log.h"
+#include "game/flown_air.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/flight/package.h"
 #include "skydrop/flight/rigid_body.h"
@@ -17,8 +18,8 @@ namespace skydrop::game {
 
 class Deliveries {
  public:
-  // Keeps all three, which must outlive it; the settings may change between steps.
-  Deliveries(const WorldSetup& setup, core::RandomStream& random, EventLog& eventLog);
+  // Keeps all four, which must outlive it; the settings may change between steps.
+  Deliveries(const WorldSetup& setup, const FlownAir& air, core::RandomStream& random, EventLog& eventLog);
 
   void drawNextTarget(const glm::dvec3& around);
 
@@ -26,8 +27,8 @@ class Deliveries {
   void coolDown();
   // A package leaves the aircraft, unless the last one left too recently.
   void drop(const flight::BodyState& aircraft);
-  // Once a step, after it: packages fall and land, missing targets are searched again.
-  void step(const std::optional<glm::dvec3>& aircraft);
+  // Once a step, number `step`, after it: packages fall and land, missing targets are searched again.
+  void step(const std::optional<glm::dvec3>& aircraft, std::uint64_t step);
 
   // Where a package dropped now would land; none when that is nowhere.
   std::optional<glm::dvec3> predictLanding(const flight::BodyState& aircraft) const;
@@ -49,16 +50,19 @@ class Deliveries {
     flight::Package body;
     std::optional<Target> target;      // the one that was current at the release
     double clearance = 0;              // it is at least so far above the surface
+    glm::dvec3 wind{0};                // that it was last asked for, with weather
+    std::uint64_t stepsToWind = 0;     // until it is asked for again
     std::uint64_t stepsToRemoval = 0;  // once landed
     bool onWater = false;
     glm::dvec3 groundNormal{0, 1, 0};  // of where it landed
   };
 
-  void fall(FlyingPackage& package, const std::optional<glm::dvec3>& aircraft);
+  void fall(FlyingPackage& package, const std::optional<glm::dvec3>& aircraft, std::uint64_t step);
   void judge(const FlyingPackage& package, const std::optional<glm::dvec3>& aircraft);
   static void addTo(core::StateHasher& hash, const std::optional<Target>& target);
 
   const WorldSetup* setup_;
+  const FlownAir* air_;
   core::RandomStream* random_;
   EventLog* eventLog_;
   std::vector<FlyingPackage> packages_;

@@ -31,8 +31,8 @@ constexpr double kIdleTurnsPerS = 8, kThrottleTurnsPerS = 32;
 
 }  // namespace
 
-PlayerAircraft::PlayerAircraft(const WorldSetup& setup, EventLog& eventLog)
-    : setup_(&setup), eventLog_(&eventLog), airplane_(setup.airplane, {}) {
+PlayerAircraft::PlayerAircraft(const WorldSetup& setup, FlownAir& air, EventLog& eventLog)
+    : setup_(&setup), air_(&air), eventLog_(&eventLog), airplane_(setup.airplane, {}) {
   place(setup.start, 0);
 }
 
@@ -57,10 +57,12 @@ void PlayerAircraft::put(const glm::dvec3& position, double headingRad, double p
   flight::BodyState state;
   state.position = position;
   state.orientation = flight::orientationOf({headingRad, pitchRad, bankRad});
-  state.velocity = setup_->wind + state.orientation * glm::dvec3(0, 0, -speed);
+  clearance_ = clearanceAt(*setup_->ground, position);
+  air_->meet(position, position.y - clearance_, step);
+  state.velocity =
+      air_->meanWind(position, position.y - clearance_) + state.orientation * glm::dvec3(0, 0, -speed);
   airplane_.place(state);
   trail_.place(state.orientation);
-  clearance_ = clearanceAt(*setup_->ground, position);
   crashed_ = false;
   stepsToRespawn_ = 0;
   ++spawnCount_;
@@ -96,6 +98,10 @@ void PlayerAircraft::clearGround(std::uint64_t step) {
   core::countGuard(core::Guard::respawnRaised);
 }
 
+void PlayerAircraft::meetAir(std::uint64_t step) {
+  air_->meet(body().position, body().position.y - clearance_, step);
+}
+
 void PlayerAircraft::advance(const Controls& controls, std::uint64_t step) {
   lastControls_ = std::exchange(controls_, controls);
   if (controls_.reset && !lastControls_.reset) {
@@ -116,7 +122,7 @@ void PlayerAircraft::fly(std::uint64_t step) {
                   .pitch = controls_.pitch,
                   .roll = controls_.roll,
                   .yaw = controls_.yaw},
-                 setup_->wind, FixedStep::kStepSeconds);
+                 air_->now(), FixedStep::kStepSeconds);
   propellerAngleRad_ +=
       dmath::kTwoPi * (kIdleTurnsPerS + kThrottleTurnsPerS * airplane_.throttle()) * FixedStep::kStepSeconds;
   if (propellerAngleRad_ >= dmath::kTwoPi) propellerAngleRad_ -= dmath::kTwoPi;
@@ -139,7 +145,8 @@ void PlayerAircraft::noteSafePlace(std::uint64_t step) {
                    right = s.orientation * glm::dvec3(1, 0, 0);
   const glm::dvec3 up = s.orientation * glm::dvec3(0, 1, 0);
   const bool upright = up.y > 0 && std::abs(right.y) < kSafeSineBank && std::abs(forward.y) < kSafeSinePitch;
-  const bool fast = glm::length(s.velocity - setup_->wind) > kSafeSpeedShare * setup_->airplane.cruiseSpeed;
+  const bool fast =
+      glm::length(s.velocity - air_->now().wind) > kSafeSpeedShare * setup_->airplane.cruiseSpeed;
   if (!upright || !fast || clearance_ < setup_->game.safeHeight) return;
   safePlaces_.note({step, s.position, flight::attitudeOf(s.orientation).headingRad});
 }
@@ -161,7 +168,7 @@ AircraftSnapshot PlayerAircraft::snapshot() const {
   AircraftSnapshot a;
   const flight::BodyState& s = body();
   const flight::Airflow flow =
-      flight::airflowOf(airplane_.settings(), airplane_.separation(), setup_->wind, s);
+      flight::airflowOf(airplane_.settings(), airplane_.separation(), air_->now(), s);
   const flight::Attitude attitude = flight::attitudeOf(s.orientation);
   a.present = true;
   a.position = s.position;

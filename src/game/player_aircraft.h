@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "game/event_log.h"
+#include "game/flown_air.h"
 #include "game/safe_places.h"
 #include "game/trailing_attitude.h"
 #include "skydrop/flight/airplane.h"
@@ -16,9 +17,9 @@ namespace skydrop::game {
 
 class PlayerAircraft {
  public:
-  // Keeps both, which must outlive it; the settings may change between steps. Starts at setup.start. Throws
-  // core::RangeError when settings or pose are unusable.
-  PlayerAircraft(const WorldSetup& setup, EventLog& eventLog);
+  // Keeps all three, which must outlive it; the settings may change between steps. Starts at setup.start.
+  // Throws core::RangeError when settings or pose are unusable.
+  PlayerAircraft(const WorldSetup& setup, FlownAir& air, EventLog& eventLog);
 
   // One step, number `step`: reset, waiting after a crash, or flight.
   void advance(const Controls& controls, std::uint64_t step);
@@ -30,8 +31,11 @@ class PlayerAircraft {
   // After the ground became another: where it is nearer than the safe height, or above, the aircraft is
   // lifted and flies on level.
   void clearGround(std::uint64_t step);
+  // The air became another, where it flies.
+  void meetAir(std::uint64_t step);
 
   const flight::BodyState& body() const { return airplane_.body().state(); }
+  double clearance() const { return clearance_; }
   bool crashed() const { return crashed_; }
   // Whether this step pressed the key that the last one did not.
   bool dropPressed() const { return controls_.drop && !lastControls_.drop; }
@@ -49,6 +53,7 @@ class PlayerAircraft {
   void crash(const Contact& contact);
 
   const WorldSetup* setup_;
+  FlownAir* air_;
   EventLog* eventLog_;
   flight::Airplane airplane_;
   Controls controls_, lastControls_;

@@ -6,6 +6,7 @@
 
 #include "game/deliveries.h"
 #include "game/event_log.h"
+#include "game/flown_air.h"
 #include "game/player_aircraft.h"
 #include "game/snapshot_blend.h"
 #include "game/state_digest.h"
@@ -40,6 +41,7 @@ const WorldSetup& usable(const WorldSetup& setup) {
   if (!setup.ground) throw core::RangeError("world: there is no ground");
   requireUsable(setup.wind);
   requireUsable(setup.game);
+  if (setup.weather) weather::requireUsable(setup.weather->settings);
   return setup;
 }
 
@@ -50,6 +52,7 @@ struct World::State {
   core::RandomStream random;
   std::uint64_t steps = 0;
   EventLog eventLog;
+  FlownAir air;
   std::optional<PlayerAircraft> aircraft;
   Deliveries deliveries;
 
@@ -58,7 +61,7 @@ struct World::State {
   Snapshot now, before;
 
   // Of the parts of a step; nothing else reads them.
-  core::CpuMeter aircraftCost, targetsCost;
+  core::CpuMeter weatherCost, aircraftCost, targetsCost;
 
   explicit State(const WorldSetup& s);
   State(const State&) = delete;  // its parts point at its setup
@@ -73,8 +76,8 @@ struct World::State {
 };
 
 World::State::State(const WorldSetup& s)
-    : setup(usable(s)), random{core::mix64(s.seed), 0}, deliveries(setup, random, eventLog) {
-  if (setup.hasAircraft) aircraft.emplace(setup, eventLog);
+    : setup(usable(s)), random{core::mix64(s.seed), 0}, air(setup), deliveries(setup, air, random, eventLog) {
+  if (setup.hasAircraft) aircraft.emplace(setup, air, eventLog);
   if (setup.hasTargets) deliveries.drawNextTarget(aircraftPosition().value_or(glm::dvec3(0)));
   predict();
   fill(now);
@@ -92,12 +95,13 @@ void World::State::advance(const Controls& wanted) {
   bool moved = false;  // otherwise than by flying
   if (aircraft) {
     const std::uint32_t spawned = aircraft->spawnCount();
+    weatherCost.measure([&] { air.advance(aircraft->body(), aircraft->clearance(), steps); });
     aircraftCost.measure([&] { aircraft->advance(quantised(wanted), steps); });
     moved = spawned != aircraft->spawnCount() || aircraft->crashed();
   }
   targetsCost.measure([&] {
     if (aircraft && aircraft->dropPressed() && !aircraft->crashed()) deliveries.drop(aircraft->body());
-    deliveries.step(aircraftPosition());
+    deliveries.step(aircraftPosition(), steps);
     if (steps % kPredictionSteps == 0 || moved) predict();
   });
 }
@@ -117,11 +121,11 @@ void World::State::setParts(std::shared_ptr<const terrain::HeightSource> ground,
   if (!hasAircraft) {
     aircraft.reset();
   } else if (!aircraft) {
-    aircraft.emplace(setup, eventLog);
+    aircraft.emplace(setup, air, eventLog);
   } else if (newGround) {
     aircraft->clearGround(steps);
   }
-  if (newTargets || (setup.hasTargets && !hasTargets)) deliveries = Deliveries(setup, random, eventLog);
+  if (newTargets || (setup.hasTargets && !hasTargets)) deliveries = Deliveries(setup, air, random, eventLog);
   setup.hasTargets = hasTargets;
   if (newTargets) deliveries.drawNextTarget(aircraftPosition().value_or(glm::dvec3(0)));
   predict();
@@ -134,7 +138,12 @@ void World::State::fill(Snapshot& out) const {
   out.stepCount = steps;
   out.simulatedSeconds = secondsOf(steps);
   out.wind = setup.wind;
-  if (aircraft) out.aircraft = aircraft->snapshot();
+  out.air = {};
+  if (aircraft) {
+    out.aircraft = aircraft->snapshot();
+    out.air = air.snapshot(aircraft->body());
+    if (out.air.present) out.wind = out.air.wind;
+  }
   deliveries.fill(out, aircraftPosition());
   out.predictedLanding = predictedLanding;
   out.dropZone = predictedLanding && deliveries.isInTarget(*predictedLanding);
@@ -148,6 +157,12 @@ std::uint64_t World::State::hash() const {
   WorldSetup copy = setup;  // describe() wants something it could write to
   HashingVisitor settings(h);
   describe(settings, copy.airplane), describe(settings, copy.package), describe(settings, copy.game);
+  if (copy.weather) {  // a flight without keeps the digest that it had before there was any
+    describe(settings, copy.weather->settings);
+    describe(settings, copy.weather->drift);
+    h.add(std::uint64_t{copy.weather->noise != nullptr});
+    if (aircraft) air.addTo(h);
+  }
   if (aircraft) aircraft->addTo(h);
   deliveries.addTo(h);
   return h.value();
@@ -172,11 +187,14 @@ std::uint64_t World::stateHash() const { return state_->hash(); }
 std::uint64_t World::stepCount() const { return state_->steps; }
 
 void World::setMeasuring(bool measuring) {
+  state_->weatherCost.setMeasuring(measuring);
   state_->aircraftCost.setMeasuring(measuring);
   state_->targetsCost.setMeasuring(measuring);
 }
 
-StepCosts World::costs() const { return {state_->aircraftCost.ms(), state_->targetsCost.ms()}; }
+StepCosts World::costs() const {
+  return {state_->weatherCost.ms(), state_->aircraftCost.ms(), state_->targetsCost.ms()};
+}
 
 void World::apply(const flight::AirplaneSettings& settings) {
   if (state_->aircraft) state_->aircraft->apply(settings);
@@ -196,6 +214,13 @@ void World::apply(const GameSettings& settings) {
 void World::setWind(const glm::dvec3& velocity) {
   requireUsable(velocity);
   state_->setup.wind = velocity;
+}
+
+void World::setWeather(const std::optional<WeatherSetup>& weather) {
+  if (weather) weather::requireUsable(weather->settings);
+  const bool comesOrGoes = weather.has_value() != state_->setup.weather.has_value();
+  state_->setup.weather = weather;
+  if (comesOrGoes && state_->aircraft) state_->aircraft->meetAir(state_->steps);
 }
 
 void World::setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets) {

@@ -42,6 +42,23 @@ struct AircraftSnapshot {
   std::uint32_t spawnCount = 0;  // changes when the aircraft is placed again: do not interpolate across it
 };
 
+// The air round the aircraft, in scenes with weather.
+struct AirSnapshot {
+  bool present = false;      // false without weather: the rest is then meaningless
+  glm::dvec3 wind{0};        // mean, level, m/s
+  glm::dvec3 velocity{0};    // of the air, gusts and draughts included, m/s
+  double risingMps = 0;      // of draughts
+  double turbulenceMps = 0;  // standard deviation of the gusts, mean of the three axes
+  double densityShare = 1;   // of that at the sea's level
+  double indicatedMps =
+      0;  // airspeed that instruments show: true airspeed times the root of the density's share
+  double groundMps = 0;  // speed over the ground
+  double driftRad = 0;   // of the path over the ground, right of the nose positive; the crab angle's opposite
+  double cloudDensity = 0;  // [0, 1]
+  double temperatureC = 15;
+  double icing = 0;  // 0 none .. 1 the most that the wing carries
+};
+
 struct PackageSnapshot {
   std::uint32_t id = 0;  // unique in a run, counts drops from 1
   glm::dvec3 position{0};
@@ -80,7 +97,8 @@ struct Snapshot {
   std::int64_t drops = 0;
   std::int64_t misses = 0;
   std::vector<Message> messages;  // oldest first
-  glm::dvec3 wind{0};
+  glm::dvec3 wind{0};             // mean, at the aircraft
+  AirSnapshot air;
 
   // Set by whoever runs the world (app), for the HUD.
   bool autopilot = false;

@@ -16,17 +16,23 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "skydrop/core/wind.h"
 #include "skydrop/flight/airplane_settings.h"
 #include "skydrop/flight/package_settings.h"
 #include "skydrop/game/controls.h"
 #include "skydrop/game/events.h"
 #include "skydrop/game/game_settings.h"
 #include "skydrop/game/snapshot.h"
+#include "skydrop/weather/weather_settings.h"
 
 namespace skydrop::terrain {
 class HeightSource;
+}
+namespace skydrop::clouds {
+struct PackedCloudNoise;
 }
 
 namespace skydrop::game {
@@ -42,6 +48,13 @@ struct StartPose {
   double speed = 70;  // m/s
 };
 
+// The weather that is flown in.
+struct WeatherSetup {
+  weather::WeatherSettings settings;
+  core::WindSettings drift;                               // that carries the clouds
+  std::shared_ptr<const clouds::PackedCloudNoise> noise;  // of the clouds; null: none are met
+};
+
 struct WorldSetup {
   std::shared_ptr<const terrain::HeightSource> ground;  // never null; the surface is max(its height, 0 = sea)
   std::uint64_t seed = 1;                               // of the targets
@@ -49,6 +62,7 @@ struct WorldSetup {
   bool hasTargets = true;  // without: packages drop, nothing scores, no landing is predicted
   StartPose start;
   glm::dvec3 wind{0};  // velocity of the air, m/s, world axes; everywhere the same (core::flownWind)
+  std::optional<WeatherSetup> weather = std::nullopt;  // instead of `wind`; without: air of the sea's level
   flight::AirplaneSettings airplane;
   flight::PackageSettings package;
   GameSettings game;
@@ -56,6 +70,7 @@ struct WorldSetup {
 
 // CPU time of the steps that were measured (World::setMeasuring), on the thread that made them.
 struct StepCosts {
+  double weatherMs = 0;   // the air that the aircraft meets
   double aircraftMs = 0;  // flight and contact of the aircraft
   double targetsMs = 0;   // targets, packages, prediction of their landing
 };
@@ -95,6 +110,7 @@ class World {
   void apply(const flight::PackageSettings& settings);
   void apply(const GameSettings& settings);
   void setWind(const glm::dvec3& velocity);  // m/s, as WorldSetup::wind
+  void setWeather(const std::optional<WeatherSetup>& weather);
 
   // What the world is made of, from now on: an aircraft that comes begins at the start, targets begin with
   // the first and a score of 0, packages go with the targets. An aircraft that the new ground would be above,

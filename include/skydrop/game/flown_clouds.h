@@ -1,0 +1,40 @@
+// The clouds of the weather's layers as a medium that can be asked at a point: what flies asks it, and what
+// draws them makes its layers with the same function. A value; const functions may run on any thread.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+
+#include "skydrop/clouds/cloud_field.h"
+#include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/core/wind.h"
+#include "skydrop/weather/state.h"
+
+namespace skydrop::game {
+
+// The medium of a layer: a cumulus between the default base and top at cover .5 is the default layer of
+// clouds.layers.0. Density scales the extinction, not the field.
+clouds::CloudLayerSettings cloudLayerOf(const weather::Layer& layer);
+
+class FlownClouds {
+ public:
+  // Without noise (null) there is no cloud anywhere. The clouds drift with the wind that draws them.
+  FlownClouds(std::shared_ptr<const clouds::PackedCloudNoise> noise, const core::WindSettings& drift)
+      : noise_(std::move(noise)), drift_(drift) {}
+
+  // Density of one layer at a place and time (simulated seconds), [0, 1]; 0 where it has no cover.
+  double density(const weather::Layer& layer, const glm::dvec3& position, double seconds) const;
+  // How much of it stands above or below the place, [0, 1]: of the densest of three heights in its lower
+  // half.
+  double column(const weather::Layer& layer, const glm::dvec3& position, double seconds) const;
+  // Of all layers together, [0, 1].
+  double density(const weather::State& state, const glm::dvec3& position, double seconds) const;
+
+ private:
+  clouds::CloudField fieldOf(const weather::Layer& layer, double seconds) const;
+
+  std::shared_ptr<const clouds::PackedCloudNoise> noise_;
+  core::WindSettings drift_;
+};
+
+}  // namespace skydrop::game
