@@ -122,7 +122,7 @@ TEST(CommandLine, flagsOfTheHudStandForItsSetting) {
 }
 
 TEST(CommandLine, helpOfEveryVerbNamesTheExitCodes) {
-  for (const char* verb : {"render", "simulate", "accuracy", "noise", "sky", "info", "--help"}) {
+  for (const char* verb : {"render", "simulate", "accuracy", "noise", "sky", "weather", "info", "--help"}) {
     EXPECT_NE(parse({verb, "--help"}).answer->find("0 ok, 1 failed, 2 usage, 3 no OpenGL"), std::string::npos)
         << verb;
   }
@@ -143,6 +143,22 @@ TEST(CommandLine, skyTakesATimeAndAPlace) {
   EXPECT_EQ(refused("2026-01-01", "nan", "0"), "--lat: 'nan' is not a finite number");
   EXPECT_EQ(refused("2026-01-01", "0", "361"), "--lon: 361 is out of range -360 to 360");
   EXPECT_EQ(refusalOf({"sky", "--lat", "1", "--lon", "1"}), "--utc is required");
+}
+
+TEST(CommandLine, weatherTakesASceneATimeAndAPlace) {
+  const CommandLine line =
+      parse({"weather", "state", "--scene", "breeze", "--time", "600", "--at=-1,2.5,3e9", "--set", "a=1"})
+          .commandLine;
+  EXPECT_EQ(line.verb, Verb::weather);
+  EXPECT_EQ(line.scene, "breeze");
+  EXPECT_EQ(line.timeS, 600);
+  EXPECT_EQ(line.weatherAt, glm::dvec3(-1, 2.5, 3e9));
+  EXPECT_EQ(line.set, std::vector<std::string>{"a=1"});
+  EXPECT_EQ(refusalOf({"weather", "forecast"}), "weather: 'forecast' is not one of state");
+  EXPECT_EQ(refusalOf({"weather", "state", "--at", "1,2"}), "--at: '1,2' is not of the form X,Y,Z");
+  EXPECT_EQ(refusalOf({"weather", "state", "--at", "1,nan,2"}), "--at: 'nan' is not a finite number");
+  EXPECT_EQ(refusalOf({"weather", "state", "--time", "-1"}), "--time: -1 is out of range 0 to 1e+09");
+  EXPECT_EQ(refusalOf({"weather"}), "WHAT is required");
 }
 
 TEST(CommandLine, questionsAreAnsweredInsteadOfRun) {

@@ -156,6 +156,47 @@ std::uint64_t autopilot(const Settings& settings) {
                 [&](const game::Snapshot& now) { return pilot.decide(now); });
 }
 
+// Hands off for ten seconds in that air.
+std::uint64_t weatherFlight(const Settings& settings) {
+  game::WorldSetup setup = worldOf(settings, land(), 300);
+  setup.weather = {settings.weather, settings.wind, nullptr};
+  return flight(setup, 10, [](const game::Snapshot&) { return Controls(); });
+}
+
+// The weather at some places and times.
+std::uint64_t weatherStates(const Settings& settings) {
+  StateHasher h;
+  for (const double seconds : {0.0, 500.0, 1700.0, 4000.0}) {
+    for (const double east : {-40000.0, 0.0, 3000.0, 15000.0, 60000.0}) {
+      const weather::State s = weather::stateAt(settings.weather, 1, seconds, {east, -0.4 * east});
+      for (const weather::Layer& l : s.layers) {
+        h.add(static_cast<std::uint64_t>(l.genus));
+        h.add(l.baseM), h.add(l.topM), h.add(l.cover), h.add(l.density);
+      }
+      for (const weather::WindLevel& l : s.wind.levels)
+        h.add(l.heightM), h.add(l.speedMps), h.add(l.directionDeg);
+      for (const double value :
+           {s.wind.speedMps, s.wind.directionDeg, s.wind.gustMps, s.wind.roughnessM, s.wind.gradientHeightM,
+            s.fog.extinction, s.fog.topM, s.precipitation.rain, s.precipitation.snow, s.precipitation.sleet,
+            s.precipitation.hail, s.visibilityM, s.temperatureC, s.pressurePa, s.lightningPerMinute,
+            s.turbulenceSeverity})
+        h.add(value);
+    }
+  }
+  return h.value();
+}
+
+// Two sites that differ, all layers with cover.
+std::vector<std::string> twoSites() {
+  std::vector<std::string> given = {"weather.secondSite=true", "weather.approachSeconds=3000",
+                                    "weather.sites.1.windSpeed=12", "weather.sites.1.windDirection=300"};
+  for (const char* site : {"0", "1"}) {
+    for (const char* layer : {"0", "1", "2", "3"})
+      given.push_back(std::string("weather.sites.") + site + ".layers." + layer + ".cover=0.4");
+  }
+  return given;
+}
+
 std::uint64_t heights(const Settings& settings) {
   const auto source = terrain::makeNoiseHeightSource(settings.terrain, 1);
   StateHasher h;
@@ -369,6 +410,12 @@ const std::vector<Probe> kProbes = {
     {"game.landedPackageSeconds", removal},
     {"game.respawnBackSeconds", lateCrash, {"game.crashSeconds=0.1"}},
     {"game.", crash},
+    {"weather.standardAtmosphere", weatherFlight},
+    {"weather.turbulence", weatherFlight},
+    {"weather.draughts", weatherFlight, {"weather.sites.0.layers.0.cover=0.6"}},
+    {"weather.slopeWind", weatherFlight},
+    {"weather.icing", weatherFlight, {"weather.sites.0.temperature=-10", "weather.sites.0.rain=10"}},
+    {"weather.", weatherStates, twoSites()},
     {"autopilot.", autopilot, {"game.targetNearest=1200", "game.targetFarthest=1500"}},
     {"terrain.", heights},
     {"streaming.uploadMiBPerFrame", uploads},
@@ -459,7 +506,7 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
 
 constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot.", "terrain.",
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
-                                   "clouds.",    "render.",  "wind."};
+                                   "clouds.",    "render.",  "wind.", "weather."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog.", "stars.",
                                              "landShadows.", "halo.",      "rainbow."};

@@ -101,8 +101,8 @@ TEST(Scene, unknownNamesListWhatThereIs) {
   } catch (const core::DataError& error) {
     EXPECT_EQ(std::string(error.what()),
               "nowhere: scene: there is none of this name; "
-              "there are: clear, dome, duskPlanes, empty, fair, night-range, overcast, plane1, plane3, "
-              "stress, terrain, valleyFog");
+              "there are: afterRain, breeze, clear, coldFront, dome, duskPlanes, empty, fair, night-range, "
+              "overcast, plane1, plane3, stress, terrain, thunderstorm, valleyFog, warmFront");
   }
 }
 

@@ -53,6 +53,10 @@ TEST(Program, usageErrorsExitWithTwoAndOneLine) {
       {"sky", "--utc", "2023-02-30", "--lat", "0", "--lon", "0"},
       {"sky", "--utc", "2026-01-01", "--lat", "-90.5", "--lon", "0"},
       {"sky", "--utc", "2026-01-01", "--lat", "0"},
+      {"weather", "forecast"},
+      {"weather", "state", "--at", "0,nan,0"},
+      {"weather", "state", "--set", "weather.sites.0.layers.0.cover=1.5"},
+      {"simulate", "--scene", "breeze", "--set", "weather.sites.0.layers.0.top=100"},
       {"render", "--out", out, "--set", "sky.utc=2023-02-30"},
       {"render", "--out", out, "--set", "sky.latitude=nan"},
       {"noise", "--format", "bmp"},
@@ -98,6 +102,33 @@ TEST(Program, badDataExitsWithOneAndNamesTheFile) {
     EXPECT_TRUE(isOneLine(result)) << named;
     EXPECT_NE(result.err.find(named), std::string::npos) << result.err;
   }
+}
+
+TEST(Program, weatherPrintsTheStateOfTheAirAtAPoint) {
+  // One JSON object with state, wind, turbulence and cloud density; asked again it is the same; another time
+  // has other weather.
+  const auto ask = [](const char* time) {
+    return runSkydrop({"weather", "state", "--scene", "coldFront", "--time", time, "--at", "0,2000,0"});
+  };
+  const ProcessResult early = ask("0"), late = ask("900");
+  ASSERT_EQ(early.exitCode, 0) << early.err;
+  EXPECT_EQ(early.err, "");
+  EXPECT_EQ(ask("0").out, early.out);
+  const nlohmann::json before = nlohmann::json::parse(early.out), after = nlohmann::json::parse(late.out);
+  EXPECT_EQ(before["isFlown"], true);
+  EXPECT_EQ(before["siteShare"], 0);
+  EXPECT_EQ(after["siteShare"], 1);
+  EXPECT_EQ(before["state"]["layers"][0]["genus"], "cumulus");
+  EXPECT_EQ(before["state"]["temperatureC"], 14);
+  EXPECT_EQ(after["state"]["temperatureC"], 7);
+  const nlohmann::json& at = before["at"];
+  EXPECT_GT(at["turbulence"]["intensityMps"][2].get<double>(), 0.5);
+  EXPECT_NEAR(at["turbulence"]["lengthM"][2].get<double>(), 533.4, 1e-6);
+  EXPECT_GE(at["cloudDensity"].get<double>(), 0);
+  EXPECT_LE(at["cloudDensity"].get<double>(), 1);
+  EXPECT_NEAR(at["air"]["densityKgM3"].get<double>(), 1.0, 0.02);
+  const ProcessResult clear = runSkydrop({"weather", "state", "--scene", "terrain"});
+  EXPECT_EQ(nlohmann::json::parse(clear.out)["isFlown"], false);
 }
 
 TEST(Program, skyPrintsWhereSunAndMoonStand) {

@@ -14,6 +14,11 @@ inline constexpr std::uint64_t kNoiseDefinition = 1;
 
 std::uint64_t noiseDigest(const core::TextureData& texture);
 
+// Of what clouds::makeNoise() makes with seed 0, by NoiseTexture: a shader's division and root differ by a
+// step in one texel of 100 000, which a picture does not show and a simulation must not meet.
+inline constexpr std::uint64_t kMadeByProcessor[] = {15652582648506124404u, 15171973740172691631u,
+                                                     12613845850247122945u};
+
 enum class CacheState { missing, damaged, good };
 
 struct CachedNoise {

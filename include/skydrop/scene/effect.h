@@ -27,13 +27,14 @@ enum class Effect {
   landShadows,  // shadows of mountains on land, sea and what flies
   halo,         // halos and sun dogs of ice around sun or moon
   rainbow,      // rainbows in rain opposite sun or moon
+  weather,      // the air that one flies in: wind by height, turbulence, draughts, density, ice
   count_        // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
     {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud", "cloudPlanes", "cloudDome",
-     "groundFog", "moon", "stars", "landShadows", "halo", "rainbow"});
+     "groundFog", "moon", "stars", "landShadows", "halo", "rainbow", "weather"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -57,6 +58,7 @@ struct EffectNeed {
 inline constexpr std::array kEffectNeeds = {
     EffectNeed{Effect::targets, Effect::aircraft},  // that drops the packages
     EffectNeed{Effect::targets, Effect::terrain},   // that they land on
+    EffectNeed{Effect::weather, Effect::aircraft},  // that meets the air
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

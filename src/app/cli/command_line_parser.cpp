@@ -21,6 +21,7 @@ namespace {
 using core::UsageError;
 
 constexpr double kMaxSeconds = 1e6;  // more is a slip of the hand
+constexpr double kLongestWeatherS = 1e9;
 constexpr const char* kExitCodes =
     "Exit codes: 0 ok, 1 failed, 2 usage, 3 no OpenGL 4.5 or no display, "
     "141 nobody reads standard output.";
@@ -59,16 +60,20 @@ class Parser {
     CLI::App* noise = app_.add_subcommand(
         "noise", "make, check, export and read noise: the clouds' own, and textures of any settings");
     CLI::App* sky = app_.add_subcommand("sky", "where sun and moon stand at a place and time, as JSON");
+    CLI::App* weather =
+        app_.add_subcommand("weather", "the state of a scene's air at a place and time, as JSON");
     CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
-    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, info})
+    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, weather, info})
       verb->set_help_flag("--help", "print this help");
-    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, info}) verb->footer(kExitCodes);
+    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, weather, info})
+      verb->footer(kExitCodes);
     addCommon(*render);
     addRender(*render);
     addCommon(*simulate);
     addSimulate(*simulate);
     addNoise(*noise);
     addSky(*sky);
+    addWeather(*weather);
     for (CLI::App* verb : {render, simulate, accuracy, noise}) {
       verb->add_flag("--progress", line_.progress,
                      "tell how far it is, each second, where there is no terminal");
@@ -82,6 +87,7 @@ class Parser {
     accuracy->callback([this] { line_.verb = Verb::accuracy; });
     noise->callback([this] { line_.verb = Verb::noise; });
     sky->callback([this] { line_.verb = Verb::sky; });
+    weather->callback([this] { line_.verb = Verb::weather; });
     info->callback([this] { line_.verb = Verb::info; });
   }
 
@@ -122,18 +128,16 @@ class Parser {
     });
   }
 
-  void addCommon(CLI::App& verb) {
+  void addScene(CLI::App& verb) {
     text(verb, "--scene", "NAME|FILE|-",
          std::string("the scene (") + kDefaultScene + "); - is standard input, here and below",
          [this](const std::string& t) {
            if (t.empty()) throw UsageError("--scene: the name is empty");
            line_.scene = t;
          });
-    text(verb, "--preset", "NAME|FILE|-", "a preset that the menu saved, for this run; --set comes after it",
-         [this](const std::string& t) {
-           if (t.empty()) throw UsageError("--preset: the name is empty");
-           line_.preset = t;
-         });
+  }
+
+  void addSet(CLI::App& verb) {
     verb.add_option_function<std::vector<std::string>>(
             "--set",
             [this](const std::vector<std::string>& all) {
@@ -143,6 +147,16 @@ class Parser {
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false)
         ->expected(1, 1000);
+  }
+
+  void addCommon(CLI::App& verb) {
+    addScene(verb);
+    text(verb, "--preset", "NAME|FILE|-", "a preset that the menu saved, for this run; --set comes after it",
+         [this](const std::string& t) {
+           if (t.empty()) throw UsageError("--preset: the name is empty");
+           line_.preset = t;
+         });
+    addSet(verb);
     addEffect(verb, "--effect", true,
               "switch an effect on that the scene does not call for (effects.NAME=true)");
     addEffect(verb, "--no-effect", false, "switch an effect off (effects.NAME=false)");
@@ -449,6 +463,23 @@ class Parser {
     text(verb, "--lon", "DEGREES", "longitude, east, -360 to 360",
          [this](const std::string& t) { line_.place.longitudeDegrees = number("--lon", t, -360, 360); });
     for (const char* flag : {"--utc", "--lat", "--lon"}) verb.get_option(flag)->required();
+  }
+
+  void addWeather(CLI::App& verb) {
+    verb.add_option_function<std::string>(
+            "WHAT",
+            [](const std::string& t) {
+              if (t != "state") throw UsageError("weather: '" + t + "' is not one of state");
+            },
+            "state: the whole state, with wind, turbulence and cloud at the point")
+        ->required();
+    addScene(verb);
+    addSet(verb);
+    addSeed(verb, "the world's seed instead of the scene's");
+    text(verb, "--time", "S", "simulated seconds (0)",
+         [this](const std::string& t) { line_.timeS = number("--time", t, 0, kLongestWeatherS); });
+    text(verb, "--at", "X,Y,Z", "where: metres, +X east, Y above the sea, -Z north (0,500,0)",
+         [this](const std::string& t) { line_.weatherAt = parseAt(t); });
   }
 
   // Standard input can be read once, and two exports of one name would be one.

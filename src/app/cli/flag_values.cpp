@@ -68,6 +68,12 @@ glm::dvec3 parseCamera(const std::string& text) {
   return cameraPosition("--camera", parts);
 }
 
+glm::dvec3 parseAt(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3) throw UsageError("--at: '" + text + "' is not of the form X,Y,Z");
+  return cameraPosition("--at", parts);
+}
+
 render::gl::Backend parseBackend(const std::string& text) {
   using render::gl::Backend;
   static const std::map<std::string, Backend> names = {

@@ -28,6 +28,7 @@ Size parseSize(const std::string& text);  // --size WxH
 // --pose X,Y,Z,YAW,PITCH,ROLL and --camera X,Y,Z: metres, degrees.
 Pose parsePose(const std::string& text);
 glm::dvec3 parseCamera(const std::string& text);
+glm::dvec3 parseAt(const std::string& text);  // --at X,Y,Z, metres
 render::gl::Backend parseBackend(const std::string& text);
 NoiseFormat parseNoiseFormat(const std::string& text);
 ReportFormat parseReportFormat(const std::string& text);

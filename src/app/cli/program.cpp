@@ -27,6 +27,8 @@ int runVerb(const CommandLine& line) {
       return noise(line);
     case Verb::sky:
       return sky(line);
+    case Verb::weather:
+      return weather(line);
     case Verb::info:
       return info(line);
   }

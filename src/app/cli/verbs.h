@@ -13,6 +13,7 @@ int calibrateBudget(const CommandLine& line);  // accuracy calibrate
 int noise(const CommandLine& line);
 int generateNoise(const CommandLine& line);  // noise --generate
 int sky(const CommandLine& line);
+int weather(const CommandLine& line);
 int info(const CommandLine& line);
 
 // The whole program: parses, runs, and turns errors into one line on stderr and an exit code.

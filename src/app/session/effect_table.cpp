@@ -122,6 +122,7 @@ const std::vector<EffectDescriptor>& effectTable() {
        .apply = applyRainbow,
        .menuSections = {{"rainbow", "Rainbow"}}},
       {.effect = Effect::haze, .addFeatures = addHaze, .menuSections = {{"render.atmosphere", "Air"}}},
+      {.effect = Effect::weather, .menuSections = {{"weather", "Air to fly in"}}},
       {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
       {.effect = Effect::hud},
   };

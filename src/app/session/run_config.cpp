@@ -129,8 +129,18 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
   applyCloudTier(baseTable, readCloudTier(cloudTierPath(tier)));
   applyQuality(baseTable);
   applyScene(baseTable, scene);
+  try {
+    requireUsable(base.weather);
+  } catch (const core::RangeError& error) {
+    throw core::DataError(scene.file.string(), "settings", error.what());
+  }
   Settings own = base;
   player(core::SettingsTable(own));
+  try {
+    requireUsable(own.weather);
+  } catch (const core::RangeError& error) {
+    throw core::DataError("the player's settings", "settings", error.what());
+  }
   Settings all = own;
   const core::SettingsTable allTable(all);
   if (run.setup.replay) {
@@ -140,6 +150,11 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
   applyOverrides(allTable, run.overrides);
   if (const std::string missing = scene::unmetNeed(all.effects.set()); !missing.empty())
     throw core::UsageError("effects: " + missing);
+  try {
+    requireUsable(all.weather);
+  } catch (const core::RangeError& error) {
+    throw core::UsageError(std::string("--set: ") + error.what());
+  }
   run.beneath = put(run.governed, allTable);
   if (when == When::flying) keepFixed(run, allTable);
 
@@ -277,6 +292,7 @@ void useSoftwareRenderer(RunConfig& run) {
 
 SettingsChange takeMenuChanges(RunConfig& run, const SettingsChange& picked) {
   requireUsable(run.settings.effects);
+  requireUsable(run.settings.weather);
   for (const std::string& path : picked.paths()) {
     run.playerTable.at(path).set(run.table.at(path).get());
     choose(run, path);

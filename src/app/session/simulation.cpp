@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/measure/bill.h"
+#include "app/session/flown_weather.h"
 #include "app/types/version.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/guards.h"
@@ -25,7 +26,8 @@ std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& 
 }
 
 game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects,
-                            const Settings& settings, std::shared_ptr<const terrain::HeightSource> ground) {
+                            const Settings& settings, std::shared_ptr<const terrain::HeightSource> ground,
+                            std::shared_ptr<const clouds::PackedCloudNoise>& noise) {
   game::WorldSetup world;
   world.ground = std::move(ground);
   world.seed = setup.seed;
@@ -36,6 +38,7 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   world.start.headingDeg = setup.scene.start.headingDegrees;
   world.start.speed = setup.scene.start.speedMps;
   world.wind = core::flownWind(settings.wind);
+  world.weather = flownWeather(effects, settings, noise);
   world.airplane = settings.aircraft;
   world.package = settings.package;
   world.game = settings.game;
@@ -50,7 +53,7 @@ std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field
   if (setup.recorder && field.takesEffect == core::TakesEffect::restart)
     return "The land keeps its shape while a flight is recorded";
   if (setup.recorder && switchesSimulation(field.path))
-    return "Aircraft, targets and terrain stay as they are while a flight is recorded";
+    return "Aircraft, targets, terrain and weather stay as they are while a flight is recorded";
   return {};
 }
 
@@ -60,7 +63,7 @@ Simulation::Simulation(const SimulationSetup& setup, Settings& settings, const c
       table_(&table),
       effects_(scene::effective(settings.effects.set())),
       ground_(makeGround(effects_, settings, setup.seed)),
-      world_(worldSetup(setup, effects_, settings, ground_)) {
+      world_(worldSetup(setup, effects_, settings, ground_, noise_)) {
   if (setup_.pilot == Pilot::autopilot) autopilot_.emplace(ground_, settings.autopilot);
   if (setup_.pilot == Pilot::replay) replay_.emplace(*setup_.replay);
   keepFlownValues();
@@ -154,6 +157,7 @@ std::vector<std::string> Simulation::takeBackFixed(SettingsChange& change) {
 
 void Simulation::apply(const SettingsChange& change) {
   requireUsable(settings_->effects);
+  requireUsable(settings_->weather);
   if (setup_.recorder && (!beforeChange_ || beforeChange_->step != world_.stepCount()))
     beforeChange_ = {world_.stepCount(), world_.stateHash()};
   applyToWorld();
@@ -169,6 +173,7 @@ void Simulation::applyToWorld() {
   world_.apply(settings_->package);
   world_.apply(settings_->game);
   world_.setWind(core::flownWind(settings_->wind));
+  world_.setWeather(flownWeather(effects_, *settings_, noise_));
   if (autopilot_) autopilot_->apply(settings_->autopilot);
   keepFlownValues();
 }
@@ -179,6 +184,7 @@ void Simulation::applyEffects() {
   if (changes(Effect::terrain)) ground_ = makeGround(effects_, *settings_, setup_.seed);
   if (changes(Effect::terrain) || changes(Effect::aircraft) || changes(Effect::targets))
     world_.setParts(ground_, effects_.contains(Effect::aircraft), effects_.contains(Effect::targets));
+  if (changes(Effect::weather)) world_.setWeather(flownWeather(effects_, *settings_, noise_));
   if (changes(Effect::terrain) && autopilot_) autopilot_.emplace(ground_, settings_->autopilot);
 }
 
@@ -223,9 +229,10 @@ void Simulation::writeTo(core::FrameStatistics& statistics) const {
       const std::string_view name = effects_.contains(effect) ? scene::nameOf(effect) : kFrameRow;
       billRow(statistics, name).simulationMs += ms * perSecond;
     };
+    bill(Effect::weather, costs.weatherMs);
     bill(Effect::aircraft, costs.aircraftMs);
     bill(Effect::targets, costs.targetsMs);
-    const double rest = cost_.ms() - costs.aircraftMs - costs.targetsMs;
+    const double rest = cost_.ms() - costs.weatherMs - costs.aircraftMs - costs.targetsMs;
     billRow(statistics, kFrameRow).simulationMs += std::max(0.0, rest) * perSecond;
   }
   statistics.steps = now.stepCount;

@@ -12,6 +12,7 @@
 #include "app/session/flight_recorder.h"
 #include "app/settings/settings.h"
 #include "app/settings/settings_change.h"
+#include "skydrop/clouds/cloud_field.h"
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/game/autopilot.h"
@@ -100,6 +101,7 @@ class Simulation {
   const core::SettingsTable* table_;
   scene::EffectSet effects_;
   std::shared_ptr<const terrain::HeightSource> ground_;
+  std::shared_ptr<const clouds::PackedCloudNoise> noise_;  // of the clouds that are flown in; null before
   game::World world_;
   std::optional<game::Autopilot> autopilot_;
   std::optional<game::InputReplay> replay_;

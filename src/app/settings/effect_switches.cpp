@@ -43,6 +43,8 @@ std::string_view helpOf(Effect effect) {
       return "Halos and sun dogs around sun or moon, where ice lies before them.";
     case Effect::rainbow:
       return "Two rainbows opposite sun or moon, where rain stands there.";
+    case Effect::weather:
+      return "The air that one flies in: wind by height, turbulence, draughts, density and ice.";
     case Effect::count_:
       break;
   }

@@ -9,12 +9,12 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 5> kSimulationGroups = {"aircraft.", "package.", "game.", "terrain.",
-                                                               "wind."};
+constexpr std::array<std::string_view, 6> kSimulationGroups = {"aircraft.", "package.", "game.",
+                                                               "terrain.",  "wind.",    "weather."};
 
 // Effects that are more than pictures and sounds.
-constexpr std::array<std::string_view, 3> kSimulatedEffects = {"effects.aircraft", "effects.targets",
-                                                               "effects.terrain"};
+constexpr std::array<std::string_view, 4> kSimulatedEffects = {"effects.aircraft", "effects.targets",
+                                                               "effects.terrain", "effects.weather"};
 
 constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "free"};
 
@@ -78,6 +78,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("halo", settings.halo, "The ice of halos and sun dogs.");
   visitor.group("rainbow", settings.rainbow, "The rain of rainbows.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
+  visitor.group("weather", settings.weather, "The air that one flies in.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");
   visitor.group("view", settings.view, "How the game is looked at.");

@@ -33,6 +33,7 @@
 #include "skydrop/scene/scene.h"
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
+#include "skydrop/weather/weather_settings.h"
 
 namespace skydrop::app {
 
@@ -72,6 +73,7 @@ struct Settings {
   render::HaloSettings halo;
   render::RainbowSettings rainbow;
   core::WindSettings wind;
+  weather::WeatherSettings weather;
   audio::AudioSettings audio;
   ViewSettings view;
   InputSettings input;

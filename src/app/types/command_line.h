@@ -19,7 +19,7 @@
 
 namespace skydrop::app {
 
-enum class Verb { fly, render, simulate, accuracy, noise, sky, info };
+enum class Verb { fly, render, simulate, accuracy, noise, sky, weather, info };
 
 inline constexpr const char* kDefaultScene = "fair";
 
@@ -84,6 +84,9 @@ struct CommandLine {
   // sky
   sky::Instant utc;
   sky::Place place;
+
+  // weather
+  glm::dvec3 weatherAt{0, 500, 0};  // m; its time is timeS
 
   // accuracy
   std::vector<std::string> studies;

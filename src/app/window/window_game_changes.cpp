@@ -24,7 +24,7 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that 
 
 // Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
 void WindowGame::registerDependents() {
-  simulationDependencies_.add({"effects", "aircraft", "package", "game", "autopilot", "wind"},
+  simulationDependencies_.add({"effects", "aircraft", "package", "game", "autopilot", "wind", "weather"},
                               [this](const SettingsChange& change) { simulation_->apply(change); });
   presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { endSplit(); });
   presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { switchEffects(); });
