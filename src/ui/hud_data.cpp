@@ -37,6 +37,24 @@ NavigationBar makeNavigationBar(const game::Snapshot& snapshot) {
   return bar;
 }
 
+// Compass degrees, [0, 360), from where a wind comes; 0 in a calm.
+double windFromDeg(const glm::dvec3& wind) {
+  if (wind.x == 0 && wind.z == 0) return 0;
+  const double degrees = std::atan2(-wind.x, wind.z) * 180 / std::numbers::pi;
+  return degrees < 0 ? degrees + 360 : degrees + 0.0;  // -0 has a sign that would show
+}
+
+std::optional<HudAir> makeHudAir(const game::AirSnapshot& air) {
+  if (!air.present) return std::nullopt;
+  const glm::dvec3 wind(finiteOr0(air.wind.x), 0, finiteOr0(air.wind.z));
+  return HudAir{finiteOr0(air.indicatedMps),
+                finiteOr0(air.groundMps),
+                -finiteOr0(air.driftRad) * 180 / std::numbers::pi,
+                std::hypot(wind.x, wind.z),
+                windFromDeg(wind),
+                std::clamp(finiteOr0(air.icing), 0.0, 1.0)};
+}
+
 }  // namespace
 
 HudData makeHudData(const game::Snapshot& snapshot) {
@@ -63,6 +81,7 @@ HudData makeHudData(const game::Snapshot& snapshot) {
   data.headingDeg = 360 * (turns - std::floor(turns));
   data.throttle = std::clamp(finiteOr0(aircraft.throttle), 0.0, 1.0);
   data.navigation = makeNavigationBar(snapshot);
+  data.air = makeHudAir(snapshot.air);
   if (snapshot.target.present) data.targetDistanceM = finiteOr0(snapshot.target.distance);
   if (snapshot.dropZone && !aircraft.crashed) {
     const double angle = 2 * std::numbers::pi * phase(snapshot.simulatedSeconds, kPulsePeriodSeconds);

@@ -20,6 +20,8 @@ constexpr float kMargin = 0.5f, kGap = 0.3f, kPadding = 0.35f, kRowPitch = 1.15f
 constexpr float kCircleOfHeight = 0.2f, kCircleOfWidth = 0.25f;
 constexpr double kPlate = 0.45;
 constexpr float kNarrowestMiddle = 14;  // lines of text: a middle below that is left out
+constexpr float kLowWindow = 20;        // lines of text: below, the strip with weather keeps three rows
+constexpr double kIceShown = 0.02;      // of what the wing carries: below it is not told
 constexpr double kFaintestPulse = 0.3;  // the drop text never vanishes
 constexpr float kDropOfHeight = 0.26f;  // where the drop text stands when there is room
 
@@ -32,6 +34,17 @@ std::string text(const char* format, double value) {
 
 std::string distanceText(double metres) {
   return metres < 1000 ? text("%.0f m", metres) : text("%.2f km", metres / 1000);
+}
+
+// Rounded first, so that 359.6 reads 000.
+std::string compassText(double degrees) {
+  return text("%03.0f\u00b0", std::fmod(std::round(degrees), 360.0));
+}
+
+// Degrees by which the nose is held into the wind; nothing where they round to none.
+std::string crabText(double degrees) {
+  const double whole = std::round(degrees);
+  return whole == 0 ? "" : text(whole > 0 ? " +%.0f\u00b0" : " %.0f\u00b0", whole);
 }
 
 std::string resumeText(const HudKeys& keys) { return keys.pause.empty() ? "" : keys.pause + " resumes"; }
@@ -131,7 +144,10 @@ class Layouter {
 
   // The strip along the bottom; returns its upper edge.
   float placeInstruments(const HudData& data) {
-    const float rows = std::floor(3 * pitch_ + kThrottleBar * line_ + 2 * padding_);
+    // In a low window three rows have to do: the throttle has its bar, the altitude is left out.
+    const bool isLow = height_ < kLowWindow * line_;
+    const float count = data.air && !isLow ? 4 : 3;
+    const float rows = std::floor(count * pitch_ + kThrottleBar * line_ + 2 * padding_);
     const float wanted = std::min(kCircleOfHeight * height_, kCircleOfWidth * width_);
     const float diameter = std::floor(std::max(wanted, rows));
     const float bottom = height_ - margin_;
@@ -142,18 +158,24 @@ class Layouter {
     layout_.circleCentre = {circleLeft + diameter / 2, bottom - diameter / 2};
 
     const float plate = std::min(std::floor(12 * line_), circleLeft - margin_ - gap_);
-    const Row flight[] = {{"Speed", text("%.0f m/s", data.airspeedMps)},
-                          // rounded first, so that 359.6 reads 000
-                          {"Heading", text("%03.0f\u00b0", std::fmod(std::round(data.headingDeg), 360.0))},
-                          {"Throttle", text("%.0f %%", 100 * data.throttle)}};
+    // With weather the speed is what instruments show, and the nose does not point where the path leads.
+    std::vector<Row> flight = {
+        {"Speed", text("%.0f m/s", data.air ? data.air->indicatedMps : data.airspeedMps)}};
+    if (data.air) flight.push_back({"Over ground", text("%.0f m/s", data.air->groundMps)});
+    flight.push_back({"Heading", compassText(data.headingDeg)});
+    if (data.air) flight.back().value += crabText(data.air->crabDeg);
+    if (!data.air || !isLow) flight.push_back({"Throttle", text("%.0f %%", 100 * data.throttle)});
     placeRows("flight", margin_, margin_ + plate, bottom - rows, flight);
     const float barTop = bottom - padding_ - std::floor(kThrottleBar * line_) + 1;
     layout_.throttleBar = {margin_ + padding_, barTop, margin_ + plate - padding_, bottom - padding_};
 
-    const Row position[] = {
+    std::vector<Row> position = {
         {"Altitude", text("%.0f m", data.altitudeM)},
         {"Ground", text("%.0f m", data.heightAboveGroundM)},
         {"Target", data.targetDistanceM ? distanceText(*data.targetDistanceM) : "\u2013"}};
+    if (data.air && isLow) position.erase(position.begin());
+    if (data.air)
+      position.push_back({"Wind", compassText(data.air->windFromDeg) + text(" %.0f m/s", data.air->windMps)});
     placeRows("position", width_ - margin_ - plate, width_ - margin_, bottom - rows, position);
     return bottom - std::max(diameter, rows);
   }
@@ -220,6 +242,9 @@ class Layouter {
       warning = "STALL: nose down";
     } else if (data.stallWarning) {
       warning = "Stall warning";
+      tone = Tone::accent;
+    } else if (data.air && data.air->icing >= kIceShown) {
+      warning = text("Ice on the wing: %.0f %%", 100 * data.air->icing);
       tone = Tone::accent;
     } else if (data.hintOpacity > 0 && !data.keys.help.empty()) {
       warning = data.keys.help + ": controls";

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -64,10 +65,12 @@ TEST(Hud, noItemCoversAnotherOrLeavesTheWindowAtAnySize) {
   for (const double scale : {1.0, 0.5, 3.0})
     for (const auto& [width, height] : kSizes) {
       const Interface context(width, height, {scale, 1});
-      for (const auto& [help, paused] :
-           {std::pair(false, false), std::pair(false, true), std::pair(true, true)}) {
+      for (const auto& [help, paused, air] :
+           {std::tuple(false, false, false), std::tuple(false, true, false), std::tuple(true, true, false),
+            std::tuple(false, false, true), std::tuple(false, true, true), std::tuple(true, true, true)}) {
         HudData data = fullest();
         data.paused = paused;  // a pause takes the place of the warning
+        if (air) data.air = HudAir{1e300, -1e12, -179.6, 123, 359.7, 1};
         const HudLayout layout = layoutHud(context, data, help ? longHelp() : std::vector<HelpRow>());
         ASSERT_EQ(layout.items.size(), help ? 6u : 8u);
         for (std::size_t i = 0; i < layout.items.size(); ++i) {
@@ -85,6 +88,26 @@ TEST(Hud, noItemCoversAnotherOrLeavesTheWindowAtAnySize) {
         }
       }
     }
+}
+
+TEST(Hud, withWeatherItShowsGroundSpeedCrabWindAndIce) {
+  // Instruments show the indicated airspeed, the speed over the ground beside it, how far the nose is held
+  // into the wind, where the wind comes from, and the ice; without weather none of it.
+  game::Snapshot snapshot = flying();
+  EXPECT_FALSE(makeHudData(snapshot).air);
+  snapshot.air.present = true;
+  snapshot.air.indicatedMps = 55.4;
+  snapshot.air.groundMps = 81.6;
+  snapshot.air.driftRad = -7 * std::numbers::pi / 180;
+  snapshot.air.wind = {0, 0, 12};  // from north
+  snapshot.air.icing = 0.3;
+  const Interface context(1280, 720);
+  std::string words;
+  for (const HudItem& item : layoutHud(context, makeHudData(snapshot)).items)
+    for (const HudText& line : item.texts) words += line.text + "|";
+  for (const char* part :
+       {"55 m/s", "82 m/s", "090\u00b0 +7\u00b0", "000\u00b0 12 m/s", "Ice on the wing: 30 %"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
 }
 
 TEST(Hud, theMiddleMovesBesideTheMenu) {

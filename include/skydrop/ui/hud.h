@@ -47,6 +47,14 @@ struct HudKeys {
   std::string drop = "Space", pause = "P", help = "H";
 };
 
+// In scenes with weather: what the air does to the flight.
+struct HudAir {
+  double indicatedMps = 0, groundMps = 0;
+  double crabDeg = 0;  // by which the nose points right of the path over the ground
+  double windMps = 0, windFromDeg = 0;
+  double icing = 0;  // 0..1
+};
+
 struct HudData {
   HudKeys keys;
   bool aircraft = false;  // without one: score, messages and notes alone
@@ -56,6 +64,7 @@ struct HudData {
   double headingDeg = 0;          // compass, [0, 360)
   double throttle = 0;            // 0..1
   std::optional<double> targetDistanceM;
+  std::optional<HudAir> air;
   NavigationBar navigation;
   std::int64_t score = 0, misses = 0;
   std::optional<double> dropPulse;   // 0..1 while a package dropped now would hit
