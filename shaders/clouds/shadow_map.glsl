@@ -34,13 +34,18 @@ float insideShadowMap(vec4 rows[2], vec3 relative, float radiusM) {
   return smoothstep(0.0, 0.12, 1.0 - max(abs(along), abs(across)) / radiusM);
 }
 
-float sunThroughClouds(vec3 relative) {
+// Optical depth of the clouds between a place and the sun (x), and what of it counts there (y, [0, 1]): none beyond the maps.
+vec2 sunDepthInClouds(vec3 relative) {
   vec2 fine = placeInShadowMap(inFineShadowMap, relative);
   vec2 coarse = placeInShadowMap(inCoarseShadowMap, relative);
   float depth = mix(texture(coarseShadowMap, vec3(coarse, 0.5)).x, texture(fineShadowMap, vec3(fine, 0.5)).x,
                     insideShadowMap(inFineShadowMap, relative, shadowRadii.x));
-  return mix(1.0, sunBelowCloud(depth * layerAbove(relative)),
-             insideShadowMap(inCoarseShadowMap, relative, shadowRadii.y));
+  return vec2(depth * layerAbove(relative), insideShadowMap(inCoarseShadowMap, relative, shadowRadii.y));
+}
+
+float sunThroughClouds(vec3 relative) {
+  vec2 depth = sunDepthInClouds(relative);
+  return mix(1.0, sunBelowCloud(depth.x), depth.y);
 }
 #else
 float sunThroughClouds(vec3 relative) { return 1.0; }  // it is below the horizon

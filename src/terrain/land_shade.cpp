@@ -140,6 +140,7 @@ bool LandShade::sweep(int level, ShadeHeights& heights, const std::stop_token& s
       out.clearances[at] = static_cast<std::uint16_t>((q * 0.5f + 0.5f) * 65535.0f + 0.5f);
     }
   }
+  topM_ = std::max(topM_, static_cast<double>(*std::max_element(out.penumbra.begin(), out.penumbra.end())));
   noteShaded(level, ground, clearance, halfWidth);
   return true;
 }

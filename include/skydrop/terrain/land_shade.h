@@ -125,6 +125,14 @@ class LandShade {
   // is left.
   const std::vector<std::uint16_t>& clearances(int level) const { return levels_[level].clearances; }
 
+  // side * side heights of a level, m, indexed alike: land, and what air has none of the sun (umbra), and
+  // less than all of it (penumbra) below.
+  const std::vector<float>& umbra(int level) const { return levels_[level].umbra; }
+  const std::vector<float>& penumbra(int level) const { return levels_[level].penumbra; }
+
+  // Above this, m, all air has all of the sun.
+  double topM() const { return topM_; }
+
   // The share of the sun that land leaves at a place (x, y, z), [0, 1]; 1 beyond the coarsest level.
   double sunShare(const glm::dvec3& place) const;
 
@@ -155,6 +163,7 @@ class LandShade {
   std::array<Level, kShadeLevels> levels_;
   std::vector<Box> shaded_;
   std::size_t heightBytes_ = 0;
+  double topM_ = 0;
 };
 
 }  // namespace skydrop::terrain

@@ -7,7 +7,7 @@ std::vector<std::string> CloudShadowMap::defines(bool hasSun) {
   return {};
 }
 
-void CloudShadowMap::bind(gl::Shader& shader) const {
+void CloudShadowMap::bind(gl::ShaderProgram& shader) const {
   shader.setVec2("shadowMapLayer", layer_);
   sky_.shares->bind(kSkyUnit);
   shader.setVec4("skySharePlace", sky_.place);

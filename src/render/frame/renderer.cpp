@@ -236,7 +236,10 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
       continue;
     }
     const bool isOfScene = pass.stage() < RenderStage::toneMap;
-    if (const std::optional<std::string> reason = pass.skipReason(isOfScene ? input : picture)) {
+    const FrameInput& of = isOfScene ? input : picture;
+    std::optional<std::string> reason = pass.skipReason(of);
+    if (!reason) reason = pass.skipReasonAfter(of, made);
+    if (reason) {
       skipped_.emplace(pass.name(), *reason);
       continue;
     }

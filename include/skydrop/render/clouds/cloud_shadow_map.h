@@ -50,7 +50,10 @@ class CloudShadowMap {
   bool hasSun() const { return fine_.depths != nullptr; }
 
   // Textures and uniforms for such a program of defines(hasSun()).
-  void bind(gl::Shader& shader) const;
+  void bind(gl::ShaderProgram& shader) const;
+
+  // Of the layer, above the eye, m: higher up there is no shade.
+  double topAboveEyeM() const { return static_cast<double>(layer_.x) + 1 / static_cast<double>(layer_.y); }
 
  private:
   // As in shaders/clouds/shadow_map.glsl.

@@ -42,6 +42,10 @@ class Pass {
   virtual RenderStage stage() const = 0;
   // Why it has nothing to do in this frame; nullopt: it has. Not asked to draw if it gives a reason.
   virtual std::optional<std::string> skipReason(const FrameInput&) const { return std::nullopt; }
+  // The same by what earlier passes of the frame have published. Asked where skipReason() gave none.
+  virtual std::optional<std::string> skipReasonAfter(const FrameInput&, const FrameResources&) const {
+    return std::nullopt;
+  }
   // The pixels that it may touch. Asked of passes whose stage has a layer (Renderer::setLayer).
   virtual PixelBox extent(const FrameInput& frame) const {
     return {0, 0, frame.view.width, frame.view.height};

@@ -15,7 +15,8 @@ namespace skydrop::render {
 // take().
 class LandShadowMap {
  public:
-  // Uploads the shade: 2 bytes a texel and level (1.5 MiB for medium detail).
+  // Uploads the shade, which must outlive its use here: 2 bytes a texel and level (1.5 MiB for medium
+  // detail).
   void take(gl::Context& context, const terrain::LandShade& shade);
 
   // A texture without content in its place, for frames that nobody sees.
@@ -23,7 +24,16 @@ class LandShadowMap {
 
   // Texture and uniforms for a program that includes shaders/shadow/land_shadow_map.glsl, in a frame seen
   // from an eye at (x, z).
-  void bind(gl::Shader& shader, const glm::dvec2& eye) const;
+  void bind(gl::ShaderProgram& shader, const glm::dvec2& eye) const;
+
+  // What it was made of: valid as long as the pass that published it keeps it, in the frame at least. Null
+  // for a texture without content.
+  const terrain::LandShade* shade() const { return shade_; }
+  const terrain::ShadeKey& key() const { return key_; }
+
+  // The uniforms shadeAxes and shadeLevels: where texels of a shade lie in a frame seen from an eye at (x,
+  // z).
+  static void setPlaces(gl::ShaderProgram& shader, const terrain::ShadeKey& key, const glm::dvec2& eye);
 
  private:
   static constexpr GLuint kUnit = 13;  // as in the shader
@@ -32,6 +42,7 @@ class LandShadowMap {
 
   gl::Texture clearances_;
   terrain::ShadeKey key_;
+  const terrain::LandShade* shade_ = nullptr;
 };
 
 }  // namespace skydrop::render
