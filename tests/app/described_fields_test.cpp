@@ -111,6 +111,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::GroundFogSettings;
   using render::HaloSettings;
   using render::LandShadowSettings;
+  using render::LightShaftSettings;
   using render::RainbowSettings;
   using render::RenderSettings;
   using render::SkySettings;
@@ -141,7 +142,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(SkySettings),          SKYDROP_STRUCT(HaloSettings),
       SKYDROP_STRUCT(RainbowSettings),      SKYDROP_STRUCT(WindLevelSettings),
       SKYDROP_STRUCT(WeatherLayerSettings), SKYDROP_STRUCT(SiteSettings),
-      SKYDROP_STRUCT(WeatherSettings),
+      SKYDROP_STRUCT(WeatherSettings),      SKYDROP_STRUCT(LightShaftSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -452,6 +452,7 @@ constexpr std::string_view kElsewhere[] = {
     "groundFog.",              // tests/gl/ground_fog_test.cpp
     "stars.",                  // tests/gl/night_sky_test.cpp
     "landShadows.",            // tests/gl/land_shadows_test.cpp
+    "lightShafts.",            // tests/gl/light_shafts_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -509,7 +510,7 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
                                    "clouds.",    "render.",  "wind.", "weather."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog.", "stars.",
-                                             "landShadows.", "halo.",      "rainbow."};
+                                             "landShadows.", "halo.",      "rainbow.",   "lightShafts."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

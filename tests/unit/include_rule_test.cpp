@@ -73,6 +73,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"models", effect},
             {"overlay", effect},
             {"shadows", shadows},
+            {"shafts", terrain},
             {"terrain", terrain}}}};
 }
 

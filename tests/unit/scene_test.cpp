@@ -52,6 +52,19 @@ TEST(Scene, hazeWithoutAnySurfaceIsNotCalledFor) {
   EXPECT_TRUE(requiredEffects(clouded).contains(Effect::haze)) << "it veils clouds too";
 }
 
+TEST(Scene, shaftsAreCalledForWhereSomethingShadesHaze) {
+  // Clouds shade air by what shades the land below them.
+  const auto isCalledFor = [](const std::string& others) {
+    const Scene scene = parseScene(R"({"schema": 1, "effects": ["lightShafts", )" + others + "]}", "a.json");
+    return requiredEffects(scene).contains(Effect::lightShafts);
+  };
+  EXPECT_TRUE(isCalledFor(R"("terrain", "clouds", "haze")"));
+  EXPECT_TRUE(isCalledFor(R"("terrain", "landShadows", "haze")"));
+  EXPECT_FALSE(isCalledFor(R"("terrain", "haze")"));
+  EXPECT_FALSE(isCalledFor(R"("clouds", "landShadows", "haze")"));
+  EXPECT_FALSE(isCalledFor(R"("terrain", "clouds", "landShadows")"));
+}
+
 TEST(Scene, startAndSeedAreRead) {
   const Scene scene = parseScene(
       R"({"schema": 1, "seed": 9, "start": {"position": [1, 2, -3.5], "heading": 270, "speed": 80}})",

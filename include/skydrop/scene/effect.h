@@ -28,13 +28,14 @@ enum class Effect {
   halo,         // halos and sun dogs of ice around sun or moon
   rainbow,      // rainbows in rain opposite sun or moon
   weather,      // the air that one flies in: wind by height, turbulence, draughts, density, ice
+  lightShafts,  // the shade that clouds and land throw into the air
   count_        // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
     {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud", "cloudPlanes", "cloudDome",
-     "groundFog", "moon", "stars", "landShadows", "halo", "rainbow", "weather"});
+     "groundFog", "moon", "stars", "landShadows", "halo", "rainbow", "weather", "lightShafts"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -71,7 +72,8 @@ EffectSet withNeeds(EffectSet effects);
 // What is missing, in words: "targets needs aircraft, which is off"; empty where nothing is.
 std::string unmetNeed(const EffectSet& effects);
 
-// Those that there is anything to do for: haze needs something that it could veil, landShadows land.
+// Those that there is anything to do for: haze needs something that it could veil, landShadows land,
+// lightShafts haze and something that shades it.
 EffectSet effective(EffectSet effects);
 
 }  // namespace skydrop::scene

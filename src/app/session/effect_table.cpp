@@ -5,6 +5,7 @@
 #include "app/session/cloud_planes_effect.h"
 #include "app/session/ground_fog_effect.h"
 #include "app/session/land_shadows_effect.h"
+#include "app/session/light_shafts_effect.h"
 #include "app/session/night_sky_effects.h"
 #include "app/session/optics_effects.h"
 #include "app/session/scene_renderer.h"
@@ -91,6 +92,11 @@ const std::vector<EffectDescriptor>& effectTable() {
        .apply = applyCloudPlanes,
        .prepare = prepareCloudPlanes,
        .menuSections = {{"cloudPlanes", "Cloud planes", false, {"wind"}}}},
+      // Before fog, which lies over what the air sends.
+      {.effect = Effect::lightShafts,
+       .addPasses = addLightShafts,
+       .apply = applyLightShafts,
+       .menuSections = {{"lightShafts", "Light shafts"}}},
       {.effect = Effect::groundFog,
        .addPasses = addGroundFog,
        .apply = applyGroundFog,

@@ -45,6 +45,8 @@ std::string_view helpOf(Effect effect) {
       return "Two rainbows opposite sun or moon, where rain stands there.";
     case Effect::weather:
       return "The air that one flies in: wind by height, turbulence, draughts, density and ice.";
+    case Effect::lightShafts:
+      return "Clouds and mountains throw shade into the haze: rays of light between them.";
     case Effect::count_:
       break;
   }

@@ -77,6 +77,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("landShadows", settings.landShadows, "Shadows that mountains cast.");
   visitor.group("halo", settings.halo, "The ice of halos and sun dogs.");
   visitor.group("rainbow", settings.rainbow, "The rain of rainbows.");
+  visitor.group("lightShafts", settings.lightShafts, "Shade in the air.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("weather", settings.weather, "The air that one flies in.");
   visitor.group("audio", settings.audio, "What is heard.");

@@ -27,6 +27,7 @@
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/render/shadows/land_shadow_settings.h"
+#include "skydrop/render/shafts/light_shaft_settings.h"
 #include "skydrop/render/sky/halo_settings.h"
 #include "skydrop/render/sky/rainbow_settings.h"
 #include "skydrop/render/sky/stars_settings.h"
@@ -72,6 +73,7 @@ struct Settings {
   render::LandShadowSettings landShadows;
   render::HaloSettings halo;
   render::RainbowSettings rainbow;
+  render::LightShaftSettings lightShafts;
   core::WindSettings wind;
   weather::WeatherSettings weather;
   audio::AudioSettings audio;
