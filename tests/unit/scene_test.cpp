@@ -115,7 +115,7 @@ TEST(Scene, unknownNamesListWhatThereIs) {
     EXPECT_EQ(std::string(error.what()),
               "nowhere: scene: there is none of this name; "
               "there are: afterRain, breeze, clear, coldFront, dome, duskPlanes, empty, fair, night-range, "
-              "overcast, plane1, plane3, stress, terrain, thunderstorm, valleyFog, warmFront");
+              "overcast, plane1, plane3, shafts, stress, terrain, thunderstorm, valleyFog, warmFront");
   }
 }
 
