@@ -126,6 +126,12 @@ const std::vector<Golden>& goldens() {
                    "render.sun.elevationDegrees=14", "--set", "render.sun.azimuthDegrees=130", "--set",
                    "render.camera.fovDegrees=75", "--set", "cloudPlanes.layers.0.cutoff=0.3", "--set",
                    "rainbow.extinction=0.001", "--set", "render.picture.exposureStops=-0.6"})},
+      {"raysThroughTheDeck", clouded("shafts", "5000,450,6000,220,8,0", "13", "310",
+                                     {"clouds.layers.0.coverage=0.85", "render.picture.exposureStops=-0.8"})},
+      {"dawnBehindTheRange",
+       clouded("shafts", "8000,1150,-7500,60,-2,0", "4.5", "150",
+               {"effects.clouds=false", "render.atmosphere.visibilityM=20000",
+                "render.atmosphere.hazeHeightM=1000", "render.picture.exposureStops=-0.7"})},
   };
   return all;
 }
