@@ -2,6 +2,9 @@
 #include "sky/sky.glsl"
 #include "models/light_shares.glsl"
 #include "models/material.glsl"
+#ifdef MODEL_LAMPS
+#include "models/lamps.glsl"
+#endif
 
 // Fresnel's equations for a polished surface (Schlick 1994); a matt one hides most of it at grazing angles.
 vec3 fresnel(vec3 reflectance, float cosine, float gloss) {
@@ -33,6 +36,9 @@ vec3 modelLight(Material material, vec3 normal, vec3 relative) {
   vec3 light = shadeLambert(material.albedo * (1.0 - shine), normal, lightShares) +
                shine * surroundings(mirrored, material.gloss) * lightShares.y +
                shine * frame.sunLight.xyz * (lightShares.x * facing * highlight(normal, toEye, material.gloss));
+#ifdef MODEL_LAMPS
+  light += material.albedo / kPi * lampsOn(relative, normal);
+#endif
 #ifdef CLOTH
   // Thin cloth lets a third of the light through: the side in the shade glows.
   light += shadeLambert(material.albedo * material.albedo, -normal, lightShares) * 0.35;

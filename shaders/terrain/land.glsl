@@ -2,6 +2,7 @@
 #include "terrain/noise.glsl"
 #include "shared/land_material.glsl"
 #include "shared/terrain_grid.glsl"
+#include "terrain/spot.glsl"
 
 layout(binding = 1) uniform sampler2DArray chunkNormals;
 layout(binding = 2) uniform usampler2D chunkTable;  // layers by level and place: 32 x 32 cells a level; 0xffff: none
@@ -106,9 +107,12 @@ LandNoise coarseNoise(LandSight sight) {
   return noise;
 }
 
-vec3 litLand(LandSurface land, vec3 normal, vec2 lightShares) {
+vec3 litLand(LandSurface land, vec3 normal, vec3 relative, vec2 lightShares) {
   vec3 light = frame.sunLight.xyz * (max(dot(normal, frame.toSun.xyz), 0.0) * lightShares.x) +
                mix(frame.groundLight.xyz, frame.skyLight.xyz, 0.5 + 0.5 * normal.y) * (land.open * lightShares.y);
+#ifdef SPOT_LIGHT
+  light += spotOn(relative, normal);
+#endif
   return land.albedo / kPi * light;
 }
 
@@ -140,14 +144,14 @@ vec3 landLight(vec3 relative, vec2 lightShares) {
                vec3(0.0, strata.y * 3.0 * smoothstep(0.85, 0.6, normal.y), 0.0);
   slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * sight.treeShare), land.wooded);
   vec3 bumped = normalize(normal - (slope - normal * dot(slope, normal)));
-  return litLand(land, bumped, lightShares);
+  return litLand(land, bumped, relative, lightShares);
 }
 #else
 vec3 landLight(vec3 relative, vec2 lightShares) {
   LandSight sight = landSight(relative);
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
   LandSurface land = landSurface(sight.heightM, sight.normal.y, 0.0, coarseNoise(sight), 0.0, noCrowns, 0.0);
-  return litLand(land, sight.normal, lightShares);
+  return litLand(land, sight.normal, relative, lightShares);
 }
 #endif
 

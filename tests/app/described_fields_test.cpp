@@ -106,10 +106,12 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using game::GameSettings;
   using noise::NoiseSettings;
   using noise::PostProcess;
+  using render::AircraftLightsSettings;
   using render::AtmosphereSettings;
   using render::CameraSettings;
   using render::GroundFogSettings;
   using render::HaloSettings;
+  using render::LandingLightSettings;
   using render::LandShadowSettings;
   using render::LightShaftSettings;
   using render::RainbowSettings;
@@ -143,6 +145,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(RainbowSettings),      SKYDROP_STRUCT(WindLevelSettings),
       SKYDROP_STRUCT(WeatherLayerSettings), SKYDROP_STRUCT(SiteSettings),
       SKYDROP_STRUCT(WeatherSettings),      SKYDROP_STRUCT(LightShaftSettings),
+      SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

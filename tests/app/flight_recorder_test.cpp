@@ -363,6 +363,40 @@ TEST_F(FixedSettings, theLandOfARecordingStaysWhateverChangesIt) {
   EXPECT_TRUE(isSame());
 }
 
+TEST_F(FixedSettings, aReplayRepeatsTheLandingLightAndTheFlightDoesNotDependOnIt) {
+  // On after half a second, off after a second, as the log says; whoever watches may switch it otherwise, and
+  // the replay differs from nothing.
+  CommandLine line = lineOf(folder);
+  line.record = folder.path() / "light.log";
+  {
+    const auto run = start(line);
+    const auto fly = [&](int steps) {
+      for (int i = 0; i < steps; ++i) simulation->step({});
+    };
+    fly(60);
+    EXPECT_TRUE(choose(*run, "landingLight.on", 1).empty());
+    fly(60);
+    EXPECT_TRUE(choose(*run, "landingLight.on", 0).empty());
+    fly(60);
+    simulation->endRecording();
+    simulation.reset();
+  }
+  CommandLine again = lineOf(folder);
+  again.replay = *line.record;
+  const auto run = start(again);
+  std::vector<bool> seen;
+  while (!simulation->finished()) {
+    simulation->step({});
+    if (seen.empty() || seen.back() != run->settings.landingLight.on)
+      seen.push_back(run->settings.landingLight.on);
+    if (simulation->world().stepCount() == 150) {
+      EXPECT_TRUE(choose(*run, "landingLight.on", 1).empty()) << "a picture may be looked at otherwise";
+    }
+  }
+  EXPECT_EQ(seen, (std::vector<bool>{false, true, false, true}));
+  EXPECT_EQ(simulation->takeDivergence().value_or(""), "");
+}
+
 TEST_F(FixedSettings, aReplayKeepsTheRecordedSettingsWhateverChangesThem) {
   // Also those that the log itself changed on the way: an edit of the player's file or a picked quality
   // brings neither the player's values nor those of the start back.

@@ -444,6 +444,7 @@ constexpr std::string_view kElsewhere[] = {
     "view.frameBudgetMs",      // FrameBudget: tests/app/frame_budget_test.cpp
     "view.vsync",              // the driver's: no picture, no state
     "view.freezeTime",         // tests/window/comfort_test.cpp
+    "view.eyeAdaptation",      // of frames that follow others: tests/gl/night_flight_test.cpp
     "view.split.",             // tests/gl/split_view_test.cpp
     "render.",                 // all but the camera: tests/gl/settings_effect_test.cpp
     "clouds.",                 // tests/gl/settings_effect_test.cpp
@@ -453,6 +454,8 @@ constexpr std::string_view kElsewhere[] = {
     "stars.",                  // tests/gl/night_sky_test.cpp
     "landShadows.",            // tests/gl/land_shadows_test.cpp
     "lightShafts.",            // tests/gl/light_shafts_test.cpp
+    "aircraftLights.",         // tests/gl/night_flight_test.cpp
+    "landingLight.",           // tests/gl/night_flight_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -509,8 +512,9 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
                                    "clouds.",    "render.",  "wind.", "weather."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
-constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.", "cloudDome.", "groundFog.", "stars.",
-                                             "landShadows.", "halo.",      "rainbow.",   "lightShafts."};
+constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.",    "cloudDome.",   "groundFog.", "stars.",
+                                             "landShadows.",    "halo.",        "rainbow.",   "lightShafts.",
+                                             "aircraftLights.", "landingLight."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -257,6 +257,7 @@ TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference
         field.path.starts_with("clouds.march.") || field.path == "streaming.farDistanceM";
     // Of frames that follow others alone: tests/gl/cloud_history_test.cpp.
     if (!isOfThePicture || field.path == "clouds.march.history") continue;
+    if (field.path == "render.picture.interfaceAtNight") continue;  // tests/gl/night_flight_test.cpp
     ++rows;
     const auto given = std::ranges::find(kGiven, field.path, &Given::row);
     for (const std::string& line : idleSteps(field, given == kGiven.end() ? Given() : *given))

@@ -132,6 +132,13 @@ const std::vector<Golden>& goldens() {
        clouded("shafts", "8000,1150,-7500,60,-2,0", "4.5", "150",
                {"effects.clouds=false", "render.atmosphere.visibilityM=20000",
                 "render.atmosphere.hazeHeightM=1000", "render.picture.exposureStops=-0.7"})},
+      {"moonlitFlight",
+       {"--scene", "night-range", "--time", "3.75", "--set", "sky.sun=clock", "--set",
+        "sky.utc=2026-09-26T21:00Z", "--set", "stars.twinkle=0"}},
+      {"nightApproach",
+       withoutHud({"--scene", "night-approach", "--time", "1.4", "--set", "stars.twinkle=0"})},
+      {"nightCockpit", withoutHud({"--scene", "night-approach", "--time", "1.4", "--set",
+                                   "view.camera=cockpit", "--set", "stars.twinkle=0"})},
   };
   return all;
 }

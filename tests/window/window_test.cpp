@@ -140,6 +140,20 @@ TEST(Window, eachKeyOfTheProgramTogglesItsOwnThing) {
   }
 }
 
+TEST(Window, lSwitchesTheLandingLight) {
+  // Its pass works while it is on and says why it is idle while it is off; a scene without one says so.
+  SKIP_WITHOUT_DISPLAY();
+  FlownGame flown({"--scene", "night-approach"});
+  const auto skipped = [](const json& s) {
+    return s.at("passes").at("landingLight").value("skipped", std::string());
+  };
+  EXPECT_TRUE(flown.waitFor([&](const json& s) { return skipped(s).empty(); }));
+  flown.press("l");
+  EXPECT_TRUE(flown.waitFor([&](const json& s) { return skipped(s) == "switched off"; }));
+  flown.press("l");
+  EXPECT_TRUE(flown.waitFor([&](const json& s) { return skipped(s).empty(); }));
+}
+
 TEST(Window, aPauseStopsTheClock) {
   SKIP_WITHOUT_DISPLAY();
   FlownGame flown;

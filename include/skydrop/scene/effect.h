@@ -11,31 +11,34 @@
 namespace skydrop::scene {
 
 enum class Effect {
-  sky,          // sky gradient, sun, light of both
-  terrain,      // endless land and sea
-  clouds,       // a layer of volumetric clouds that drifts with the wind
-  haze,         // extinction and in-scattering between eye and surface
-  aircraft,     // the airplane: its flight, its model, its camera
-  targets,      // targets, packages, score
-  sound,        // engine and events
-  hud,          // instruments, navigation bar, messages
-  cloudPlanes,  // up to three flat layers of clouds that follow the eye
-  cloudDome,    // clouds on a hemisphere behind everything
-  groundFog,    // fog on the ground, by height
-  moon,         // the moon's disc, by place and time
-  stars,        // stars to magnitude 6, by place and time
-  landShadows,  // shadows of mountains on land, sea and what flies
-  halo,         // halos and sun dogs of ice around sun or moon
-  rainbow,      // rainbows in rain opposite sun or moon
-  weather,      // the air that one flies in: wind by height, turbulence, draughts, density, ice
-  lightShafts,  // the shade that clouds and land throw into the air
-  count_        // how many there are; no effect itself, and always the last
+  sky,             // sky gradient, sun, light of both
+  terrain,         // endless land and sea
+  clouds,          // a layer of volumetric clouds that drifts with the wind
+  haze,            // extinction and in-scattering between eye and surface
+  aircraft,        // the airplane: its flight, its model, its camera
+  targets,         // targets, packages, score
+  sound,           // engine and events
+  hud,             // instruments, navigation bar, messages
+  cloudPlanes,     // up to three flat layers of clouds that follow the eye
+  cloudDome,       // clouds on a hemisphere behind everything
+  groundFog,       // fog on the ground, by height
+  moon,            // the moon's disc, by place and time
+  stars,           // stars to magnitude 6, by place and time
+  landShadows,     // shadows of mountains on land, sea and what flies
+  halo,            // halos and sun dogs of ice around sun or moon
+  rainbow,         // rainbows in rain opposite sun or moon
+  weather,         // the air that one flies in: wind by height, turbulence, draughts, density, ice
+  lightShafts,     // the shade that clouds and land throw into the air
+  aircraftLights,  // position and anti-collision lights of the aircraft
+  landingLight,    // the aircraft's lamp that lights the land ahead
+  count_           // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
-    {"sky", "terrain", "clouds", "haze", "aircraft", "targets", "sound", "hud", "cloudPlanes", "cloudDome",
-     "groundFog", "moon", "stars", "landShadows", "halo", "rainbow", "weather", "lightShafts"});
+    {"sky",  "terrain",     "clouds",    "haze",        "aircraft",       "targets",     "sound",
+     "hud",  "cloudPlanes", "cloudDome", "groundFog",   "moon",           "stars",       "landShadows",
+     "halo", "rainbow",     "weather",   "lightShafts", "aircraftLights", "landingLight"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -57,9 +60,11 @@ struct EffectNeed {
   Effect needs;
 };
 inline constexpr std::array kEffectNeeds = {
-    EffectNeed{Effect::targets, Effect::aircraft},  // that drops the packages
-    EffectNeed{Effect::targets, Effect::terrain},   // that they land on
-    EffectNeed{Effect::weather, Effect::aircraft},  // that meets the air
+    EffectNeed{Effect::targets, Effect::aircraft},         // that drops the packages
+    EffectNeed{Effect::targets, Effect::terrain},          // that they land on
+    EffectNeed{Effect::weather, Effect::aircraft},         // that meets the air
+    EffectNeed{Effect::aircraftLights, Effect::aircraft},  // that they are on
+    EffectNeed{Effect::landingLight, Effect::aircraft},    // likewise
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

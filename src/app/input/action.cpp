@@ -28,6 +28,7 @@ constexpr std::array<ActionText, kActions> kTexts = {{{"thrust", "faster"},
                                                       {"freeze", "freeze time"},
                                                       {"split", "beside a reference"},
                                                       {"costs", "what a frame costs"},
+                                                      {"landingLight", "landing light"},
                                                       {"escape", "resume, quit"}}};
 
 const ActionText& textOf(Action action) { return kTexts[static_cast<std::size_t>(action)]; }

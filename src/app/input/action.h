@@ -31,6 +31,7 @@ enum class Action {
   freeze,
   split,
   costs,
+  landingLight,
   escape,
   count_
 };

@@ -31,6 +31,7 @@ std::array<Inputs, kActions> defaultInputs() {
   bind(Action::pause, {keyInput('P'), buttonInput(pad::kX)});
   bind(Action::freeze, {keyInput('F')});
   bind(Action::costs, {keyInput(key::kF2)});
+  bind(Action::landingLight, {keyInput('L')});
   bind(Action::split, {keyInput(key::kF3)});
   bind(Action::help, {keyInput('H'), buttonInput(pad::kUp)});
   bind(Action::menu, {keyInput(key::kF1), buttonInput(pad::kRight)});
@@ -57,6 +58,7 @@ const std::vector<HelpEntry>& helpEntries() {
       {{Action::camera}, ""},
       {{Action::pause}, ""},
       {{Action::freeze}, ""},
+      {{Action::landingLight}, ""},
       {{Action::costs}, ""},
       {{Action::split}, ""},
       {{Action::help}, "this help"},

@@ -1,5 +1,6 @@
 #include "app/session/effect_table.h"
 
+#include "app/session/aircraft_lights_effect.h"
 #include "app/session/cloud_dome_effect.h"
 #include "app/session/cloud_effect.h"
 #include "app/session/cloud_planes_effect.h"
@@ -129,6 +130,15 @@ const std::vector<EffectDescriptor>& effectTable() {
        .menuSections = {{"rainbow", "Rainbow"}}},
       {.effect = Effect::haze, .addFeatures = addHaze, .menuSections = {{"render.atmosphere", "Air"}}},
       {.effect = Effect::weather, .menuSections = {{"weather", "Air to fly in"}}},
+      {.effect = Effect::aircraftLights,
+       .addPasses = addAircraftLights,
+       .apply = applyAircraftLights,
+       .menuSections = {{"aircraftLights", "Aircraft lights"}}},
+      {.effect = Effect::landingLight,
+       .addPasses = addLandingLight,
+       .addFeatures = addLandingLightFeatures,
+       .apply = applyLandingLight,
+       .menuSections = {{"landingLight", "Landing light"}}},
       {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
       {.effect = Effect::hud},
   };

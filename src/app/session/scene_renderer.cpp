@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <utility>
 
@@ -248,7 +249,10 @@ render::View SceneRenderer::view(const game::Snapshot& snapshot, Size size) cons
 
 void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {
   const render::View view = this->view(snapshot, size);
+  if (!eyeAdapts() || isCut(snapshot, view)) eye_.cut();
   lastView_ = view;
+  lastSpawn_ = snapshot.aircraft.spawnCount;
+  lastCamera_ = camera_.mode();
   drawnSize_ = size;
   settleMs_ = 0;
   if (land_) {
@@ -264,12 +268,23 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
   const render::FrameInput input = inputOf(snapshot, view);
   if (streaming == Streaming::settled) renderer_.settle(input);
   renderer_.draw(input);
+  if (!eyeAdapts()) return;
+  const render::SunSettings& sun = settings_->render.sun;
+  const double speed = sun.source == render::SunSource::clock ? sun.timeScale : 1;
+  eye_.follow(renderer_.lightInView(), snapshot.simulatedSeconds, speed);
+}
+
+bool SceneRenderer::isCut(const game::Snapshot& snapshot, const render::View& view) const {
+  constexpr double kFarthestM = 200;  // that a camera moves between two frames
+  return !lastView_ || camera_.mode() != lastCamera_ || snapshot.aircraft.spawnCount != lastSpawn_ ||
+         glm::length(view.position - lastView_->position) > kFarthestM;
 }
 
 // Of a frame that may follow another.
 render::FrameInput SceneRenderer::inputOf(const game::Snapshot& snapshot, const render::View& view) const {
   render::FrameInput input = render::gameFrame(snapshot, view, features());
   input.followsLast = setup_.framesFollow;
+  if (eyeAdapts()) input.adaptedLevel = eye_.level();
   return input;
 }
 
@@ -285,7 +300,9 @@ bool SceneRenderer::updateLand(const render::View& view, Streaming streaming) {
 
 std::optional<std::vector<float>> SceneRenderer::drawUnseen(const game::Snapshot& snapshot,
                                                             const render::View& view) {
-  return renderer_.drawUnseen(render::gameFrame(snapshot, view, features()));
+  render::FrameInput input = render::gameFrame(snapshot, view, features());
+  if (eyeAdapts()) input.adaptedLevel = eye_.level();  // what it is compared with is exposed so
+  return renderer_.drawUnseen(input);
 }
 
 void SceneRenderer::drawOverlays(const game::Snapshot& snapshot, Size size, std::string_view reason) {

@@ -21,6 +21,7 @@
 #include "skydrop/core/image.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/frame/camera.h"
+#include "skydrop/render/frame/eye_adaptation.h"
 #include "skydrop/render/frame/renderer.h"
 #include "skydrop/render/models/shadow_source.h"
 #include "skydrop/render/overlay/imgui_pass.h"
@@ -178,6 +179,9 @@ class SceneRenderer {
   // Draws on with the frame; true when all of it was drawn.
   bool drawUnseen(const WarmUpFrame& frame, const render::FrameFeatures& features, double budgetMs);
   render::FrameFeatures features() const;
+  // Whether the frame shows something else than the one before it.
+  bool isCut(const game::Snapshot& snapshot, const render::View& view) const;
+  bool eyeAdapts() const { return setup_.framesFollow && settings_->view.eyeAdaptation; }
   render::FrameInput inputOf(const game::Snapshot& snapshot, const render::View& view) const;
   const EffectDescriptor* firstCaster() const;  // who pays for the map of shadows; null: nobody casts one
   core::EffectStatistics billOf(const EffectDescriptor& row, const core::FrameStatistics& frame) const;
@@ -189,8 +193,11 @@ class SceneRenderer {
   render::Renderer renderer_;
   render::Camera camera_;
   std::optional<render::View> lastView_;
-  Size drawnSize_{1, 1};     // of the last frame
-  std::vector<Part> parts_;  // that are there, in the order of adding
+  render::EyeAdaptation eye_;           // of frames that follow each other
+  std::uint32_t lastSpawn_ = 0;         // of the aircraft in the last frame
+  render::CameraMode lastCamera_ = {};  // of the last frame
+  Size drawnSize_{1, 1};                // of the last frame
+  std::vector<Part> parts_;             // that are there, in the order of adding
   std::optional<Switch> switch_;
   std::vector<std::shared_ptr<CompileAhead>> givenUp_;  // of earlier switches, until they have ended
   std::map<std::string, double> startMs_;               // what each effect took to be made, on this thread

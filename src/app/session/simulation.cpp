@@ -164,7 +164,7 @@ void Simulation::apply(const SettingsChange& change) {
   if (change.touches("effects")) applyEffects();
   if (!setup_.recorder) return;
   for (const std::string& path : change.paths()) {
-    if (decidesSimulation(path)) setup_.recorder->change({path, core::fieldText(table_->at(path))});
+    if (isRecorded(path)) setup_.recorder->change({path, core::fieldText(table_->at(path))});
   }
 }
 

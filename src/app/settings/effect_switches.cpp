@@ -47,6 +47,10 @@ std::string_view helpOf(Effect effect) {
       return "The air that one flies in: wind by height, turbulence, draughts, density and ice.";
     case Effect::lightShafts:
       return "Clouds and mountains throw shade into the haze: rays of light between them.";
+    case Effect::aircraftLights:
+      return "Position lights, beacon and strobes of the aircraft, and light over its instruments.";
+    case Effect::landingLight:
+      return "A lamp in the aircraft's nose that lights the land ahead, on a key.";
     case Effect::count_:
       break;
   }

@@ -57,6 +57,10 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
                   .help = "Size of texts and menus; never so large that they would not fit.",
                   .slider = core::Range{0.5, 2.2},
                   .aliases = "UI scale, font size, text size"});
+  visitor.flag("eyeAdaptation", settings.eyeAdaptation,
+               {.help = "Eyes need a moment to get used to light, and some to darkness. Pictures without a "
+                        "window show what they are used to in the end.",
+                .aliases = "HDR, pupil, iris, adaptation, brightness"});
   visitor.group("split", settings.split, "The picture beside a reference.");
 }
 
@@ -78,6 +82,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("halo", settings.halo, "The ice of halos and sun dogs.");
   visitor.group("rainbow", settings.rainbow, "The rain of rainbows.");
   visitor.group("lightShafts", settings.lightShafts, "Shade in the air.");
+  visitor.group("aircraftLights", settings.aircraftLights, "Lamps on the aircraft.");
+  visitor.group("landingLight", settings.landingLight, "The lamp that lights the land ahead.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("weather", settings.weather, "The air that one flies in.");
   visitor.group("audio", settings.audio, "What is heard.");
@@ -122,7 +128,9 @@ void applyOverrides(const core::SettingsTable& table, const std::vector<std::str
   }
 }
 
-bool isKept(std::string_view path) { return path != "view.freezeTime" && !path.starts_with("effects."); }
+bool isKept(std::string_view path) {
+  return path != "view.freezeTime" && path != "landingLight.on" && !path.starts_with("effects.");
+}
 
 bool switchesSimulation(std::string_view path) {
   return std::ranges::find(kSimulatedEffects, path) != kSimulatedEffects.end();
@@ -134,10 +142,12 @@ bool decidesSimulation(std::string_view path) {
                      [&](std::string_view group) { return path.starts_with(group); });
 }
 
+bool isRecorded(std::string_view path) { return decidesSimulation(path) || path == "landingLight.on"; }
+
 std::vector<game::SettingOverride> simulationSettings(const core::SettingsTable& table) {
   std::vector<game::SettingOverride> settings;
   for (const core::Field& field : table.fields()) {
-    if (decidesSimulation(field.path)) settings.push_back({field.path, core::fieldText(field)});
+    if (isRecorded(field.path)) settings.push_back({field.path, core::fieldText(field)});
   }
   return settings;
 }
@@ -147,8 +157,7 @@ void applyLogged(const core::SettingsTable& table, const std::vector<game::Setti
   for (const game::SettingOverride& setting : settings) {
     try {
       const core::Field& field = table.at(setting.path);
-      if (!decidesSimulation(field.path))
-        throw core::RangeError(setting.path + ": is no setting of the simulation");
+      if (!isRecorded(field.path)) throw core::RangeError(setting.path + ": is no setting of the simulation");
       core::setField(field, setting.value);
     } catch (const core::RangeError& error) {
       throw core::DataError(file, "settings", error.what());

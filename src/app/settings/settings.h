@@ -26,6 +26,7 @@
 #include "skydrop/render/fog/ground_fog_settings.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/render_settings.h"
+#include "skydrop/render/models/aircraft_lights_settings.h"
 #include "skydrop/render/shadows/land_shadow_settings.h"
 #include "skydrop/render/shafts/light_shaft_settings.h"
 #include "skydrop/render/sky/halo_settings.h"
@@ -47,6 +48,7 @@ struct ViewSettings {
   double frameBudgetMs = 0;  // that frames may take; 0: none
   bool vsync = true;
   double interfaceScale = 1;
+  bool eyeAdaptation = true;  // in frames that follow each other
   SplitSettings split;
 };
 
@@ -74,6 +76,8 @@ struct Settings {
   render::HaloSettings halo;
   render::RainbowSettings rainbow;
   render::LightShaftSettings lightShafts;
+  render::AircraftLightsSettings aircraftLights;
+  render::LandingLightSettings landingLight;
   core::WindSettings wind;
   weather::WeatherSettings weather;
   audio::AudioSettings audio;
@@ -91,7 +95,7 @@ void applyScene(const core::SettingsTable& table, const scene::Scene& scene);
 // Applies --set in order. Throws core::UsageError.
 void applyOverrides(const core::SettingsTable& table, const std::vector<std::string>& assignments);
 
-// The settings that decide the simulation, all of them, as an input log keeps them; and back (a value that is
+// The settings that an input log keeps, all of them, as it does (isRecorded()); and back (a value that is
 // refused is a core::DataError that names `file`).
 std::vector<game::SettingOverride> simulationSettings(const core::SettingsTable& table);
 void applyLogged(const core::SettingsTable& table, const std::vector<game::SettingOverride>& settings,
@@ -105,5 +109,9 @@ bool switchesSimulation(std::string_view path);
 
 // Whether a change of the field at this path changes the simulation.
 bool decidesSimulation(std::string_view path);
+
+// Whether an input log keeps the field at this path and its changes: what decides the simulation, and what
+// the pilot does that is a picture only (the landing light).
+bool isRecorded(std::string_view path);
 
 }  // namespace skydrop::app

@@ -326,6 +326,9 @@ void WindowGame::handleAction(Action action) {
     case Action::split:
       toggleSplit();
       break;
+    case Action::landingLight:
+      switchLandingLight();
+      break;
     case Action::mute:
       toggle("audio.mute");
       notices_.add(run_->settings.audio.mute ? "Sound off" : "Sound on");
@@ -333,6 +336,15 @@ void WindowGame::handleAction(Action action) {
     default:
       break;  // flight actions: PlayerInput::step
   }
+}
+
+void WindowGame::switchLandingLight() {
+  if (!sceneRenderer_->effects().contains(Effect::landingLight)) {
+    notices_.add("No landing light here: F1, Effects");
+    return;
+  }
+  toggle("landingLight.on");
+  notices_.add(run_->settings.landingLight.on ? "Landing light on" : "Landing light off");
 }
 
 // A flag by its key, as if in the menu.

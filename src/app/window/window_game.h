@@ -73,6 +73,7 @@ class WindowGame {
   void handleEvents();
   bool takeEvent(const render::gl::WindowEvent& event);
   void handleAction(Action action);
+  void switchLandingLight();
   void toggle(const std::string& path);
   void showControls();
   void advance(double seconds);

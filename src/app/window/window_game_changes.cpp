@@ -24,8 +24,9 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that 
 
 // Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
 void WindowGame::registerDependents() {
-  simulationDependencies_.add({"effects", "aircraft", "package", "game", "autopilot", "wind", "weather"},
-                              [this](const SettingsChange& change) { simulation_->apply(change); });
+  simulationDependencies_.add(
+      {"effects", "aircraft", "package", "game", "autopilot", "wind", "weather", "landingLight"},
+      [this](const SettingsChange& change) { simulation_->apply(change); });
   presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { endSplit(); });
   presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { switchEffects(); });
   // Of every change, because the rows of the effect table say which settings they take.

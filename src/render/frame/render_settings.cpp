@@ -156,6 +156,12 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
                   .help = "Share of the picture's width and height in which the scene is drawn before it is "
                           "stretched; less is faster and blurred. The interface stays sharp.",
                   .aliases = "resolution, render scale, upscaling, pixels"});
+  visitor.number("interfaceAtNight", s.interfaceAtNight,
+                 {.unit = "1",
+                  .min = 0.2,
+                  .max = 1,
+                  .help = "How bright instruments and menus are at night; by day they are at 1.",
+                  .aliases = "HUD, dim, brightness, glare"});
   visitor.flag("smoothModels", s.smoothModels,
                {.help = "Draws the edges of aircraft and packages with four samples a pixel; off, they are "
                         "jagged.",

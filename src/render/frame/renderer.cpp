@@ -8,6 +8,7 @@
 #include "render/frame/stretch.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/quantile.h"
+#include "skydrop/render/frame/eye_adaptation.h"
 
 namespace skydrop::render {
 namespace {
@@ -179,7 +180,8 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   context_.makeCurrent();
   RenderSettings lit = settings_;
   if (!isLit()) lit.sky.model = sky::SkyModel::closedForm;  // has no tables to make
-  const SkyLight light = skyLight(lit, asked.view.position.y, asked.simulatedSeconds);
+  const SkyLight light = skyLight(lit, asked.view.position.y, asked.simulatedSeconds, asked.adaptedLevel);
+  if (targets_ == &screen_) levelInView_ = levelInView(light, asked.view);
   FrameInput picture = asked;  // of what is drawn over the scene, which may have fewer pixels
   picture.toSun = light.direct.toSun;
   picture.sunSine = light.toSun.y;

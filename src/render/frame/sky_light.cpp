@@ -59,7 +59,8 @@ sky::Atmosphere atmosphereOf(const AtmosphereSettings& settings) {
   return sky::makeAtmosphere(settings.visibilityM, settings.hazeHeightM, settings.hazeAnisotropy);
 }
 
-SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds) {
+SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds,
+                  std::optional<double> adaptedLevel) {
   SkyLight light{sky::skyLight(atmosphereOf(settings.atmosphere),
                                directionToSun(settings.sun, simulatedSeconds), eyeHeight,
                                settings.sky.model)};
@@ -70,8 +71,10 @@ SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simul
   // A low sun lights the horizon more than the land, and the horizon is what fills the picture.
   glm::dvec3 horizon = std::numbers::pi * meanHorizonRadiance(light);
   if (light.moon) horizon += light.moon->illuminance;
-  const double seen = luminance(level + horizon);
-  light.adaptation = kNoonExposure * std::pow(kNoonLevel / std::max(seen, kDarkestLevel), kAdaptation);
+  light.level = std::max(luminance(level + horizon), kDarkestLevel);
+  const bool isAdapted = adaptedLevel && std::isfinite(*adaptedLevel) && *adaptedLevel > 0;
+  const double seen = isAdapted ? std::max(*adaptedLevel, kDarkestLevel) : light.level;
+  light.adaptation = kNoonExposure * std::pow(kNoonLevel / seen, kAdaptation);
   light.exposure = light.adaptation * std::exp2(settings.exposureStops);
   return light;
 }

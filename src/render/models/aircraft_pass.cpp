@@ -8,6 +8,7 @@
 
 #include "render/frame/visibility.h"
 #include "skydrop/game/snapshot.h"
+#include "skydrop/render/models/aircraft_lamps.h"
 
 namespace skydrop::render {
 namespace {
@@ -17,15 +18,6 @@ constexpr float kFullDeflectionRad =
 
 constexpr double kMovedM = 0.2;     // that a deflected surface may leave the model's box at rest
 constexpr double kPlanAreaM2 = 26;  // seen from above: wings, tail and fuselage
-
-// The cabin in body axes, m: within these, the eye is inside the fuselage of airplane.glb.
-constexpr glm::dvec3 kCabinLow{-0.57, -0.6, -1.3}, kCabinHigh{0.57, 1.05, 1.5};
-
-bool isInsideCabin(const FrameInput& frame) {
-  const game::AircraftSnapshot& aircraft = frame.game->aircraft;
-  const glm::dvec3 eye = glm::conjugate(aircraft.orientation) * (frame.view.position - aircraft.position);
-  return glm::all(glm::greaterThan(eye, kCabinLow)) && glm::all(glm::lessThan(eye, kCabinHigh));
-}
 
 std::optional<std::string> whyNot(const FrameInput& frame, const Model& model) {
   if (!frame.game || !frame.game->aircraft.present) return "no aircraft";
@@ -91,11 +83,12 @@ void AircraftPass::draw(FrameContext& context) {
   ModelPose pose = poseOf(aircraft, *model_, detailAt(context.frame.view, aircraft));
   pose.hide("propeller_disc");
   if (!aircraft.crashed) pose.hide("propeller");
-  if (!isInsideCabin(context.frame)) pose.hide("cockpit");
+  if (!isInsideCabin(aircraft, context.frame.view.position)) pose.hide("cockpit");
   context.gl.api().Enable(GL_CULL_FACE);
+  const auto* lamps = context.resources.find<AircraftLamps>();
   model_->draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
                bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose,
-               lightAt(context.resources, aircraft.position));
+               lightAt(context.resources, aircraft.position), lamps ? &lamps->onModel : nullptr);
 }
 
 ShadowSource aircraftShadow(std::shared_ptr<const Model> model) {

@@ -114,7 +114,7 @@ int Model::node(std::string_view name) const {
 
 void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std::string& fragment,
                  std::span<const std::string> defines, const glm::mat4& toEye, const ModelPose& pose,
-                 const LightShares& light) const {
+                 const LightShares& light, const ModelLamps* lamps) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const int index = static_cast<int>(i);
     if (nodes_[i].meshes.empty() || !pose.isShown(index)) continue;
@@ -124,11 +124,16 @@ void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std:
           materials_[static_cast<std::size_t>(meshMaterials_[static_cast<std::size_t>(mesh)])];
       std::vector<std::string> all(defines.begin(), defines.end());
       all.insert(all.end(), material.defines.begin(), material.defines.end());
+      if (lamps) all.emplace_back(ModelLamps::kDefine);
       gl::Shader& shader = shaders.shader(vertex, fragment, all);
       shader.use();
       shader.setMatrix("toEye", meshToEye);
       shader.setMatrix("normalToEye", glm::inverseTranspose(glm::mat3(meshToEye)));
       shader.setVec2("lightShares", {static_cast<float>(light.sun), static_cast<float>(light.sky)});
+      if (lamps) {
+        shader.setVec4s("lampPlaces", lamps->places);
+        shader.setVec4s("lampLights", lamps->lights);
+      }
       for (std::size_t k = 0; k < material.diffuse.size(); ++k) {
         textures_[static_cast<std::size_t>(material.diffuse[k])].bind(static_cast<GLuint>(k));
       }

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -87,6 +88,14 @@ void ImGuiPass::upload(int vertexCount, int indexCount) {
   }
 }
 
+double interfaceBrightness(double adaptation, double atNight) {
+  constexpr double kDay = 0.08, kDuskSteps = 1.5, kNightSteps = 4.5;  // of the exposure's decimal logarithm
+  if (!(adaptation > 0) || !std::isfinite(adaptation)) return 1;
+  const double steps = std::log10(adaptation / kDay);
+  const double night = std::clamp((steps - kDuskSteps) / (kNightSteps - kDuskSteps), 0.0, 1.0);
+  return 1 + (atNight - 1) * night * night * (3 - 2 * night);
+}
+
 void ImGuiPass::draw(FrameContext& context) {
   const ImDrawData& data = *ImGui::GetDrawData();
   if (data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
@@ -103,6 +112,8 @@ void ImGuiPass::draw(FrameContext& context) {
   const float scaleX = 2 / data.DisplaySize.x, scaleY = -2 / data.DisplaySize.y;
   shader.setVec4("pixelsToNdc",
                  {scaleX, scaleY, -1 - data.DisplayPos.x * scaleX, 1 - data.DisplayPos.y * scaleY});
+  shader.setFloat("brightness", static_cast<float>(interfaceBrightness(context.light.adaptation,
+                                                                       context.settings.interfaceAtNight)));
   shader.use();
   vertexArray_.bind();
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "skydrop/render/clouds/cloud_shadow_map.h"
+#include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/shadows/cast_shadows.h"
 #include "skydrop/render/shadows/land_shadow_map.h"
 #include "skydrop/terrain/chunk_grid.h"
@@ -106,7 +107,7 @@ void TerrainPass::draw(FrameContext& context) {
     drawLines(context);
   } else {
     drawDepth(context);
-    drawLand(context.shaders.shader("fullscreen.vert", "terrain/land.frag", landDefines(context)), view);
+    drawLitLand(context);
     if (view.position.y > 0) drawSea(context);
   }
   if (context.settings.terrainNormals) {
@@ -231,6 +232,21 @@ void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
   shader.use();
   setLand(shader, view);
   triangle_.draw();
+}
+
+// Where a lamp may come and go, both variants are asked for, and those who warm up draw both.
+void TerrainPass::drawLitLand(FrameContext& context) {
+  const View& view = context.frame.view;
+  const auto* spot = context.resources.find<SpotLight>();
+  std::vector<std::string> defines = landDefines(context);
+  gl::Shader& unlit = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
+  if (!spot || context.frame.warmsUp) drawLand(unlit, view);
+  if (!spot && !context.frame.features.spotLight) return;
+  defines.emplace_back(SpotLight::kDefine);
+  gl::Shader& lit = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
+  if (!spot) return;
+  spot->set(lit, view);
+  drawLand(lit, view);
 }
 
 // Separate from the land, so that only pixels that show water pay for it: a software renderer runs both sides

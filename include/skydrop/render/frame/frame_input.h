@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "skydrop/render/frame/frame_features.h"
 #include "skydrop/render/frame/view.h"
@@ -29,6 +30,9 @@ struct FrameInput {
   // Drawn so that what it is drawn with is compiled, and seen by nobody: passes that settings leave nothing
   // to draw (no density, no cloud) draw it all the same, so that turning a setting up compiles nothing.
   bool warmsUp = false;
+  // What the eye is adapted to (SkyLight::level, klx), where it is not what follows from the light of this
+  // frame: EyeAdaptation.
+  std::optional<double> adaptedLevel = std::nullopt;
 };
 
 // A frame of the game at the moment of the snapshot, which must outlive Renderer::draw().

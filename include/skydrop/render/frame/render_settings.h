@@ -66,9 +66,10 @@ struct RenderSettings {
   SunSettings sun;
   AtmosphereSettings atmosphere;
   SkySettings sky;
-  double exposureStops = 0;  // EV, -6 .. 6, on top of the automatic exposure
-  double scale = 1;          // of the sides in which the scene is drawn, .25 .. 1 of the picture's
-  bool smoothModels = true;  // four samples a pixel for aircraft and packages
+  double exposureStops = 0;       // EV, -6 .. 6, on top of the automatic exposure
+  double scale = 1;               // of the sides in which the scene is drawn, .25 .. 1 of the picture's
+  double interfaceAtNight = 0.5;  // brightness of the interface at night, 0.2 .. 1
+  bool smoothModels = true;       // four samples a pixel for aircraft and packages
   LandDetail landDetail = LandDetail::rich;
   bool wireframe = false;       // the land as lines
   bool terrainNormals = false;  // a stroke along the normal of each of its vertices

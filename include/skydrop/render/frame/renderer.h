@@ -92,6 +92,8 @@ class Renderer {
   // kept (SplitPass). The passes that it leaves out are given as skipped, with this reason.
   void drawOverlays(const FrameInput& input, std::string_view reason);
 
+  // Light in the view of the last frame that draw() drew, klx (levelInView()); 0 before the first.
+  double lightInView() const { return levelInView_; }
   // Linear light of the last frame, in the size in which the scene was drawn.
   const gl::Texture& sceneColor() const { return screen_.scene.colorTexture(); }
   // The output of the last frame; waits for the GPU. Black before the first.
@@ -171,6 +173,7 @@ class Renderer {
   std::vector<Entry> passes_;
   Group group_;
   bool holds_ = false;
+  double levelInView_ = 0;
   std::unique_ptr<StageLayer> layer_;
   std::map<std::string, std::string, std::less<>> skipped_;
   std::map<std::string, std::vector<double>, std::less<>> times_;

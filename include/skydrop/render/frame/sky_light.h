@@ -30,9 +30,12 @@ struct SkyLight : sky::SkyLight {
   sky::SkyLight direct{};
   double directRadiusRad = kSunRadiusRad;
   std::optional<MoonSky> moon{};  // after sunset, with the moon above the horizon
-  double adaptation = 1;          // the exposure that follows from the light alone
-  double exposure = 1;  // with the stops of the settings: what all light is multiplied by before it meets a
-                        // half-float target
+  // What exposure follows: illuminance of level ground and of the horizon together, klx, no less than what
+  // the eye adapts to at most.
+  double level = 0;
+  double adaptation = 1;  // the exposure that follows from the light alone
+  double exposure = 1;    // with the stops of the settings: what all light is multiplied by before it meets a
+                          // half-float target
 };
 
 // The one place that decides where the sun stands: the two angles of the settings, or, with SunSource::clock,
@@ -40,7 +43,9 @@ struct SkyLight : sky::SkyLight {
 // horizon).
 glm::dvec3 directionToSun(const SunSettings& sun, double simulatedSeconds = 0);
 sky::Atmosphere atmosphereOf(const AtmosphereSettings& settings);
-// eyeHeight in m above the sea, any finite value.
-SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds = 0);
+// eyeHeight in m above the sea, any finite value. adaptedLevel: what the eye is adapted to (EyeAdaptation),
+// as SkyLight::level; without it, or where it is no number above 0, that of this light.
+SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds = 0,
+                  std::optional<double> adaptedLevel = std::nullopt);
 
 }  // namespace skydrop::render

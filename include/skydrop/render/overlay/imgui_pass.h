@@ -7,6 +7,10 @@
 
 namespace skydrop::render {
 
+// How bright the interface is, 1 by day: dimmed to `atNight` for eyes that have adapted to a night
+// (SkyLight::adaptation), from dusk on, with the sun 5 degrees below the horizon, to moonlight.
+double interfaceBrightness(double adaptation, double atNight);
+
 // Draws what Dear ImGui has built: the draw data of the current ImGui context, after ImGui::Render(). Dear
 // ImGui's own OpenGL back-end does not work on OSMesa; this one draws the same bits on every back-end.
 //

@@ -54,6 +54,7 @@ class TerrainPass final : public Pass {
   void setSurface(gl::Shader& shader, const View& view) const;
   void setLand(gl::Shader& shader, const View& view) const;
   void drawDepth(FrameContext& context);
+  void drawLitLand(FrameContext& context);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
   void drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap, bool isFirst);
