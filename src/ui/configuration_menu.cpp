@@ -16,6 +16,7 @@
 #include "ui/preset_section.h"
 #include "ui/row_editor.h"
 #include "ui/row_filter.h"
+#include "ui/sky_section.h"
 #include "ui/statistics_view.h"
 
 namespace skydrop::ui {
@@ -83,6 +84,7 @@ struct ConfigurationMenu::Parts {
   void drawTools(const MenuContent& content, MenuResult& result);
   void drawSection(const MenuContent& content, const MenuSection& section, const RowFilter& filter,
                    MenuResult& result);
+  void drawHead(const MenuContent& content, const MenuSection& section, MenuResult& result);
   void drawFields(const SettingsTable& table, const MenuSection& section, std::span<const Field* const> shown,
                   MenuResult& result);
   void drawRow(const SettingsTable& table, const Field& field, MenuResult& result);
@@ -240,6 +242,7 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
     if (const Field* switched = drawEffectTable(shown, content.statistics, places))
       set(*switched, switched->get() != 0 ? 0 : 1, result);
   } else {
+    if (!filter.isActive()) drawHead(content, section, result);
     drawFields(content.table, section, shown, result);
   }
   // At the end, and always there: rows must not move under the mouse while a slider leaves its default.
@@ -250,6 +253,28 @@ void ConfigurationMenu::Parts::drawSection(const MenuContent& content, const Men
     }
     ImGui::PopID();
   }
+}
+
+void ConfigurationMenu::Parts::drawHead(const MenuContent& content, const MenuSection& section,
+                                        MenuResult& result) {
+  const auto row = [&](const char* path) -> const Field& { return content.table.at(path); };
+  ImGui::PushID(("head " + section.group).c_str());
+  if (section.head == MenuSection::Head::choiceButtons) {
+    const std::vector<Field>& fields = content.table.fields();
+    const auto choice = std::ranges::find(fields, section.group, &Field::group);
+    if (choice != fields.end()) {
+      if (const auto clicked = drawChoiceButtons(*choice, items)) set(*choice, *clicked, result);
+    }
+  } else if (section.head == MenuSection::Head::clock && content.tools.clockMs) {
+    const Field& utc = row("render.sun.utc");
+    const ClockRequest request =
+        drawClock(*content.tools.clockMs, row("render.sun.timeScale").get(), *utc.written, items);
+    held |= request.held;
+    if (request.turnedMs != 0 || request.speed) set(row("render.sun.source"), 1, result);
+    if (request.turnedMs != 0) set(utc, utc.get() + request.turnedMs, result);
+    if (request.speed) set(row("render.sun.timeScale"), *request.speed, result);
+  }
+  ImGui::PopID();
 }
 
 void ConfigurationMenu::Parts::drawFields(const SettingsTable& table, const MenuSection& section,

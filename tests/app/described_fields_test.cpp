@@ -146,6 +146,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(WeatherLayerSettings), SKYDROP_STRUCT(SiteSettings),
       SKYDROP_STRUCT(WeatherSettings),      SKYDROP_STRUCT(LightShaftSettings),
       SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
+      SKYDROP_STRUCT(MoodSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -456,6 +456,7 @@ constexpr std::string_view kElsewhere[] = {
     "lightShafts.",            // tests/gl/light_shafts_test.cpp
     "aircraftLights.",         // tests/gl/night_flight_test.cpp
     "landingLight.",           // tests/gl/night_flight_test.cpp
+    "sky.",                    // tests/app/mood_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -512,9 +513,9 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
                                    "clouds.",    "render.",  "wind.", "weather."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
-constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.",    "cloudDome.",   "groundFog.", "stars.",
-                                             "landShadows.",    "halo.",        "rainbow.",   "lightShafts.",
-                                             "aircraftLights.", "landingLight."};
+constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.",    "cloudDome.",    "groundFog.", "stars.",
+                                             "landShadows.",    "halo.",         "rainbow.",   "lightShafts.",
+                                             "aircraftLights.", "landingLight.", "sky."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

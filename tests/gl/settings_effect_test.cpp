@@ -247,6 +247,7 @@ TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference
       // So far north that it is never night in June.
       {"render.sun.shiftHours", {"sky.sun=clock", "sky.latitude=60"}},
       {"render.sun.timeScale", {"sky.sun=clock", "sky.latitude=60"}},
+      {"render.sun.offsetSeconds", {"sky.sun=clock", "sky.latitude=60"}},
       {"render.sun.latitudeDegrees", {"sky.sun=clock"}},
       {"render.sun.longitudeDegrees", {"sky.sun=clock", "sky.latitude=60"}},
   };

@@ -57,6 +57,12 @@ std::vector<std::string> clouded(const std::string& scene, const std::string& po
   return words;
 }
 
+// A mood of the sky: all of the same lake and range.
+std::vector<std::string> inMood(const std::string& mood) {
+  return withoutHud({"--scene", "fair", "--pose=7000,320,6400,-114,2,0", "--set", "sky.mood=" + mood, "--set",
+                     "render.camera.fovDegrees=48", "--set", "stars.twinkle=0"});
+}
+
 const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all = {
       {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
@@ -139,6 +145,14 @@ const std::vector<Golden>& goldens() {
        withoutHud({"--scene", "night-approach", "--time", "1.4", "--set", "stars.twinkle=0"})},
       {"nightCockpit", withoutHud({"--scene", "night-approach", "--time", "1.4", "--set",
                                    "view.camera=cockpit", "--set", "stars.twinkle=0"})},
+      {"moodDawn", inMood("dawn")},
+      {"moodMorning", inMood("morning")},
+      {"moodNoon", inMood("noon")},
+      {"moodAfternoon", inMood("afternoon")},
+      {"moodGoldenSunset", inMood("goldenSunset")},
+      {"moodDusk", inMood("dusk")},
+      {"moodMoonlitNight", inMood("moonlitNight")},
+      {"moodStarryNight", inMood("starryNight")},
   };
   return all;
 }

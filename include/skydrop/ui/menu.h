@@ -26,6 +26,10 @@ struct MenuSection {
   std::string title;                         // "Aircraft"
   bool open = false;                         // at first
   std::vector<std::string> moreGroups = {};  // shown below it
+  // What it has above its rows: buttons for the choice that is its group's first row, or the clock of the sky
+  // (MenuTools::clockMs).
+  enum class Head { none, choiceButtons, clock };
+  Head head = Head::none;
 };
 
 // The section that shows the field; null: none.
@@ -46,6 +50,7 @@ struct MenuTools {
   std::string_view pose = {};  // of the present view, "--pose=..."; empty: none
   // The player's presets; nullopt where they have no place.
   std::optional<std::span<const PresetEntry>> presets = std::nullopt;
+  std::optional<double> clockMs = std::nullopt;  // what the sky's clock shows, UTC, ms since 1970
 };
 
 struct MenuContent {
@@ -117,7 +122,9 @@ class ConfigurationMenu {
   const BindingsPlaces& bindingPlaces() const;
   // Where the last frame drew what is no row: "refusal" (while there is a line), "search", "changed only",
   // "undo", "redo", "reset all", "section GROUP", "reset GROUP", "controls", "costs", "presets", "preset
-  // name", "save preset", "load NAME", "delete NAME", "copy", "copy flags", "copy pose". Null: not drawn.
+  // name", "save preset", "load NAME", "delete NAME", "mood NAME", "clock",
+  // "clock +1 h" (and the other steps), "speed 60" (and the others), "copy", "copy flags", "copy pose". Null:
+  // not drawn.
   const ScreenRect* place(std::string_view what) const;
   // The whole window in the last frame that drew it, and the cross in its title bar.
   const ScreenRect& place() const;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/settings/cloud_tier.h"
+#include "app/settings/mood.h"
 #include "app/settings/preset_store.h"
 #include "app/settings/quality_preset.h"
 #include "app/types/version.h"
@@ -105,6 +106,22 @@ bool holdsRow(const GovernedRows& rows, const std::string& path) {
   return std::ranges::any_of(rows, [&](const auto& row) { return row.first == path; });
 }
 
+// That the scene itself names.
+Mood moodOf(const scene::Scene& scene) {
+  Settings settings;
+  applyScene(core::SettingsTable(settings), scene);
+  return settings.sky.mood;
+}
+
+// Throws core::DataError with the name of what the settings are from.
+void requireUsableWeather(const Settings& settings, const std::string& from) {
+  try {
+    requireUsable(settings.weather);
+  } catch (const core::RangeError& error) {
+    throw core::DataError(from, "settings", error.what());
+  }
+}
+
 // All settings, layer upon layer; `player` applies the player's own. All or nothing: throws core::DataError.
 void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, When when) {
   // Which files lie at the bottom is reported by the layers above them: first the quality, then, with its
@@ -122,25 +139,21 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
       qualityFor(composeOver([](const core::SettingsTable&) {}).quality, run.softwareRenderer);
   const QualityPreset preset = readQualityPreset(quality);
   const Layer applyQuality = [&](const core::SettingsTable& table) { applyPreset(table, preset); };
-  const clouds::CloudTier tier = composeOver(applyQuality).clouds.tier;
+  const Settings chosen = composeOver(applyQuality);
+  const clouds::CloudTier tier = chosen.clouds.tier;
+  const bool isScenesMood = chosen.sky.mood == moodOf(scene);
 
   Settings base;
   const core::SettingsTable baseTable(base);
   applyCloudTier(baseTable, readCloudTier(cloudTierPath(tier)));
   applyQuality(baseTable);
+  if (isScenesMood) applyMood(baseTable, chosen.sky.mood);
   applyScene(baseTable, scene);
-  try {
-    requireUsable(base.weather);
-  } catch (const core::RangeError& error) {
-    throw core::DataError(scene.file.string(), "settings", error.what());
-  }
+  requireUsableWeather(base, scene.file.string());
+  if (!isScenesMood) applyMood(baseTable, chosen.sky.mood);
   Settings own = base;
   player(core::SettingsTable(own));
-  try {
-    requireUsable(own.weather);
-  } catch (const core::RangeError& error) {
-    throw core::DataError("the player's settings", "settings", error.what());
-  }
+  requireUsableWeather(own, "the player's settings");
   Settings all = own;
   const core::SettingsTable allTable(all);
   if (run.setup.replay) {
@@ -185,11 +198,12 @@ bool holds(const std::vector<std::string>& paths, const std::string& path) {
   return std::find(paths.begin(), paths.end(), path) != paths.end();
 }
 
-// The rows that a quality or a tier takes along when it is picked.
+// The rows that a quality, a tier or a mood takes along when it is picked.
 SettingsChange rowsThatFollow(const core::SettingsTable& table, const SettingsChange& picked) {
   SettingsChange rows;
   const bool quality = picked.touches("quality");
   if (quality) rows = SettingsChange(presetPaths());
+  if (picked.touches(kMoodRow)) rows.add(SettingsChange(moodPaths()));
   if (!quality && !picked.touches(kCloudTierRow)) return rows;
   for (const core::Field& field : table.fields()) {
     if (belongsToCloudTier(field.path)) rows.add(field.path);

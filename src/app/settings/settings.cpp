@@ -84,6 +84,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("lightShafts", settings.lightShafts, "Shade in the air.");
   visitor.group("aircraftLights", settings.aircraftLights, "Lamps on the aircraft.");
   visitor.group("landingLight", settings.landingLight, "The lamp that lights the land ahead.");
+  visitor.group("sky", settings.sky, "The sky as a whole.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("weather", settings.weather, "The air that one flies in.");
   visitor.group("audio", settings.audio, "What is heard.");
@@ -104,6 +105,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.renamed("sky.shiftDays", "render.sun.shiftDays");
   visitor.renamed("sky.shiftHours", "render.sun.shiftHours");
   visitor.renamed("sky.timeScale", "render.sun.timeScale");
+  visitor.renamed("sky.offsetSeconds", "render.sun.offsetSeconds");
   visitor.renamed("sky.latitude", "render.sun.latitudeDegrees");
   visitor.renamed("sky.longitude", "render.sun.longitudeDegrees");
 }
@@ -129,7 +131,8 @@ void applyOverrides(const core::SettingsTable& table, const std::vector<std::str
 }
 
 bool isKept(std::string_view path) {
-  return path != "view.freezeTime" && path != "landingLight.on" && !path.starts_with("effects.");
+  return path != "view.freezeTime" && path != "landingLight.on" && path != "render.sun.offsetSeconds" &&
+         !path.starts_with("effects.");
 }
 
 bool switchesSimulation(std::string_view path) {

@@ -10,6 +10,7 @@
 
 #include "app/input/gamepad.h"
 #include "app/settings/effect_switches.h"
+#include "app/settings/mood.h"
 #include "app/settings/split_settings.h"
 #include "skydrop/audio/audio_settings.h"
 #include "skydrop/clouds/cloud_dome_settings.h"
@@ -78,6 +79,7 @@ struct Settings {
   render::LightShaftSettings lightShafts;
   render::AircraftLightsSettings aircraftLights;
   render::LandingLightSettings landingLight;
+  MoodSettings sky;
   core::WindSettings wind;
   weather::WeatherSettings weather;
   audio::AudioSettings audio;

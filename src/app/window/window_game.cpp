@@ -14,6 +14,8 @@
 #include "app/window/fault_parts.h"
 #include "app/window/split_texts.h"
 #include "skydrop/core/error.h"
+#include "skydrop/render/frame/sky_clock.h"
+#include "skydrop/sky/instant.h"
 
 namespace skydrop::app {
 namespace {
@@ -182,6 +184,9 @@ void WindowGame::buildScene() {
       lastGood_ = choicesOf(*run_);
       changeNotDrawn_ = menuChangedIt_ = false;
       clock_ = {};
+      clockPace_.restart();
+      if (clockPace_.follow(run_->settings.render.sun, 0)) sceneRenderer_->apply({"render.sun"});
+      drawnSeconds_ = 0;
       events_.clear();
     }
   } catch (...) {
@@ -396,6 +401,7 @@ game::Snapshot WindowGame::snapshotToDraw() {
 void WindowGame::drawFrame(double seconds) {
   releaseFreeze();
   const game::Snapshot snapshot = snapshotToDraw();
+  drawnSeconds_ = snapshot.simulatedSeconds;
   const Size size = window_.size();
   if (sound_) {
     audio_->setPaused(isPaused() || isFrozen());
@@ -513,8 +519,11 @@ void WindowGame::renewCosts() {
 
 ui::MenuTools WindowGame::menuTools(const game::Snapshot& snapshot, Size size) {
   if (!overlay_->menuOpen) return {};
-  return menuController_.tools(run_->baseTable, sceneRenderer_->view(snapshot, size),
-                               times_.newest(kShownFrames));
+  ui::MenuTools tools = menuController_.tools(run_->baseTable, sceneRenderer_->view(snapshot, size),
+                                              times_.newest(kShownFrames));
+  tools.clockMs = static_cast<double>(
+      sky::instantAt(render::clockDays(run_->settings.render.sun, snapshot.simulatedSeconds)).utcMs);
+  return tools;
 }
 
 }  // namespace skydrop::app

@@ -17,6 +17,7 @@
 #include "app/input/player_controls.h"
 #include "app/measure/cost_history.h"
 #include "app/measure/frame_times.h"
+#include "app/session/clock_pace.h"
 #include "app/session/frame_budget.h"
 #include "app/session/player_camera.h"
 #include "app/session/preparations.h"
@@ -157,6 +158,8 @@ class WindowGame {
   CursorAutoHide pointer_;
   bool pointerMoved_ = false;
   core::FixedStep clock_;
+  ClockPace clockPace_;      // of the sky
+  double drawnSeconds_ = 0;  // simulated, of the last frame
 
   bool paused_ = false;
   bool screenshotWanted_ = false;

@@ -18,6 +18,8 @@ using Clock = std::chrono::steady_clock;
 // What an effect that comes may add to a frame, beside the program that is compiled last.
 constexpr double kShareOfFrame = 0.5, kLongestFrameMs = 200;
 
+constexpr std::string_view kClockOffsetRow = "render.sun.offsetSeconds";
+
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
 
 }  // namespace
@@ -93,13 +95,16 @@ void WindowGame::carryOut(const SettingsChange& change) {
   if (change.touches("view.frameBudgetMs") || change.touches("effects")) renewBudget();
 }
 
-void WindowGame::apply(const SettingsChange& change) {
+void WindowGame::apply(const SettingsChange& asked) {
+  SettingsChange change = asked;
+  if (clockPace_.follow(run_->settings.render.sun, drawnSeconds_)) change.add(std::string(kClockOffsetRow));
   simulationDependencies_.apply(change);
   presentationDependencies_.apply(change);
 }
 
 void WindowGame::applyMenuChanges(SettingsChange picked) {
   tellOfRefusals(simulation_->takeBackFixed(picked));
+  if (picked.touches(kClockOffsetRow)) clockPace_.take(run_->settings.render.sun);
   if (!picked.empty()) carryOut(takeByHand(picked));
 }
 

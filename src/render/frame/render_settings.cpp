@@ -99,6 +99,10 @@ void describe(core::SettingsVisitor& visitor, SunSettings& s) {
        .help = "How fast the clock runs; 0 holds it, 3600 passes an hour in each second of flight.",
        .aliases = "speed of time, time lapse",
        .note = unlessClock});
+  ofClock("offsetSeconds", s.offsetSeconds, "s", 1e9,
+          "Seconds that the clock keeps when its speed changes in flight, so that it does not jump; set by "
+          "the program.",
+          "time, speed, base", core::Range{-86400, 86400});
   ofClock("latitudeDegrees", s.latitudeDegrees, "deg", 90, "Place on the earth, north of the equator.",
           "place, position, north", std::nullopt);
   ofClock("longitudeDegrees", s.longitudeDegrees, "deg", 360, "Place on the earth, east of Greenwich.",

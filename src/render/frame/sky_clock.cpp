@@ -3,8 +3,8 @@
 namespace skydrop::render {
 
 double clockDays(const SunSettings& clock, double simulatedSeconds) {
-  const double seconds =
-      clock.shiftDays * 86400 + clock.shiftHours * 3600 + simulatedSeconds * clock.timeScale;
+  const double seconds = clock.shiftDays * 86400 + clock.shiftHours * 3600 + clock.offsetSeconds +
+                         simulatedSeconds * clock.timeScale;
   return sky::daysSinceJ2000({clock.utcMs}, seconds);
 }
 

@@ -34,11 +34,12 @@ struct SunSettings {
   double elevationDegrees = 40;  // above the horizon, -30 .. 90; negative: night
   double azimuthDegrees = 135;   // compass, 0 .. 360
   SunSource source = SunSource::manual;
-  // Of the clock: the time is utcMs + shiftDays + shiftHours + simulated seconds * timeScale.
+  // Of the clock: the time is utcMs + shiftDays + shiftHours + offsetSeconds + simulated seconds * timeScale.
   std::int64_t utcMs = 1782036000000;  // ms since 1970 (sky::Instant): 2026-06-21T10:00:00Z
   double shiftDays = 0;                // d, -366 .. 366
   double shiftHours = 0;               // h, -24 .. 24
   double timeScale = 1;                // 0 .. 3600
+  double offsetSeconds = 0;            // s, that changes of timeScale in flight have left (clock_pace.h)
   double latitudeDegrees = 47.5;       // north, -90 .. 90
   double longitudeDegrees = 11;        // east, -360 .. 360
 };
