@@ -25,6 +25,10 @@ EffectSet effective(EffectSet effects) {
                               effects.contains(Effect::aircraft) || effects.contains(Effect::groundFog);
   if (!showsSomething) effects.erase(Effect::haze);
   if (!effects.contains(Effect::terrain)) effects.erase(Effect::landShadows);
+  if (!effects.contains(Effect::aircraft)) {
+    effects.erase(Effect::aircraftLights);
+    effects.erase(Effect::landingLight);
+  }
   const bool shades = effects.contains(Effect::landShadows) ||
                       (effects.contains(Effect::clouds) && effects.contains(Effect::terrain));
   if (!effects.contains(Effect::haze) || !shades) effects.erase(Effect::lightShafts);

@@ -14,6 +14,7 @@
 #include "app/settings/settings.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/render/models/landing_light_pass.h"
+#include "skydrop/render/models/model_lamps.h"
 #include "support/gl_test.h"
 #include "support/light_probe.h"
 #include "support/row_steps.h"
@@ -121,6 +122,23 @@ TEST_F(NightFlightGLTest, redIsLeftAndGreenIsRight) {
   EXPECT_LT(red, 0.5 * kSize.width);
   EXPECT_GT(green, 0.5 * kSize.width);
   EXPECT_NEAR(red + green, kSize.width, 8) << "as far from the middle as each other";
+}
+
+TEST_F(NightFlightGLTest, byDayTheAircraftIsDrawnWithoutThem) {
+  // Lamps on the aircraft are a variant of its program, made at night alone.
+  const auto isMade = [&] {
+    frame();
+    return std::ranges::any_of(
+        sceneRenderer_->renderer().shaders().programs(), [](const render::gl::ShaderProgram* program) {
+          return program->files().front().name == "models/model.vert" &&
+                 std::ranges::find(program->defines(), std::string(render::ModelLamps::kDefine)) !=
+                     program->defines().end();
+        });
+  };
+  begin({"sky.utc=2026-06-21T11:00Z"});
+  EXPECT_FALSE(isMade());
+  set("sky.utc=2026-06-21T23:00Z");
+  EXPECT_TRUE(isMade());
 }
 
 TEST_F(NightFlightGLTest, byDayTheLightsAreAlmostNothing) {

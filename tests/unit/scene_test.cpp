@@ -22,14 +22,19 @@ TEST(Scene, shippedScenesLoadAndAreListed) {
 TEST(Scene, theEmptySceneCallsForNothing) { EXPECT_EQ(requiredEffects(loadScene("empty")), EffectSet()); }
 
 TEST(Scene, theScenesWithWeatherAreTheLandWithClouds) {
-  // Same land, same start, same targets: only the clouds come on top.
+  // Same land, same start, same targets: only the clouds come on top, and in fair what a night flight needs.
   const Scene land = loadScene("terrain");
   EffectSet effects = land.effects;
   EXPECT_FALSE(effects.contains(Effect::clouds)) << "what it does not name costs nothing";
   effects.insert(Effect::clouds);
   for (const char* name : {"clear", "fair", "overcast"}) {
     const Scene scene = loadScene(name);
-    EXPECT_EQ(requiredEffects(scene), effects) << name;
+    EffectSet required = requiredEffects(scene);
+    for (const Effect ofNight : {Effect::aircraftLights, Effect::landingLight}) {
+      EXPECT_EQ(required.contains(ofNight), scene.name == "fair") << name;
+      required.erase(ofNight);
+    }
+    EXPECT_EQ(required, effects) << name;
     EXPECT_EQ(scene.seed, land.seed);
     EXPECT_EQ(scene.start.position, land.start.position);
     EXPECT_EQ(scene.start.headingDegrees, land.start.headingDegrees);
@@ -50,6 +55,16 @@ TEST(Scene, hazeWithoutAnySurfaceIsNotCalledFor) {
   EXPECT_FALSE(requiredEffects(scene).contains(Effect::haze));
   const Scene clouded = parseScene(R"({"schema": 1, "effects": ["clouds", "haze"]})", "a.json");
   EXPECT_TRUE(requiredEffects(clouded).contains(Effect::haze)) << "it veils clouds too";
+}
+
+TEST(Scene, lampsAreCalledForOnAnAircraftAlone) {
+  for (const Effect lamps : {Effect::aircraftLights, Effect::landingLight}) {
+    EffectSet effects;
+    effects.insert(lamps);
+    EXPECT_EQ(effective(effects), EffectSet());
+    effects.insert(Effect::aircraft);
+    EXPECT_TRUE(effective(effects).contains(lamps));
+  }
 }
 
 TEST(Scene, shaftsAreCalledForWhereSomethingShadesHaze) {
@@ -112,10 +127,12 @@ TEST(Scene, unknownNamesListWhatThereIs) {
     loadScene("nowhere");
     FAIL();
   } catch (const core::DataError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "nowhere: scene: there is none of this name; "
-              "there are: afterRain, breeze, clear, coldFront, dome, duskPlanes, empty, fair, night-range, "
-              "overcast, plane1, plane3, shafts, stress, terrain, thunderstorm, valleyFog, warmFront");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "nowhere: scene: there is none of this name; "
+        "there are: afterRain, breeze, clear, coldFront, dome, duskPlanes, empty, fair, night-approach, "
+        "night-range, overcast, plane1, plane3, shafts, stress, terrain, thunderstorm, valleyFog, "
+        "warmFront");
   }
 }
 

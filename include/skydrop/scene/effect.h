@@ -63,8 +63,6 @@ inline constexpr std::array kEffectNeeds = {
     EffectNeed{Effect::targets, Effect::aircraft},         // that drops the packages
     EffectNeed{Effect::targets, Effect::terrain},          // that they land on
     EffectNeed{Effect::weather, Effect::aircraft},         // that meets the air
-    EffectNeed{Effect::aircraftLights, Effect::aircraft},  // that they are on
-    EffectNeed{Effect::landingLight, Effect::aircraft},    // likewise
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {
@@ -78,7 +76,7 @@ EffectSet withNeeds(EffectSet effects);
 std::string unmetNeed(const EffectSet& effects);
 
 // Those that there is anything to do for: haze needs something that it could veil, landShadows land,
-// lightShafts haze and something that shades it.
+// lightShafts haze and something that shades it, lamps an aircraft.
 EffectSet effective(EffectSet effects);
 
 }  // namespace skydrop::scene

@@ -22,6 +22,7 @@ std::optional<std::string> LampsPass::skipReason(const FrameInput& frame) const 
 void LampsPass::draw(FrameContext& context) {
   const game::AircraftSnapshot& aircraft = context.frame.game->aircraft;
   const View& view = context.frame.view;
+  lamps_.areSeenOnModel = context.frame.warmsUp || context.frame.sunSine <= kOutshinedSine;
   lamps_.outside = litLamps(aircraft, settings_, context.frame.simulatedSeconds, view.position);
   if (isInsideCabin(aircraft, view.position)) {
     const LitLamp cabin = cabinLamp(aircraft, settings_);

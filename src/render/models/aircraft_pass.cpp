@@ -85,10 +85,16 @@ void AircraftPass::draw(FrameContext& context) {
   if (!aircraft.crashed) pose.hide("propeller");
   if (!isInsideCabin(aircraft, context.frame.view.position)) pose.hide("cockpit");
   context.gl.api().Enable(GL_CULL_FACE);
+  const auto draw = [&](const ModelLamps* lamps) {
+    model_->draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
+                 bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose,
+                 lightAt(context.resources, aircraft.position), lamps);
+  };
   const auto* lamps = context.resources.find<AircraftLamps>();
-  model_->draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
-               bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose,
-               lightAt(context.resources, aircraft.position), lamps ? &lamps->onModel : nullptr);
+  const bool isLit = lamps && lamps->areSeenOnModel;
+  // Those who warm up draw both: the sun may rise.
+  if (!isLit || context.frame.warmsUp) draw(nullptr);
+  if (isLit) draw(&lamps->onModel);
 }
 
 ShadowSource aircraftShadow(std::shared_ptr<const Model> model) {

@@ -98,7 +98,10 @@ void LightShaftPass::resize(FrameContext& context) {
 void LightShaftPass::draw(FrameContext& context) {
   resize(context);
   const Shade shade = shadeOf(context.frame, context.resources);
-  if (shade.land) land_.take(context.gl, *shade.land);
+  if (shade.land)
+    land_.take(context.gl, *shade.land);
+  else
+    land_ = {};
   context.sceneDepth.bind(kDepthUnit);
   // Later frames may have one shade without the other: in frames that nobody sees, what those are marched
   // with is compiled too.

@@ -58,6 +58,7 @@ bool isInsideCabin(const game::AircraftSnapshot& aircraft, const glm::dvec3& pla
 struct AircraftLamps {
   std::vector<LitLamp> outside;  // empty where the eye is inside: then the cabin's is all there is
   ModelLamps onModel;
+  bool areSeenOnModel = true;  // not where the sun outshines them: then the aircraft is drawn without
 };
 
 // Light on the aircraft, after exposure. A lamp saturates at a share of white a metre away, as an eye

@@ -9,6 +9,9 @@ namespace skydrop::render {
 // who draw the aircraft, which they light, and for the pass below. Draws nothing.
 class LampsPass final : public Pass {
  public:
+  // Of the sun's elevation: above it they add less than a hundredth to the light on the aircraft.
+  static constexpr double kOutshinedSine = 0.1;
+
   explicit LampsPass(const AircraftLightsSettings& settings) : settings_(settings) {}
 
   // For the next frame. Costs nothing.
