@@ -170,19 +170,14 @@ void lightSegments(inout Gathered gathered, int count, vec4 ray, vec4 phases) {
   }
 }
 #else
-// For a graphics card, which waits for what it fetches: the ways of two segments at once, with nothing to wait for between
-// them. A step beyond the end of a way has no length.
+// For a graphics card.
 void lightSegments(inout Gathered gathered, int count, vec4 ray, vec4 phases) {
-  for (int i = 0; i < count; i += 2) {
-    int second = min(i + 1, count - 1);
+  for (int i = 0; i < count; ++i) {
     SunRay way = sunRayOf(segments[i], ray);
-    SunRay other = sunRayOf(segments[second], ray);
     do {
-      stepTowardsSun(way);
-      stepTowardsSun(other);
-    } while (way.at < way.total || other.at < other.total);
+      for (int k = 0; k < kSunSamplesATurn; ++k) stepTowardsSun(way);
+    } while (way.at < way.total);
     addLight(gathered, segments[i], way, phases);
-    if (second > i) addLight(gathered, segments[second], other, phases);
   }
 }
 #endif

@@ -10,7 +10,7 @@ most_mib=60
 cmake --preset ci >/dev/null
 cmake --build --preset ci --target skydrop gl_tests golden_tests device_check -- --quiet
 rm -rf "$folder"
-mkdir -p "$folder"/{bin,tests,lib,glibc,loaders,cache}
+mkdir -p "$folder"/{bin,tests,lib,glibc,loaders}
 folder=$(cd "$folder" && pwd)
 
 strip_to() { strip -o "$2" "$1"; }
@@ -20,7 +20,6 @@ cp -r assets shaders noise_scripts "$folder/"
 cp -r tests/golden "$folder/tests/"
 mkdir -p "$folder/tests/gl"
 cp -r tests/gl/shaders "$folder/tests/gl/"
-XDG_CACHE_HOME="$folder/cache" build/ci/skydrop noise >/dev/null
 cp tests/device/check.sh "$folder/check.sh"
 
 # C library and loader lie apart: where the machine's own are newer, they are used, because its driver needs them. The

@@ -35,5 +35,7 @@ start device_check "$bin/device_check"
 for data in assets shaders noise_scripts; do ln -s "$here/$data" "$bin/$data"; done
 for data in golden gl; do ln -s "$here/tests/$data" "$bin/tests/$data"; done
 
+mkdir -p "$here/cache"
 export SKYDROP_TEST_BUNDLE=$bin SKYDROP_DATA_DIR=$here SKYDROP_TEST_CACHE=$here/cache XDG_CACHE_HOME=$here/cache
+"$bin/skydrop" noise >/dev/null  # the clouds' noise, once for all programs: 10 MiB that need not travel
 "$bin/device_check" "$out" "$@"
