@@ -15,8 +15,10 @@ inline std::size_t heapBytes() {
   return counts.uordblks + counts.hblkhd;
 }
 
-// Bytes of memory that are resident.
+// Bytes of memory that are resident, without what the allocator keeps of what was freed: how much that is
+// hangs on which threads happened to run at once.
 inline std::size_t residentBytes() {
+  malloc_trim(0);
   std::ifstream statm("/proc/self/statm");
   std::size_t total = 0, resident = 0;
   statm >> total >> resident;
