@@ -1,5 +1,6 @@
 // What land leaves of the sun in the air (include/skydrop/render/shadows/land_shade_volume.h).
 #include "frame.glsl"
+#include "shadow/share_of_disc.glsl"
 
 const int kShadeLevels = 3;
 
@@ -9,13 +10,6 @@ layout(binding = 9) uniform sampler2DArray landLimbs;
 uniform vec4 shadeAxes;                  // metres along (xy) and across (zw) for metres east and south
 uniform vec4 shadeLevels[kShadeLevels];  // texture coordinates a metre; those of the eye; how far the level reaches (m)
 uniform float limbScaleM;
-
-// The share of the sun's disc above an edge at q, -1 .. 1, of its radius: as terrain::shareOfDisc.
-float shareOfDisc(float q) {
-  float x = clamp(q, -1.0, 1.0);
-  float square = x * x;
-  return 0.5 + x * (0.6297 - square * (0.0679 + 0.0618 * square));
-}
 
 // The finest level that reaches there, alone: what differs between levels is lost along a ray.
 float sunOverLand(vec3 relative) {

@@ -1,5 +1,6 @@
 // What land leaves of the sun on land and sea (include/skydrop/render/shadows/land_shadow_map.h).
 #include "frame.glsl"
+#include "shadow/share_of_disc.glsl"
 
 const int kShadeLevels = 3;
 const float kShadeBlend = 0.15;  // share of a level's reach over which it gives way to the next
@@ -18,13 +19,6 @@ float landClearance(vec2 acrossAndAlong, int level) {
 float insideShadeLevel(float awayM, int level) {
   float reach = shadeLevels[level].w;
   return saturate((reach - awayM) / (kShadeBlend * reach));
-}
-
-// The share of the sun's disc above an edge at q, -1 .. 1, of its radius: as terrain::shareOfDisc.
-float shareOfDisc(float q) {
-  float x = clamp(q, -1.0, 1.0);
-  float square = x * x;
-  return 0.5 + x * (0.6297 - square * (0.0679 + 0.0618 * square));
 }
 
 // One level where it alone counts, none for the sky: a loop, because a software renderer leaves it where it has ended for

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/frame/visibility.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
 
 namespace skydrop::render {
@@ -14,15 +15,6 @@ constexpr GLuint kDepthUnit = 0;  // as in shaders/fog
 
 // Changes light by a fiftieth of a half float's step where fog is as bright as what is behind it.
 constexpr double kInvisibleDepth = 1e-5;
-
-// The least rise of a ray of the picture, a metre, where all rays rise; else not above 0. (Directions that
-// rise by more than that are a convex cone, so the corners of the picture bound all that is between them.)
-double leastRise(const View& view) {
-  double least = 1;
-  for (const double x : {0, view.width})
-    for (const double y : {0, view.height}) least = std::min(least, rayDirection(view, {x, y}).y);
-  return least;
-}
 
 }  // namespace
 

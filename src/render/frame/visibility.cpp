@@ -38,6 +38,14 @@ bool isPotentiallyVisible(const View& view, const std::array<glm::dvec3, 8>& cor
   return std::none_of(beyond.begin(), beyond.end(), [&](std::size_t n) { return n == corners.size(); });
 }
 
+double leastRise(const View& view) {
+  double least = 1;
+  for (const double x : {0, view.width}) {
+    for (const double y : {0, view.height}) least = std::min(least, rayDirection(view, {x, y}).y);
+  }
+  return least;
+}
+
 PixelBox pixelsOf(const View& view, const glm::mat4& toEye, const glm::dvec3& low, const glm::dvec3& high) {
   const PixelBox all{0, 0, view.width, view.height};
   const double scale = 1 / view.pixelAngleRad();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/frame/visibility.h"
 #include "skydrop/core/light_shafts.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
@@ -18,14 +19,6 @@ namespace shared = core::shared::f64;
 
 constexpr GLuint kDepthUnit = 0, kMarchedUnit = 1;  // as in shaders/shafts
 constexpr double kLeastTopM = 1;
-
-// The least rise of a ray of the picture, a metre, where all rays rise; else not above 0.
-double leastRise(const View& view) {
-  double least = 1;
-  for (const double x : {0, view.width})
-    for (const double y : {0, view.height}) least = std::min(least, rayDirection(view, {x, y}).y);
-  return least;
-}
 
 GLuint groups(int texels) { return static_cast<GLuint>(texels + 7) / 8; }
 

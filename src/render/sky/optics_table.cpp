@@ -50,12 +50,4 @@ bool isFartherThan(const View& view, const glm::dvec3& direction, double degrees
   return core::shared::f64::angleBetween(forward, direction) > widest + glm::radians(degrees);
 }
 
-double leastRise(const View& view) {
-  double least = 1;
-  for (const double x : {0, view.width}) {
-    for (const double y : {0, view.height}) least = std::min(least, rayDirection(view, {x, y}).y);
-  }
-  return least;
-}
-
 }  // namespace skydrop::render

@@ -20,8 +20,4 @@ bool isLightBelowHorizon(const FrameInput& frame);
 // picture that has a nearer ray.
 bool isFartherThan(const View& view, const glm::dvec3& direction, double degrees);
 
-// The least rise of a ray of the picture, a metre, where all rays rise; else not above 0. (Directions that
-// rise by more than that are a convex cone, so the corners of the picture bound all that is between them.)
-double leastRise(const View& view);
-
 }  // namespace skydrop::render

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "render/frame/visibility.h"
 #include "render/sky/optics_table.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
 
