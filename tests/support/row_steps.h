@@ -2,9 +2,13 @@
 // changes: a slider that does nothing over a part of its way is broken, or ends at the wrong place.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,6 +74,19 @@ inline std::vector<std::string> idleSteps(const core::Field& field, std::span<co
   }
   field.set(kept);
   return idle;
+}
+
+// Turns all rows of the groups through their steps, a failure for each idle one; the number of rows.
+inline int expectNoIdleSteps(const core::SettingsTable& table, std::initializer_list<std::string_view> groups,
+                             const std::function<std::uint64_t()>& observe) {
+  int rows = 0;
+  for (const core::Field& field : table.fields()) {
+    const auto isOf = [&](std::string_view group) { return field.path.starts_with(group); };
+    if (std::ranges::none_of(groups, isOf)) continue;
+    ++rows;
+    for (const std::string& line : idleSteps(field, {}, observe)) ADD_FAILURE() << line;
+  }
+  return rows;
 }
 
 }  // namespace skydrop::test
