@@ -19,6 +19,7 @@ Snapshot blended(const Snapshot& a, const Snapshot& now, double share) {
     return glm::normalize(p * (1 - t) + (glm::dot(p, q) < 0 ? -q : q) * t);
   };
   out.simulatedSeconds = between(a.simulatedSeconds, out.simulatedSeconds);
+  if (a.weather && out.weather) out.weather.seconds = between(a.weather.seconds, out.weather.seconds);
   AircraftSnapshot& craft = out.aircraft;
   if (craft.present && a.aircraft.spawnCount == craft.spawnCount) {
     craft.position = mixed(a.aircraft.position, craft.position);

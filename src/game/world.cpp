@@ -49,6 +49,7 @@ const WorldSetup& usable(const WorldSetup& setup) {
 
 struct World::State {
   WorldSetup setup;
+  std::shared_ptr<const weather::WeatherSettings> shownWeather;  // setup.weather's, shared by snapshots
   core::RandomStream random;
   std::uint64_t steps = 0;
   EventLog eventLog;
@@ -70,6 +71,7 @@ struct World::State {
   std::optional<glm::dvec3> aircraftPosition() const;
   void advance(const Controls& wanted);
   void predict();
+  void shareWeather();
   void setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets);
   void fill(Snapshot& out) const;
   std::uint64_t hash() const;
@@ -77,6 +79,7 @@ struct World::State {
 
 World::State::State(const WorldSetup& s)
     : setup(usable(s)), random{core::mix64(s.seed), 0}, air(setup), deliveries(setup, air, random, eventLog) {
+  shareWeather();
   if (setup.hasAircraft) aircraft.emplace(setup, air, eventLog);
   if (setup.hasTargets) deliveries.drawNextTarget(aircraftPosition().value_or(glm::dvec3(0)));
   predict();
@@ -104,6 +107,11 @@ void World::State::advance(const Controls& wanted) {
     deliveries.step(aircraftPosition(), steps);
     if (steps % kPredictionSteps == 0 || moved) predict();
   });
+}
+
+void World::State::shareWeather() {
+  shownWeather =
+      setup.weather ? std::make_shared<const weather::WeatherSettings>(setup.weather->settings) : nullptr;
 }
 
 void World::State::predict() {
@@ -138,6 +146,8 @@ void World::State::fill(Snapshot& out) const {
   out.stepCount = steps;
   out.simulatedSeconds = secondsOf(steps);
   out.wind = setup.wind;
+  out.weather = {};
+  if (shownWeather) out.weather = {shownWeather, setup.seed, out.simulatedSeconds};
   out.air = {};
   if (aircraft) {
     out.aircraft = aircraft->snapshot();
@@ -220,6 +230,7 @@ void World::setWeather(const std::optional<WeatherSetup>& weather) {
   if (weather) weather::requireUsable(weather->settings);
   const bool comesOrGoes = weather.has_value() != state_->setup.weather.has_value();
   state_->setup.weather = weather;
+  state_->shareWeather();
   if (comesOrGoes && state_->aircraft) state_->aircraft->meetAir(state_->steps);
 }
 

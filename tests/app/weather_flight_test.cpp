@@ -90,6 +90,31 @@ TEST_F(WeatherFlight, aFlightWithoutTheEffectHasNoneOfIt) {
   EXPECT_NE(hashOf({}), hashOf({"effects.weather=true"}));
 }
 
+TEST_F(WeatherFlight, aSnapshotTellsTheWeatherOfAnyPlaceAtItsMoment) {
+  const auto run = prepareRun(lineOf("coldFront"));
+  Simulation simulation(run->setup, run->settings, run->table);
+  for (int i = 0; i < 240; ++i) simulation.step({});
+  const weather::Moment moment = simulation.world().interpolated(0.25).weather;
+  ASSERT_TRUE(moment);
+  EXPECT_DOUBLE_EQ(moment.seconds, core::FixedStep::kStepSeconds * 239.25);
+  for (const glm::dvec2 place : {glm::dvec2(0), glm::dvec2(20000, -3000)}) {
+    const weather::State there =
+        weather::stateAt(run->settings.weather, run->setup.seed, moment.seconds, place);
+    EXPECT_EQ(moment.at(place), there);
+  }
+  EXPECT_NE(moment.at({0, 0}), moment.at({20000, -3000}));
+  // A change reaches the snapshot of the next step, and the effect that goes takes it along.
+  game::World& world = simulation.world();
+  game::WeatherSetup changed = *run->setup.weather;
+  changed.settings.sites[0].rain = 7.5;
+  world.setWeather(changed);
+  world.step({});
+  EXPECT_EQ(world.now().weather.settings->sites[0].rain, 7.5);
+  world.setWeather(std::nullopt);
+  world.step({});
+  EXPECT_FALSE(world.now().weather);
+}
+
 TEST_F(WeatherFlight, theLowLayerOfEachSceneIsTheOneThatIsDrawn) {
   // What is flown through is what is seen: the first layer's medium at the start is that of clouds.layers.0,
   // but for parts of a tower above what is drawn.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "skydrop/game/controls.h"
+#include "skydrop/weather/moment.h"
 
 namespace skydrop::game {
 
@@ -99,6 +100,7 @@ struct Snapshot {
   std::vector<Message> messages;  // oldest first
   glm::dvec3 wind{0};             // mean, at the aircraft
   AirSnapshot air;
+  weather::Moment weather;  // none in scenes without
 
   // Set by whoever runs the world (app), for the HUD.
   bool autopilot = false;

@@ -1,0 +1,24 @@
+// The weather of one moment over all places, for what looks farther than the aircraft: render, audio.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <memory>
+
+#include "skydrop/weather/state.h"
+#include "skydrop/weather/weather_settings.h"
+
+namespace skydrop::weather {
+
+// A value; copies share the settings, which nobody changes. Any thread.
+struct Moment {
+  std::shared_ptr<const WeatherSettings> settings;  // usable (requireUsable()); null: there is no weather
+  std::uint64_t seed = 0;                           // of its wander
+  double seconds = 0;                               // simulated
+
+  explicit operator bool() const { return settings != nullptr; }
+  // stateAt() there: x east, z south, m. Only where there is weather.
+  State at(const glm::dvec2& xz) const { return stateAt(*settings, seed, seconds, xz); }
+};
+
+}  // namespace skydrop::weather
