@@ -105,7 +105,7 @@ TEST_F(WeatherFlight, aSnapshotTellsTheWeatherOfAnyPlaceAtItsMoment) {
   EXPECT_NE(moment.at({0, 0}), moment.at({20000, -3000}));
   // A change reaches the snapshot of the next step, and the effect that goes takes it along.
   game::World& world = simulation.world();
-  game::WeatherSetup changed = *run->setup.weather;
+  game::WeatherSetup changed{run->settings.weather, run->settings.wind, nullptr};
   changed.settings.sites[0].rain = 7.5;
   world.setWeather(changed);
   world.step({});
