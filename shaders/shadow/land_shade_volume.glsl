@@ -4,8 +4,8 @@
 
 const int kShadeLevels = 3;
 
-// A layer a level; s across the sun's rays, t along them. r: height below which land hides all of the sun, g: above which
-// none of it, as shares of limbScaleM.
+// A layer a level; s across the sun's rays, t along them. g: height above which land hides none of the sun, r: how much
+// lower it hides all of it, as shares of limbScaleM.
 layout(binding = 9) uniform sampler2DArray landLimbs;
 uniform vec4 shadeAxes;                  // metres along (xy) and across (zw) for metres east and south
 uniform vec4 shadeLevels[kShadeLevels];  // texture coordinates a metre; those of the eye; how far the level reaches (m)
@@ -18,7 +18,7 @@ float sunOverLand(vec3 relative) {
   int level = away < shadeLevels[0].w ? 0 : away < shadeLevels[1].w ? 1 : 2;
   vec4 place = shadeLevels[level];
   vec2 limbs = textureLod(landLimbs, vec3(at * place.x + place.yz, float(level)), 0.0).rg * limbScaleM;
-  float halfWidth = max(0.5 * (limbs.y - limbs.x), 0.05);
-  float share = shareOfDisc((frame.eye.x + relative.y - 0.5 * (limbs.x + limbs.y)) / halfWidth);
+  float halfWidth = max(0.5 * limbs.x, 0.05);
+  float share = shareOfDisc((frame.eye.x + relative.y - limbs.y + halfWidth) / halfWidth);
   return away < shadeLevels[kShadeLevels - 1].w ? share : 1.0;
 }

@@ -77,13 +77,19 @@ bool LandShade::sweep(int level, ShadeHeights& heights, const std::stop_token& s
   const auto count = static_cast<std::size_t>(side);
   const auto [firstAlong, firstAcross] = key_.first[level];
   const double texel = key_.layout.texelM(level);
+  const auto step = static_cast<float>(texel * axes_.stepM);
   const auto fallUmbra = static_cast<float>(texel * axes_.stepM * axes_.tanUpperLimb);
   const auto fallPenumbra = static_cast<float>(texel * axes_.stepM * axes_.tanLowerLimb);
+  const auto widening = static_cast<float>(0.5 * (axes_.tanUpperLimb - axes_.tanLowerLimb));
   Level& out = levels_[level];
   out.umbra.resize(count * count);
   out.penumbra.resize(count * count);
   std::vector<float> ground(count * count), clearance(count * count), halfWidth(count * count);
-  std::vector<float> line(count + 1), umbra(count), penumbra(count);
+  std::vector<float> line(count + 1);
+  // Heights of both limbs' shade on the line before, and how far from the edges that throw it.
+  std::vector<float> umbra(count), penumbra(count), umbraWay(count), penumbraWay(count);
+  const bool isHandedOn = level > 0;  // to the finer one
+  if (isHandedOn) out.ways.resize(count * count);
 
   // What the sun passes before it comes to the first line; before all, land that goes on level.
   const int begin = axes_.towardsSun > 0 ? side - 1 : 0;
@@ -94,6 +100,7 @@ bool LandShade::sweep(int level, ShadeHeights& heights, const std::stop_token& s
       const Limbs before = at(level + 1, along, static_cast<double>(firstAcross + j - 4 * coarseAcross) / 4);
       umbra[j] = static_cast<float>(before.umbra);
       penumbra[j] = static_cast<float>(before.penumbra);
+      umbraWay[j] = penumbraWay[j] = static_cast<float>(before.way);
     }
   }
   for (int done = 0; done < side; ++done) {
@@ -112,11 +119,26 @@ bool LandShade::sweep(int level, ShadeHeights& heights, const std::stop_token& s
     for (std::size_t j = 0; j < count; ++j) {
       const float height = line[j];
       const float dark = umbra[j] - fallUmbra, dim = penumbra[j] - fallPenumbra;
+      const float darkWay = umbraWay[j] + step, dimWay = penumbraWay[j] + step;
+      // The middles of the penumbrae of the edges that throw dark and dim. The higher edge in the sky counts:
+      // there may be an edge a step away that only the upper limb's rays meet, and a far one before the lower
+      // limb.
+      const float darkHalf = std::max(widening * darkWay, kLeastWidth),
+                  dimHalf = std::max(widening * dimWay, kLeastWidth);
+      const float overDark = height - (dark + darkHalf), overDim = height - (dim - dimHalf);
+      const bool isDark = overDark * dimHalf < overDim * darkHalf;
       ground[row + j] = height;
-      clearance[row + j] = height - 0.5f * (dark + dim);
-      halfWidth[row + j] = std::max(0.5f * (dim - dark), kLeastWidth);
-      umbra[j] = out.umbra[row + j] = std::max(height, dark);
+      clearance[row + j] = isDark ? overDark : overDim;
+      halfWidth[row + j] = isDark ? darkHalf : dimHalf;
+      umbra[j] = std::max(height, dark);
+      umbraWay[j] = height >= dark ? 0 : darkWay;
       penumbra[j] = out.penumbra[row + j] = std::max(height, dim);
+      penumbraWay[j] = height >= dim ? 0 : dimWay;
+      // Land that hides nothing from itself is no umbra in the air above it: that is of the edge before the
+      // lower limb.
+      out.umbra[row + j] =
+          height >= dark ? std::min(height, penumbra[j] - 2 * widening * penumbraWay[j]) : dark;
+      if (isHandedOn) out.ways[row + j] = penumbraWay[j];
     }
   }
 
@@ -189,7 +211,8 @@ LandShade::Limbs LandShade::at(int level, double along, double across) const {
     const double far = static_cast<double>(cell[side]) * (1 - v) + static_cast<double>(cell[side + 1]) * v;
     return near * (1 - u) + far * u;
   };
-  return {mean(levels_[level].umbra), mean(levels_[level].penumbra)};
+  const Level& of = levels_[level];
+  return {mean(of.umbra), mean(of.penumbra), of.ways.empty() ? 0 : mean(of.ways)};
 }
 
 double LandShade::sunShare(const glm::dvec3& place) const {
@@ -215,7 +238,7 @@ double LandShade::sunShare(const glm::dvec3& place) const {
 std::size_t LandShade::bytes() const {
   std::size_t bytes = heightBytes_;
   for (const Level& level : levels_) {
-    bytes += (level.umbra.size() + level.penumbra.size()) * sizeof(float);
+    bytes += (level.umbra.size() + level.penumbra.size() + level.ways.size()) * sizeof(float);
     bytes += level.clearances.size() * sizeof(std::uint16_t);
   }
   return bytes;

@@ -240,6 +240,30 @@ TEST(LandShade, S24_thePenumbraWidensWithTheDistance) {
   EXPECT_EQ(count, 8);
 }
 
+TEST(LandShade, S25_anEdgeBeforeTheLowerLimbLeavesTheRestOfTheDisc) {
+  // A far ridge whose crest stands before the sun's lower part, over level ground at which the upper limb's
+  // rays meet nothing but the ground itself: the share is that of the disc above the crest, from all of it to
+  // none, for every detail, on the ground and in the air above it.
+  const double height = 900, elevation = 2;
+  const auto land = makeRidgeSource(0, height, 1.5, 40);
+  const glm::dvec3 toSun = sky::directionToSun(elevation, 90);
+  for (const ShadeLayout& layout : {ShadeLayout{3, 256}, ShadeLayout{2, 512}, ShadeLayout{0, 2048}}) {
+    int partly = 0;
+    for (double away = 18000; away <= 30000; away += 1500) {
+      const LandShade shade = shadeOf(land, {-away, 0}, toSun, layout);
+      for (const double above : {0.0, 30.0, 200.0}) {
+        const double edge = glm::degrees(std::atan((height - 40 - above) / away));
+        const double expected = shareOfDisc((elevation - edge) / kRadiusDegrees);
+        const double found = above > 0 ? shade.sunShare({-away, 40 + above, 13})
+                                       : shareOfDisc(clearanceAt(shade, 0, {-away, 13}));
+        EXPECT_NEAR(found, expected, 0.02) << layout.side << ' ' << away << ' ' << above;
+        partly += expected > 0.1 && expected < 0.9 ? 1 : 0;
+      }
+    }
+    EXPECT_GE(partly, 5) << layout.side;
+  }
+}
+
 TEST(LandShade, theShareOfADiscIsThatOfItsSegment) {
   for (double q = -1.5; q <= 1.5; q += 0.01) {
     const double x = std::clamp(q, -1.0, 1.0);

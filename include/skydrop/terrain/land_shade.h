@@ -4,10 +4,11 @@
 // Along a ray towards the sun, with the horizontal way t and the sun at an elevation e, that height is
 //     S(x) = max over t > 0 of H(x + t) - t * tan(e),
 // a recurrence over samples along the ray: S(x) = max(H, S)(x + step) - step * tan(e). It is swept once for
-// the sun's upper limb (below: no sun) and once for its lower limb (above: all of it), so the penumbra widens
-// with the distance from the ridge. The samples stand on the rays themselves, in a sheared lattice: `along`
-// is the axis, x or z, that is nearer to the sun's azimuth, and `across` the other coordinate where the ray
-// meets along = 0. So the recurrence interpolates nothing, and a shadow stays sharp however far it falls.
+// the sun's upper limb (below: no sun) and once for its lower limb (above: all of it), each with the way to
+// the edge that throws it: the penumbra of an edge is as wide as the disc is there. The samples stand on the
+// rays themselves, in a sheared lattice: `along` is the axis, x or z, that is nearer to the sun's azimuth,
+// and `across` the other coordinate where the ray meets along = 0. So the recurrence interpolates nothing,
+// and a shadow stays sharp however far it falls.
 //
 // Three levels, each four times as coarse and wide as the last, around the eye. What lies beyond a level's
 // side towards the sun comes from the coarser one; what lies beyond the coarsest casts no shadow. The lattice
@@ -125,8 +126,9 @@ class LandShade {
   // is left.
   const std::vector<std::uint16_t>& clearances(int level) const { return levels_[level].clearances; }
 
-  // side * side heights of a level, m, indexed alike: land, and what air has none of the sun (umbra), and
-  // less than all of it (penumbra) below.
+  // side * side heights of a level, m, indexed alike, from which and below which air has none of the sun
+  // (umbra; where none is so dark, below the land or the sea) and less than all of it (penumbra, at least the
+  // land).
   const std::vector<float>& umbra(int level) const { return levels_[level].umbra; }
   const std::vector<float>& penumbra(int level) const { return levels_[level].penumbra; }
 
@@ -144,11 +146,13 @@ class LandShade {
 
  private:
   struct Level {
-    std::vector<float> umbra, penumbra;  // m: land and shade below the upper limb's and the lower limb's rays
+    std::vector<float> umbra, penumbra;
+    std::vector<float>
+        ways;  // m, level, to the edge that throws the penumbra; of levels that a finer one begins with
     std::vector<std::uint16_t> clearances;
   };
   struct Limbs {
-    double umbra, penumbra;
+    double umbra, penumbra, way;
   };
 
   LandShade(const ShadeKey& key) : key_(key), axes_(key.toSun) {}

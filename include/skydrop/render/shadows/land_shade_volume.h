@@ -29,7 +29,7 @@ class LandShadeVolume {
   gl::Texture limbs_;
   std::optional<terrain::ShadeKey> taken_;
   terrain::ShadeKey key_;
-  float scaleM_ = 1;  // m, of the largest code
+  float scaleM_ = 1;  // m, of the largest code: of the highest shade, or the widest penumbra
 };
 
 }  // namespace skydrop::render
