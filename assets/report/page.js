@@ -22,6 +22,9 @@ const tickText = value => {
   return isDecade && Math.abs(decade) > 3 ? '1e' + decade : shown(value);
 };
 const titled = metric => metric.title + (metric.unit && metric.unit !== '1' ? ', ' + metric.unit : '');
+// An error, or the bound of one that the reference does not resolve.
+const errorText = (point, metric) =>
+    point.bounds[metric] === null ? shown(point.errors[metric]) : '\u2264 ' + shown(point.bounds[metric]);
 const isMeasured = point => point.errors.length > 0 && point.ms.repeats.length > 0;
 
 // A logarithmic axis over positive values, whole decades wide.
@@ -52,7 +55,7 @@ function plot(of, metric, choose) {
   svg.append(make('title', {}, `${of.title}: ${of.case}, ${of.metrics[metric].title} against time`));
   const points = of.points.map((point, index) => ({point, index})).filter(({point}) => isMeasured(point));
   if (!points.length) return svg;
-  const error = ({point}) => Math.abs(point.errors[metric]);
+  const error = ({point}) => point.bounds[metric] ?? Math.abs(point.errors[metric]);
   const x = logScale(points.flatMap(({point}) => [point.ms.least, point.ms.most]), left, right);
   const y = logScale(points.map(error), bottom, top);
   // An error of 0 has no place on a logarithmic axis: it lies on its lower end.
@@ -81,9 +84,10 @@ function plot(of, metric, choose) {
     const {point, index} = entry;
     const [px, py] = placed(entry);
     svg.append(make('line', {x1: x.at(point.ms.least), x2: x.at(point.ms.most), y1: py, y2: py, class: 'spread'}));
-    const circle = make('circle', {cx: px, cy: py, r: 5, class: 'point' + (point.onFront[metric] ? ' on-front' : ''),
+    const circle = make('circle', {cx: px, cy: py, r: 5, class: 'point' + (point.onFront[metric] ? ' on-front' : '') +
+                                              (point.bounds[metric] === null ? '' : ' bound'),
                                    'data-index': index},
-                        make('title', {}, `${point.label}: ${shown(point.errors[metric])}, ${shown(point.ms.median)} ms`));
+                        make('title', {}, `${point.label}: ${errorText(point, metric)}, ${shown(point.ms.median)} ms`));
     circle.addEventListener('click', () => choose(index));
     svg.append(circle);
     if (point.shipped.length) {
@@ -101,7 +105,7 @@ function table(of, choose) {
   const columns = [
     {title: 'setting', key: point => point.label, words: true},
     {title: of.timeUnit, key: point => point.ms.median, time: true},
-    ...of.metrics.map((metric, m) => ({title: titled(metric), key: point => point.errors[m], error: true})),
+    ...of.metrics.map((metric, m) => ({title: titled(metric), key: point => point.errors[m], error: true, metric: m})),
     {title: 'front', key: point => point.onFront[0] ? 0 : 1},
     {title: 'shipped', key: point => point.shipped.join(', '), words: true},
   ];
@@ -115,7 +119,7 @@ function table(of, choose) {
       const value = column.key(point);
       if (column.words) return make('td', {}, value);
       if (!isMeasured(point)) return make('td', {}, '');
-      const text = shown(value);
+      const text = column.error ? errorText(point, column.metric) : shown(value);
       return make('td', column.time ? {title: `${shown(point.ms.least)} to ${shown(point.ms.most)}`} : {}, text);
     });
     const row = make('tr', {'data-index': index}, ...cells);

@@ -12,8 +12,9 @@ namespace {
 constexpr std::string_view kIntroduction =
     R"(Each study turns one approximation. A row has its error against the reference and its time: the median of repeats that
 ran in turns over all rows, with the least and the most. Pareto-optimal rows, of which none is both cheaper and better in
-the first error, say so. Doubling the reference changes it by the last row: less than a tenth of the smallest error
-above it, or the table says that it is not justified. Made by `skydrop accuracy`.)";
+the first error, say so. Doubling the reference changes it by the last row: less than a tenth of every error above it.
+Where it is more, the error is not resolved: the table has a bound for it, its magnitude and twice that change. A reference
+that resolves no row is not justified, and the table says so. Made by `skydrop accuracy`.)";
 
 // A cell of a Markdown table.
 std::string cell(std::string text) {
@@ -37,7 +38,7 @@ void addTable(const CaseResult& of, std::string& out) {
     const PointResult& point = of.points[i];
     out += "|" + cell(point.label);
     for (std::size_t m = 0; m < of.metrics.size(); ++m)
-      out += cell(m < point.errors.size() ? shownNumber(point.errors[m]) : "");
+      out += cell(m < point.errors.size() ? shownError(of, m, point) : "");
     out += cell(timeText(point)) + cell(isOnFront(of, 0, i) ? "yes" : "") +
            cell(core::joined(point.shipped)) + "\n";
   }
@@ -76,18 +77,20 @@ std::string jsonReport(const Results& results) { return reportJson(results, {}).
 std::string csvReport(const Results& results) {
   using core::csvField;
   std::string out =
-      "study,case,point,set,metric,unit,error,medianMs,leastMs,mostMs,timeUnit,clock,paretoOptimal,"
+      "study,case,point,set,metric,unit,error,bound,medianMs,leastMs,mostMs,timeUnit,clock,paretoOptimal,"
       "shipped\r\n";
   for (const CaseResult& of : results.cases) {
     for (std::size_t i = 0; i < of.points.size(); ++i) {
       const PointResult& point = of.points[i];
       for (std::size_t m = 0; m < point.errors.size(); ++m) {
+        const std::optional<double> bound = boundOf(of, m, point);
         out += csvField(of.study) + "," + csvField(of.name) + "," + csvField(point.label) + "," +
                csvField(core::joined(point.set)) + "," + of.metrics[m].name + "," +
                csvField(of.metrics[m].unit) + "," + exactNumber(point.errors[m]) + "," +
-               exactNumber(point.medianMs()) + "," + exactNumber(point.leastMs()) + "," +
-               exactNumber(point.mostMs()) + "," + csvField(of.timeUnit) + "," + csvField(of.clock) + "," +
-               (isOnFront(of, m, i) ? "yes" : "no") + "," + csvField(core::joined(point.shipped)) + "\r\n";
+               (bound ? exactNumber(*bound) : "") + "," + exactNumber(point.medianMs()) + "," +
+               exactNumber(point.leastMs()) + "," + exactNumber(point.mostMs()) + "," +
+               csvField(of.timeUnit) + "," + csvField(of.clock) + "," + (isOnFront(of, m, i) ? "yes" : "no") +
+               "," + csvField(core::joined(point.shipped)) + "\r\n";
       }
     }
   }

@@ -7,21 +7,24 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kReportSchema = 2;
+constexpr int kReportSchema = 3;
 
 ordered_json pointJson(const CaseResult& of, std::size_t index, const PictureText& picture) {
   const PointResult& point = of.points[index];
-  ordered_json onFront = ordered_json::array();
+  ordered_json onFront = ordered_json::array(), bounds = ordered_json::array();
   bool isShown = !point.shipped.empty();
   for (std::size_t m = 0; m < of.metrics.size(); ++m) {
     onFront.push_back(isOnFront(of, m, index));
     isShown = isShown || onFront.back();
+    const std::optional<double> bound = boundOf(of, m, point);
+    bounds.push_back(bound ? ordered_json(*bound) : ordered_json());
   }
   ordered_json json = {{"label", point.label},
                        {"set", point.set},
                        {"shipped", point.shipped},
                        {"reference", point.reference},
                        {"errors", point.errors},
+                       {"bounds", bounds},
                        {"ms",
                         {{"median", point.medianMs()},
                          {"least", point.leastMs()},

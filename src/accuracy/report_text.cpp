@@ -18,6 +18,11 @@ std::string inText(const char* format, double value) {
 std::string shownNumber(double value) { return inText("%.3g", value); }
 std::string exactNumber(double value) { return inText("%.17g", value); }
 
+std::string shownError(const CaseResult& result, std::size_t metric, const PointResult& point) {
+  const std::optional<double> bound = boundOf(result, metric, point);
+  return bound ? "\u2264 " + shownNumber(*bound) : shownNumber(point.errors[metric]);
+}
+
 std::string titled(const MetricColumn& metric) {
   return metric.unit.empty() || metric.unit == "1" ? metric.title : metric.title + ", " + metric.unit;
 }

@@ -48,22 +48,32 @@ std::vector<std::size_t> paretoFront(const CaseResult& result, std::size_t metri
   return indices;
 }
 
+std::optional<double> boundOf(const CaseResult& result, std::size_t metric, const PointResult& point) {
+  constexpr double kShare = 0.1, kReferenceErrorOverChange = 2;
+  const ReferenceResult& reference = result.references[point.reference];
+  if (point.errors.empty() || reference.changes.empty()) return {};
+  const double error = std::abs(point.errors[metric]), change = reference.changes[metric];
+  if (error <= result.metrics[metric].floor || change < kShare * error) return {};
+  return error + kReferenceErrorOverChange * change;
+}
+
 std::vector<Doubt> doubts(const CaseResult& result) {
-  constexpr double kShare = 0.1;
   std::vector<Doubt> all;
   for (std::size_t m = 0; m < result.metrics.size(); ++m) {
     for (std::size_t r = 0; r < result.references.size(); ++r) {
       const ReferenceResult& reference = result.references[r];
       if (reference.changes.empty()) continue;
-      std::optional<Doubt> smallest;
+      std::optional<Doubt> largest;
+      bool isResolved = false;
       for (std::size_t i = 0; i < result.points.size(); ++i) {
         const PointResult& point = result.points[i];
         if (point.reference != r || point.errors.empty()) continue;
         const double error = std::abs(point.errors[m]);
         if (error <= result.metrics[m].floor) continue;
-        if (!smallest || error < smallest->error) smallest = Doubt{m, r, i, reference.changes[m], error};
+        isResolved = isResolved || !boundOf(result, m, point);
+        if (!largest || error > largest->error) largest = Doubt{m, r, i, reference.changes[m], error};
       }
-      if (smallest && !(smallest->change < kShare * smallest->error)) all.push_back(*smallest);
+      if (largest && !isResolved) all.push_back(*largest);
     }
   }
   return all;
@@ -71,8 +81,8 @@ std::vector<Doubt> doubts(const CaseResult& result) {
 
 std::string doubtText(const CaseResult& result, const Doubt& doubt) {
   std::array<char, 96> numbers{};
-  std::snprintf(numbers.data(), numbers.size(), "by %.3g, more than a tenth of the error %.3g", doubt.change,
-                doubt.error);
+  std::snprintf(numbers.data(), numbers.size(), "by %.3g, more than a tenth of the largest error %.3g",
+                doubt.change, doubt.error);
   return "doubling the reference changes " + result.metrics[doubt.metric].title + " " + numbers.data() +
          " of '" + result.points[doubt.point].label + "'";
 }

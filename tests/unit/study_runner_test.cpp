@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "skydrop/accuracy/report.h"
 #include "skydrop/accuracy/runner.h"
@@ -127,16 +130,39 @@ TEST(StudyRunner, repeatsRunInTurnsAfterAWarmUp) {
 }
 
 TEST(StudyRunner, aWrongReferenceIsFoundByDoublingIt) {
-  // The reference is off by 1e-6 for each interval: doubling it changes it by as much again.
+  // The reference is off by 1e-4 for each interval: doubling it changes it by as much again, and no row's
+  // error is ten times that.
+  const TemporaryFolder folder;
+  Trial run;
+  const Results results = run.results(studyOf("\"wrong\": 0", "\"wrong\": 1e-4"), folder);
+  const auto found = doubts(results.cases[0]);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].change, 0.1024, 1e-3);
+  EXPECT_NE(
+      markdownReport(results).find("Not justified: doubling the reference changes largest error by 0.102"),
+      std::string::npos);
+}
+
+TEST(StudyRunner, anErrorThatTheReferenceDoesNotResolveIsABound) {
+  // Off by 1e-6 for each interval, the reference resolves the coarse rows alone: a tenth of the finest one's
+  // error is less than what doubling changes. Such an error is shown as a bound, in all forms of the report.
   const TemporaryFolder folder;
   Trial run;
   const Results results = run.results(studyOf("\"wrong\": 0", "\"wrong\": 1e-6"), folder);
-  const auto found = doubts(results.cases[0]);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].change, 1024e-6, 1e-5);
-  EXPECT_NE(
-      markdownReport(results).find("Not justified: doubling the reference changes largest error by 0.00102"),
-      std::string::npos);
+  const CaseResult& of = results.cases[0];
+  EXPECT_TRUE(doubts(of).empty());
+  EXPECT_FALSE(boundOf(of, 0, of.points.front()));
+  const std::optional<double> bound = boundOf(of, 0, of.points.back());
+  ASSERT_TRUE(bound);
+  const double error = of.points.back().errors[0];
+  EXPECT_NEAR(*bound, error + 2 * 1024e-6, 1e-6);
+  const Results right = Trial().results(studyOf(), TemporaryFolder());
+  EXPECT_LT(right.cases[0].points.back().errors[0], *bound);
+  std::array<char, 32> shown{};
+  std::snprintf(shown.data(), shown.size(), "| \u2264 %.3g |", *bound);
+  EXPECT_NE(markdownReport(results).find(shown.data()), std::string::npos);
+  EXPECT_NE(jsonReport(results).find("\"bounds\": [\n      null"), std::string::npos);
+  EXPECT_EQ(markdownReport(right).find("\u2264"), std::string::npos);
 }
 
 TEST(StudyRunner, aValueThatIsNotFiniteFailsItsCaseByName) {

@@ -68,8 +68,14 @@ struct Results {
 // of them; by growing time. Points that are not measured are left out.
 std::vector<std::size_t> paretoFront(const CaseResult& result, std::size_t metric);
 
-// Where doubling the reference changes a metric by a tenth of the smallest error above the floor or more:
-// that error says more of the reference than of the point.
+// The bound of an error that the reference does not resolve; none where the error stands as it is. It stands
+// where doubling the reference changes the metric by less than a tenth of it, or where it is at most the
+// metric's floor. Else it is known to be at most its magnitude plus twice the change, which is the error of a
+// reference that doubling halves.
+std::optional<double> boundOf(const CaseResult& result, std::size_t metric, const PointResult& point);
+
+// A reference that resolves no error of a metric above its floor: it is not justified. `point` has the
+// largest.
 struct Doubt {
   std::size_t metric = 0, reference = 0, point = 0;
   double change = 0, error = 0;

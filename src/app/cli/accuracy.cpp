@@ -64,16 +64,16 @@ int calibrate(const CommandLine& line) {
   return calibrateBudget(line);
 }
 
-// Writes the report; a line for each case that failed, which makes it 1, or whose reference is not justified,
-// which the report says too.
+// Writes the report; a line for each case that failed, or whose reference is not justified, and then 1.
 int finish(const accuracy::Results& results, const fs::path& folder) {
   for (const fs::path& file : accuracy::writeReport(results, folder)) print("%s\n", file.c_str());
   bool isWhole = true;
   for (const accuracy::CaseResult& of : results.cases) {
     if (!of.failure.empty()) warn("accuracy: " + of.id() + " failed: " + of.failure);
-    for (const accuracy::Doubt& doubt : accuracy::doubts(of))
+    const std::vector<accuracy::Doubt> doubts = accuracy::doubts(of);
+    for (const accuracy::Doubt& doubt : doubts)
       warn("accuracy: " + of.id() + ": " + accuracy::doubtText(of, doubt));
-    isWhole = isWhole && of.failure.empty();
+    isWhole = isWhole && of.failure.empty() && doubts.empty();
   }
   return isWhole ? 0 : 1;
 }
