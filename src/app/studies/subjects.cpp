@@ -10,12 +10,18 @@ struct Maker {
   std::unique_ptr<accuracy::Subject> (*make)();
 };
 constexpr std::array kMakers = {
-    Maker{"motion", makeMotionSubject},     Maker{"landing", makeLandingSubject},
-    Maker{"land", makeLandSubject},         Maker{"streaming", makeStreamingSubject},
-    Maker{"farNoise", makeFarNoiseSubject}, Maker{"depth", makeDepthSubject},
-    Maker{"target", makeTargetSubject},     Maker{"noiseTexture", makeNoiseTextureSubject},
-    Maker{"sky", makeSkySubject},           Maker{"march", makeMarchSubject},
+    Maker{"motion", makeMotionSubject},
+    Maker{"landing", makeLandingSubject},
+    Maker{"land", makeLandSubject},
+    Maker{"streaming", makeStreamingSubject},
+    Maker{"farNoise", makeFarNoiseSubject},
+    Maker{"depth", makeDepthSubject},
+    Maker{"target", makeTargetSubject},
+    Maker{"noiseTexture", makeNoiseTextureSubject},
+    Maker{"sky", makeSkySubject},
+    Maker{"march", makeMarchSubject},
     Maker{"cloudShade", makeCloudShadeSubject},
+    Maker{"landShade", makeLandShadeSubject},
 };
 
 }  // namespace

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+
+#include "app/studies/subjects.h"
+#include "app/studies/table_subject.h"
+#include "skydrop/core/hash.h"
+#include "skydrop/render/shadows/land_shadow_settings.h"
+#include "skydrop/sky/atmosphere.h"
+#include "skydrop/terrain/land_shade.h"
+#include "skydrop/terrain/noise_height_source.h"
+
+namespace skydrop::app {
+namespace {
+
+enum class ShadeMethod { swept, rays };
+constexpr std::array<std::string_view, 2> kMethodNames = {"swept", "rays"};
+
+struct LandShadeParameters {
+  ShadeMethod method = ShadeMethod::swept;
+  render::LandShadowSettings swept;
+  double rayStepM = 2;
+  double sunElevationDegrees = 6, sunAzimuthDegrees = 265;
+};
+
+void describe(core::SettingsVisitor& visitor, LandShadeParameters& p) {
+  visitor.choice("method", p.method, kMethodNames,
+                 {.help = "The map that is swept over heights, or a ray for each place."});
+  describe(visitor, p.swept);
+  visitor.number(
+      "rayStepM", p.rayStepM,
+      {.unit = "m", .min = 0.1, .max = 100, .help = "First step of a ray; they grow with the way."});
+  visitor.number("sunElevationDegrees", p.sunElevationDegrees,
+                 {.unit = "degree", .min = 0.5, .max = 90, .help = "Above the horizon."});
+  visitor.number("sunAzimuthDegrees", p.sunAzimuthDegrees,
+                 {.unit = "degree", .min = 0, .max = 360, .help = "By compass."});
+}
+
+constexpr int kPlaces = 500;
+constexpr double kReachM = 2000;  // of them along either axis, within the finest level of every detail
+constexpr glm::dvec2 kEye{2500, -1200};
+constexpr std::uint64_t kSeed = 1;
+
+// The share of the sun's disc that is left at places on the shipped land.
+class LandShadeSubject final : public TableSubject<LandShadeParameters> {
+  accuracy::Observation compute(const LandShadeParameters& p) override {
+    const glm::dvec3 toSun = sky::directionToSun(p.sunElevationDegrees, p.sunAzimuthDegrees);
+    const terrain::ShadeAxes axes(toSun);
+    accuracy::Observation observation;
+    const auto observe = [&](const auto& shareAt) {
+      core::RandomStream random{7, 0};
+      for (int i = 0; i < kPlaces; ++i) {
+        const double x = random.nextUnit(), z = random.nextUnit();
+        observation.values.push_back(shareAt(kEye + (glm::dvec2(x, z) * 2.0 - 1.0) * kReachM));
+      }
+    };
+    if (p.method == ShadeMethod::rays) {
+      observe([&](glm::dvec2 xz) { return shareByRay(xz, toSun, axes, p.rayStepM); });
+    } else {
+      const terrain::LandShade shade = sweep(p);
+      observe([&](glm::dvec2 xz) { return shareBySweep(xz, shade); });
+    }
+    return observation;
+  }
+
+  double work(const LandShadeParameters& p) override {
+    if (p.method == ShadeMethod::swept) return sweep(p).topM();
+    return compute(p).values.front();
+  }
+
+  // Heights are kept from one to the next, as they are while the sun moves.
+  terrain::LandShade sweep(const LandShadeParameters& p) {
+    const glm::dvec3 toSun = sky::directionToSun(p.sunElevationDegrees, p.sunAzimuthDegrees);
+    terrain::ShadeHeights& heights = heights_[static_cast<std::size_t>(p.swept.detail)];
+    return terrain::LandShade::make(heights, terrain::shadeKey(shadeLayout(p.swept), kEye, toSun));
+  }
+
+  // As the GPU filters the finest level (shaders/shadow/land_shadow_map.glsl).
+  static double shareBySweep(glm::dvec2 xz, const terrain::LandShade& shade) {
+    const terrain::ShadeLayout& layout = shade.key().layout;
+    const auto& first = shade.key().first[0];
+    const glm::dvec2 at = shade.axes().fromWorld(xz) / layout.texelM(0);
+    const double along = at.x - static_cast<double>(first[0]), across = at.y - static_cast<double>(first[1]);
+    const int i = static_cast<int>(along), j = static_cast<int>(across);
+    const auto texel = [&](int a, int b) {
+      return shade.clearances(0)[static_cast<std::size_t>((i + a) * layout.side + j + b)] / 65535.0 * 4 - 2;
+    };
+    const double near = std::lerp(texel(0, 0), texel(0, 1), across - j),
+                 far = std::lerp(texel(1, 0), texel(1, 1), across - j);
+    return terrain::shareOfDisc(std::lerp(near, far, along - i));
+  }
+
+  // By the steepest way from the surface to land on the ray: the edge that cuts the disc.
+  double shareByRay(glm::dvec2 xz, const glm::dvec3& toSun, const terrain::ShadeAxes& axes,
+                    double stepM) const {
+    const auto heightAt = [&](glm::dvec2 at) { return std::max(land_->height(at), 0.0); };
+    const glm::dvec2 way = glm::normalize(glm::dvec2(toSun.x, toSun.z));
+    const double from = heightAt(xz), top = land_->range().highest;
+    double edge = 0;  // tangent of its elevation
+    for (double t = stepM; from + axes.tanLowerLimb * t <= top; t += stepM + t * stepM / 2000)
+      edge = std::max(edge, (heightAt(xz + way * t) - from) / t);
+    return terrain::shareOfDisc((axes.tanUpperLimb + axes.tanLowerLimb - 2 * edge) /
+                                (axes.tanUpperLimb - axes.tanLowerLimb));
+  }
+
+  std::shared_ptr<const terrain::HeightSource> land_ = terrain::makeNoiseHeightSource({}, kSeed);
+  // Of each detail its own: a sweep forgets heights that the last few did not use.
+  std::array<terrain::ShadeHeights, render::kLandShadowDetailNames.size()> heights_{
+      terrain::ShadeHeights(land_), terrain::ShadeHeights(land_), terrain::ShadeHeights(land_),
+      terrain::ShadeHeights(land_)};
+};
+
+}  // namespace
+
+std::unique_ptr<accuracy::Subject> makeLandShadeSubject() { return std::make_unique<LandShadeSubject>(); }
+
+}  // namespace skydrop::app
