@@ -63,9 +63,13 @@ class Parser {
     CLI::App* weather =
         app_.add_subcommand("weather", "the state of a scene's air at a place and time, as JSON");
     CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
-    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, weather, info})
+    CLI::App* compare =
+        app_.add_subcommand("compare", "how far two pictures differ; exit code 1 where it is too far");
+    CLI::App* settings =
+        app_.add_subcommand("settings", "every setting with default, range and what it does");
+    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, weather, info, compare, settings})
       verb->set_help_flag("--help", "print this help");
-    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, weather, info})
+    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, weather, info, compare, settings})
       verb->footer(kExitCodes);
     addCommon(*render);
     addRender(*render);
@@ -81,6 +85,8 @@ class Parser {
     addAccuracy(*accuracy);
     text(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
          [this](const std::string& t) { line_.backend = parseBackend(t); });
+    addCompare(*compare);
+    addSettings(*settings);
     app_.require_subcommand(0, 1);
     render->callback([this] { line_.verb = Verb::render; });
     simulate->callback([this] { line_.verb = Verb::simulate; });
@@ -89,6 +95,8 @@ class Parser {
     sky->callback([this] { line_.verb = Verb::sky; });
     weather->callback([this] { line_.verb = Verb::weather; });
     info->callback([this] { line_.verb = Verb::info; });
+    compare->callback([this] { line_.verb = Verb::compare; });
+    settings->callback([this] { line_.verb = Verb::settings; });
   }
 
   ParsedCommandLine parse(int argc, const char* const* argv) {
@@ -480,6 +488,26 @@ class Parser {
          [this](const std::string& t) { line_.timeS = number("--time", t, 0, kLongestWeatherS); });
     text(verb, "--at", "X,Y,Z", "where: metres, +X east, Y above the sea, -Z north (0,500,0)",
          [this](const std::string& t) { line_.weatherAt = parseAt(t); });
+  }
+
+  void addCompare(CLI::App& verb) {
+    verb.add_option("PICTURE REFERENCE", line_.comparison.files, "two PNG files of one size")
+        ->required()
+        ->expected(2);
+    text(verb, "--max", "N", "most that any channel may differ by, 0 to 255",
+         [this](const std::string& t) { line_.comparison.most = integer("--max", t, 0, 255); });
+    text(verb, "--mean", "M", "most that channels may differ by in the mean, 0 to 255",
+         [this](const std::string& t) { line_.comparison.mean = number("--mean", t, 0, 255); });
+    text(verb, "--flip", "F", "largest mean FLIP error, 0 to 1",
+         [this](const std::string& t) { line_.comparison.flip = number("--flip", t, 0, 1); });
+    path(verb, "--out", "DIR", "for difference.png and flip.png, a map of FLIP errors",
+         line_.comparison.folder);
+    verb.add_flag("--json", line_.asJson, "print the figures as JSON");
+  }
+
+  void addSettings(CLI::App& verb) {
+    verb.add_option("PATH", line_.settingsPath, "a setting, or a group of them (all)");
+    verb.add_flag("--json", line_.asJson, "print them as JSON");
   }
 
   // Standard input can be read once, and two exports of one name would be one.

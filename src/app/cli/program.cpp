@@ -31,6 +31,10 @@ int runVerb(const CommandLine& line) {
       return weather(line);
     case Verb::info:
       return info(line);
+    case Verb::compare:
+      return compare(line);
+    case Verb::settings:
+      return listSettings(line);
   }
   return kFailed;
 }

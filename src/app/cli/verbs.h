@@ -15,6 +15,8 @@ int generateNoise(const CommandLine& line);  // noise --generate
 int sky(const CommandLine& line);
 int weather(const CommandLine& line);
 int info(const CommandLine& line);
+int compare(const CommandLine& line);
+int listSettings(const CommandLine& line);  // settings
 
 // The whole program: parses, runs, and turns errors into one line on stderr and an exit code.
 int runProgram(int argc, const char* const* argv);

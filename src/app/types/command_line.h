@@ -19,7 +19,7 @@
 
 namespace skydrop::app {
 
-enum class Verb { fly, render, simulate, accuracy, noise, sky, weather, info };
+enum class Verb { fly, render, simulate, accuracy, noise, sky, weather, info, compare, settings };
 
 inline constexpr const char* kDefaultScene = "fair";
 
@@ -40,6 +40,14 @@ struct NoiseRequest {
   std::vector<std::filesystem::path> files;     // to read instead of making
   std::optional<std::filesystem::path> folder;  // to export to
   NoiseFormat format = NoiseFormat::dx10;
+};
+
+// Two pictures, and how far they may differ: in steps of 8 bits, and in mean FLIP, [0, 1].
+struct PictureComparison {
+  std::vector<std::filesystem::path> files;  // the picture and the reference
+  std::optional<int> most;
+  std::optional<double> mean, flip;
+  std::optional<std::filesystem::path> folder;  // for pictures of the difference
 };
 
 struct CommandLine {
@@ -96,6 +104,15 @@ struct CommandLine {
   int part = 1, parts = 1;                   // the share of the cases that is measured, 1 .. parts
   std::vector<std::filesystem::path> merge;  // folders of shares to make one report of
   ReportFormat reportFormat = ReportFormat::markdown;
+
+  // compare
+  PictureComparison comparison;
+
+  // settings
+  std::string settingsPath;  // of a setting or a group; empty: all of them
+
+  // compare and settings
+  bool asJson = false;
 };
 
 // Why the verbs without a window take no frame budget.
