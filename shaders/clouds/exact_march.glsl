@@ -1,6 +1,7 @@
 // Goes along a ray through the layer as the reference does: step by step wherever there may be cloud. Light is worked out
 // once for a segment of some optical depth, at the place where the segment's opacity has its middle.
 #include "clouds/gathered.glsl"
+#include "clouds/land_shade.glsl"
 #include "clouds/occupancy.glsl"
 #include "clouds/steps.glsl"
 #include "clouds/sun_depth.glsl"
@@ -73,7 +74,7 @@ void marchOn(inout March march, vec3 direction, RaySpan span) {
     iterations -= sunSamples;
     vec3 place = placeOnBentRay(direction, rayBend(direction), segment.moment / segment.opacity);
     float height = heightFraction(place);
-    march.gathered.sun += segment.opacity * scatteredSun(phases, sunDepth(place, height));
+    march.gathered.sun += segment.opacity * scatteredSun(phases, sunDepth(place, height)) * sunOverLand(place);
     march.gathered.sky += segment.opacity * scatteredSky(height);
     march.gathered.ground += segment.opacity * scatteredGround(height);
     march.gathered.weight += segment.opacity;

@@ -5,6 +5,7 @@
 // loops have samples of their own, and neither waits for the other.
 #include "clouds/field.glsl"
 #include "clouds/gathered.glsl"
+#include "clouds/land_shade.glsl"
 #include "clouds/steps.glsl"
 #include "clouds/tiles.glsl"
 #include "shared/cloud_march.glsl"
@@ -141,7 +142,7 @@ void stepTowardsSun(inout SunRay way) {
 }
 
 void addLight(inout Gathered gathered, vec2 segment, SunRay way, vec4 phases) {
-  gathered.sun += segment.x * scatteredSun(phases, way.depth);
+  gathered.sun += segment.x * scatteredSun(phases, way.depth) * sunOverLand(way.place);
   gathered.sky += segment.x * scatteredSky(way.height);
   gathered.ground += segment.x * scatteredGround(way.height);
   gathered.weight += segment.x;

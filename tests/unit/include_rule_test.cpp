@@ -50,6 +50,8 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
   const Names effect = {"gl", "frame"};
   Names shadows = effect;
   shadows.insert("models");
+  Names clouds = effect;
+  clouds.insert("shadows");
   Names terrain = shadows;
   terrain.insert({"shadows", "clouds"});
   return {{"app",
@@ -68,7 +70,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"frame", {"gl"}},
             {"sky", effect},
             {"noise", {"gl"}},
-            {"clouds", effect},
+            {"clouds", clouds},
             {"fog", effect},
             {"models", effect},
             {"overlay", effect},

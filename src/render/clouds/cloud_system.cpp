@@ -214,15 +214,50 @@ void CloudSystem::draw(FrameContext& context) {
   resize(context.frame.view);
   setUniforms(context);
   classify(context, defines);
-  if (settings_.march.exact)
-    marchExactly(context, defines);
-  else
-    march(context, defines);
+  const bool shaded = takeLandShade(context);
+  // Later frames may do without the shade: in frames that nobody sees, that march is compiled too.
+  if (shaded && context.frame.warmsUp) marchAll(context, defines, false);
+  marchAll(context, defines, shaded);
   cover(context, defines);
   if (history_) history_->keep(context);
   transmittance_ = {&rays_[0].light, &rays_[0].distances};
   context.resources.publish(transmittance_);
   context_.api().MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+// Whether land may take light from the sun in the layer. The shade of mountains ends below their summits.
+bool CloudSystem::takeLandShade(FrameContext& context) {
+  if (!context.frame.features.landShadows) {
+    landShade_ = {};
+    return false;
+  }
+  const auto* map = context.resources.find<LandShadowMap>();
+  if (!map || (map->shade() && map->shade()->topM() <= layer().cloudHeight)) return false;
+  landShade_.take(context.gl, *map);
+  return true;
+}
+
+void CloudSystem::marchAll(FrameContext& context, Defines defines, bool shaded) {
+  isShaded_ = shaded;
+  if (settings_.march.exact)
+    marchExactly(context, defines);
+  else
+    march(context, defines);
+}
+
+// In use. Where a later frame may need the other variant, that is asked for too (Pass::draw).
+gl::ComputeShader& CloudSystem::marchShader(FrameContext& context, const std::string& file, Defines defines) {
+  std::vector<std::string> withShade(defines.begin(), defines.end());
+  withShade.emplace_back("LAND_SHADE");
+  const auto variant = [&](bool shaded) -> gl::ComputeShader& {
+    return context.shaders.computeShader(file, shaded ? Defines(withShade) : defines);
+  };
+  if (context.frame.features.landShadows) variant(!isShaded_);
+  gl::ComputeShader& shader = variant(isShaded_);
+  shader.use();
+  const glm::dvec3& eye = context.frame.view.position;
+  if (isShaded_) landShade_.bind(shader, {eye.x, eye.z});
+  return shader;
 }
 
 void CloudSystem::beginHistory(const FrameContext& context) {
@@ -290,9 +325,7 @@ void CloudSystem::march(FrameContext& context, Defines defines) {
 }
 
 void CloudSystem::marchTiles(FrameContext& context, Defines defines, int widest) {
-  gl::ComputeShader& shader =
-      context.shaders.computeShader("clouds/march_tiles.comp", withGroups(defines, widest));
-  shader.use();
+  gl::ComputeShader& shader = marchShader(context, "clouds/march_tiles.comp", withGroups(defines, widest));
   shader.setIvec2("tileCount", tileCount_);
   shader.setInt("raySpacing", widest);
   raysApart(widest).light.bindImage(0, GL_WRITE_ONLY);
@@ -328,8 +361,7 @@ void CloudSystem::marchListed(FrameContext& context, Defines defines, int spacin
   raysApart(spacing).light.bindImage(0, GL_WRITE_ONLY);
   raysApart(spacing).distances.bindImage(1, GL_WRITE_ONLY);
   // One program for all spacings: the march is what takes longest to compile.
-  gl::ComputeShader& shader = context.shaders.computeShader("clouds/march_rays.comp", defines);
-  shader.use();
+  gl::ComputeShader& shader = marchShader(context, "clouds/march_rays.comp", defines);
   shader.setIvec2("tileCount", tileCount_);
   shader.setInt("raySpacing", spacing);
   list.bind(GL_DISPATCH_INDIRECT_BUFFER);
@@ -337,8 +369,7 @@ void CloudSystem::marchListed(FrameContext& context, Defines defines, int spacin
 }
 
 void CloudSystem::marchExactly(FrameContext& context, Defines defines) {
-  gl::ComputeShader& shader = context.shaders.computeShader("clouds/exact_march.comp", defines);
-  shader.use();
+  gl::ComputeShader& shader = marchShader(context, "clouds/exact_march.comp", defines);
   shader.setInt("sunSamples", static_cast<int>(settings_.march.sunSamples));
   rays_[0].light.bindImage(0, GL_WRITE_ONLY);
   rays_[0].distances.bindImage(1, GL_WRITE_ONLY);

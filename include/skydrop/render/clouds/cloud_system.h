@@ -17,6 +17,7 @@
 #include "skydrop/render/frame/light_shares.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/gl/buffer.h"
+#include "skydrop/render/shadows/land_shade_volume.h"
 
 namespace skydrop::render {
 
@@ -89,6 +90,9 @@ class CloudSystem final : public Pass {
   glm::dvec3 eyeInField(const FrameInput& frame) const { return inField(frame.view.position, frame); }
   const clouds::CloudLayerSettings& layer() const { return settings_.layers[kMarchedLayer]; }
   using Defines = std::span<const std::string>;  // of the variant
+  bool takeLandShade(FrameContext& context);
+  void marchAll(FrameContext& context, Defines defines, bool shaded);
+  gl::ComputeShader& marchShader(FrameContext& context, const std::string& file, Defines defines);
   void beginHistory(const FrameContext& context);
   void classify(FrameContext& context, Defines defines);
   void clearOthers(FrameContext& context, Defines defines);
@@ -116,7 +120,9 @@ class CloudSystem final : public Pass {
   std::array<gl::Buffer, 2> listedRays_;  // 1 and 2 pixels apart
   glm::ivec2 tileCount_{0};
   CloudTransmittance transmittance_;  // published by draw()
-  gl::Texture rayLight_, rayState_;   // of marches in parts
+  LandShadeVolume landShade_;
+  bool isShaded_ = false;            // by land, what is being marched
+  gl::Texture rayLight_, rayState_;  // of marches in parts
 };
 
 }  // namespace skydrop::render
