@@ -50,11 +50,23 @@ bool isSame(const Atmosphere& a, const Atmosphere& b) {
 std::shared_ptr<SkyViews> SkyViews::of(const Atmosphere& air) {
   static std::mutex mutex;
   static std::deque<std::shared_ptr<SkyViews>> newest;
+  // The newest is the first. What was asked for stays: frames in one air outlast tables made beside them.
+  const auto find = [&]() -> std::shared_ptr<SkyViews> {
+    const auto found =
+        std::ranges::find_if(newest, [&](const auto& views) { return isSame(views->tables().air(), air); });
+    if (found == newest.end()) return nullptr;
+    std::rotate(newest.begin(), found, found + 1);
+    return newest.front();
+  };
+  {
+    const std::lock_guard lock(mutex);
+    if (auto found = find()) return found;
+  }
+  // Without the lock: others ask for airs that are there meanwhile.
+  auto made = std::make_shared<SkyViews>(air);
   const std::lock_guard lock(mutex);
-  const auto found =
-      std::ranges::find_if(newest, [&](const auto& views) { return isSame(views->tables().air(), air); });
-  if (found != newest.end()) return *found;
-  newest.push_front(std::make_shared<SkyViews>(air));
+  if (auto found = find()) return found;
+  newest.push_front(std::move(made));
   if (newest.size() > kMostAirs) newest.pop_back();
   return newest.front();
 }

@@ -22,7 +22,8 @@ class SkyViews {
  public:
   explicit SkyViews(const Atmosphere& air) : tables_(air) {}
 
-  // Those of an air: the same object for as long as it is held or among the last few asked for.
+  // Those of an air: the same object while it is among the last few asked for. Makes its tables where it is
+  // not; others who ask meanwhile do not wait.
   static std::shared_ptr<SkyViews> of(const Atmosphere& air);
 
   const AirTables& tables() const { return tables_; }

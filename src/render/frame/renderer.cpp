@@ -114,6 +114,7 @@ void Renderer::composeLayer(std::exception_ptr& failure) {
 
 void Renderer::settle(const FrameInput& input) {
   context_.makeCurrent();
+  air_.settle();
   for (const Entry& entry : passes_) entry.pass->settle(input);
 }
 
@@ -180,6 +181,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   context_.makeCurrent();
   RenderSettings lit = settings_;
   if (!isLit()) lit.sky.model = sky::SkyModel::closedForm;  // has no tables to make
+  lit.atmosphere = air_.of(lit, asked);
   const SkyLight light = skyLight(lit, asked.view.position.y, asked.simulatedSeconds, asked.adaptedLevel);
   if (targets_ == &screen_) levelInView_ = levelInView(light, asked.view);
   FrameInput picture = asked;  // of what is drawn over the scene, which may have fewer pixels
@@ -213,7 +215,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
                         of,
                         light,
                         uniforms,
-                        settings_,
+                        lit,
                         defines,
                         made,
                         targets_->scene.colorTexture(),

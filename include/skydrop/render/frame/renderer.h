@@ -14,6 +14,7 @@
 
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
+#include "skydrop/render/frame/next_air.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/frame/sky_tables.h"
 #include "skydrop/render/frame/stage_layer.h"
@@ -65,7 +66,7 @@ class Renderer {
   void apply(const RenderSettings& settings) { settings_ = settings; }
   const RenderSettings& settings() const { return settings_; }
 
-  // Waits for what passes make beside the frames (Pass::settle).
+  // Waits for what is made beside the frames: the air's tables, what passes make (Pass::settle).
   void settle(const FrameInput& input);
 
   // Draws one frame of the view's size into the output target. Throws core::RangeError for a view that is not
@@ -164,6 +165,7 @@ class Renderer {
 
   gl::Context& context_;
   RenderSettings settings_;
+  NextAir air_;
   gl::ShaderCache shaders_;
   gl::PassTimer timer_;
   gl::Buffer uniforms_;
