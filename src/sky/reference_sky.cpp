@@ -4,10 +4,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
-#include <glm/geometric.hpp>
-#include <numbers>
 
-#include "skydrop/core/hash.h"
+#include "skydrop/sky/air_tables.h"
+#include "skydrop/sky/reference_paths.h"
 
 namespace skydrop::sky {
 namespace {
@@ -16,8 +15,7 @@ namespace f64 = core::shared::f64;
 using glm::dvec3;
 
 constexpr int kSines = 256, kHeights = 128, kTableSteps = 128;
-constexpr int kFirstSteps = 256;   // among which the first scattering of a path is chosen
-constexpr double kRoulette = 0.1;  // paths that carry less go on by chance
+constexpr int kExpectedHeights = 48, kExpectedSines = 96;
 
 // Of a ray that does not go down.
 dvec3 risingDepth(const f64::Atmosphere& air, double heightM, double cosine, int steps) {
@@ -31,26 +29,6 @@ dvec3 risingDepth(const f64::Atmosphere& air, double heightM, double cosine, int
   return depth * (std::max(length, 0.0) / steps);
 }
 
-// A direction at an angle to another.
-dvec3 turned(const dvec3& direction, double cosine, double azimuth) {
-  const dvec3 aside = std::abs(direction.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
-  const dvec3 u = glm::normalize(glm::cross(direction, aside)), v = glm::cross(direction, u);
-  const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
-  return glm::normalize(direction * cosine + (u * std::cos(azimuth) + v * std::sin(azimuth)) * sine);
-}
-
-// The cosine that a share of Rayleigh's phase function lies below of: a cubic with one real root.
-double rayleighCosine(double share) {
-  const double q = 4 * share - 2, d = std::cbrt(q + std::sqrt(q * q + 1));
-  return std::clamp(d - 1 / d, -1.0, 1.0);
-}
-
-double henyeyGreensteinCosine(double share, double g) {
-  if (std::abs(g) < 1e-3) return 2 * share - 1;
-  const double s = (1 - g * g) / (1 - g + 2 * g * share);
-  return std::clamp((1 + g * g - s * s) / (2 * g), -1.0, 1.0);
-}
-
 }  // namespace
 
 ReferenceSky::ReferenceSky(const f64::Atmosphere& air) : air_(air) {
@@ -62,6 +40,7 @@ ReferenceSky::ReferenceSky(const f64::Atmosphere& air) : air_(air) {
       depths_.push_back(depth(place.x, place.y, kTableSteps));
     }
   }
+  makeExpected();
 }
 
 dvec3 ReferenceSky::depth(double heightM, double cosine, int steps) const {
@@ -91,6 +70,36 @@ dvec3 ReferenceSky::sunLight(double heightM, double cosine) const {
 
 namespace {
 
+// Elevations are close to each other where the light is level, heights at the ground.
+double sineOfColumn(int column) {
+  const double x = 2.0 * column / (kExpectedSines - 1) - 1;
+  return x * std::abs(x);
+}
+
+}  // namespace
+
+void ReferenceSky::makeExpected() {
+  const AirTables tables(air_);
+  expected_.reserve(static_cast<std::size_t>(kExpectedHeights * kExpectedSines));
+  for (int y = 0; y < kExpectedHeights; ++y) {
+    const double share = y / (kExpectedHeights - 1.0);
+    const AirTables::Level level = tables.at(static_cast<float>(f64::kShellTop * share * share));
+    for (int x = 0; x < kExpectedSines; ++x)
+      expected_.push_back(
+          glm::max(dvec3(level.scatteredBefore(static_cast<float>(sineOfColumn(x))).mean), dvec3(1e-12)));
+  }
+}
+
+dvec3 ReferenceSky::expected(double heightM, double sunSine) const {
+  const double y = std::sqrt(std::clamp(heightM / f64::kShellTop, 0.0, 1.0)) * (kExpectedHeights - 1);
+  const double x = 0.5 * (1 + std::copysign(std::sqrt(std::abs(sunSine)), sunSine)) * (kExpectedSines - 1);
+  const int i = std::clamp(static_cast<int>(x), 0, kExpectedSines - 2),
+            j = std::clamp(static_cast<int>(y), 0, kExpectedHeights - 2);
+  const dvec3* texel = &expected_[static_cast<std::size_t>(j * kExpectedSines + i)];
+  return glm::mix(glm::mix(texel[0], texel[1], x - i),
+                  glm::mix(texel[kExpectedSines], texel[kExpectedSines + 1], x - i), y - j);
+}
+
 double endOf(const ReferenceRay& ray) {
   const f64::Vec2 ground = f64::shellCrossing(ray.heightM, ray.sine, 0);
   if (ray.sine < f64::horizonSine(ray.heightM) && ground.x <= ground.y) return std::max(ground.x, 0.0);
@@ -101,8 +110,6 @@ double betweenOf(const ReferenceRay& ray) {
   return ray.sine * ray.sunSine + ray.cosAzimuth * std::sqrt(std::max(1 - ray.sine * ray.sine, 0.0)) *
                                       std::sqrt(std::max(1 - ray.sunSine * ray.sunSine, 0.0));
 }
-
-}  // namespace
 
 dvec3 ReferenceSky::once(const ReferenceRay& ray, int steps) const {
   const double between = betweenOf(ray), length = endOf(ray);
@@ -129,101 +136,8 @@ dvec3 ReferenceSky::once(const ReferenceRay& ray, int steps) const {
   return light;
 }
 
-double ReferenceSky::pathOf(const ReferenceRay& ray, int channel, const std::vector<double>& opacities,
-                            double length, std::uint64_t seed) const {
-  core::RandomStream random{seed};
-  const dvec3 toSun(std::sqrt(std::max(1 - ray.sunSine * ray.sunSine, 0.0)), ray.sunSine, 0);
-  const double across = std::sqrt(std::max(1 - ray.sine * ray.sine, 0.0));
-  dvec3 direction(across * ray.cosAzimuth, ray.sine,
-                  across * std::sqrt(std::max(1 - ray.cosAzimuth * ray.cosAzimuth, 0.0)));
-  // The first scattering is forced to happen.
-  double weight = opacities.back();
-  const auto chosen = std::upper_bound(opacities.begin(), opacities.end(), random.nextUnit() * weight);
-  const double k = static_cast<double>(std::min(chosen, opacities.end() - 1) - opacities.begin());
-  const double begin = length * k * k / (kFirstSteps * kFirstSteps),
-               end = length * (k + 1) * (k + 1) / (kFirstSteps * kFirstSteps);
-  dvec3 place =
-      dvec3(0, f64::kEarthRadius + ray.heightM, 0) + direction * (begin + (end - begin) * random.nextUnit());
-  bool onGround = false;
-  double sum = 0;
-  for (int order = 1; order < 1000; ++order) {
-    const double r = glm::length(place), height = std::max(r - f64::kEarthRadius, 0.0);
-    const dvec3 up = place / r;
-    const double sun = glm::dot(up, toSun), light = order > 1 ? sunLight(height, sun)[channel] : 0;
-    if (onGround) {
-      weight *= f64::kGroundAlbedo;
-      sum += weight * light * std::max(sun, 0.0) / std::numbers::pi;
-      direction = turned(up, std::sqrt(random.nextUnit()), 2 * std::numbers::pi * random.nextUnit());
-    } else {
-      const f64::ShellAir here = f64::shellAirAt(air_, height);
-      const double air = here.rayleigh[channel], scattering = air + here.haze;
-      weight *= scattering / here.extinction[channel];
-      const double between = glm::dot(direction, toSun);
-      sum += weight * light *
-             (air * f64::rayleighPhase(between) +
-              here.haze * f64::henyeyGreenstein(between, air_.hazeAnisotropy)) /
-             scattering;
-      const double cosine = random.nextUnit() * scattering < air
-                                ? rayleighCosine(random.nextUnit())
-                                : henyeyGreensteinCosine(random.nextUnit(), air_.hazeAnisotropy);
-      direction = turned(direction, cosine, 2 * std::numbers::pi * random.nextUnit());
-    }
-    if (weight < kRoulette) {
-      if (random.nextUnit() >= weight / kRoulette) return sum;
-      weight = kRoulette;
-    }
-    // The next scattering, by steps through air as dense as anywhere along the ray (Woodcock and others
-    // 1965).
-    const double climb = glm::dot(direction, place / r);
-    const bool falls = climb < f64::horizonSine(height);
-    const double way = std::max(
-        falls ? f64::shellCrossing(height, climb, 0).x : f64::shellCrossing(height, climb, f64::kShellTop).y,
-        0.0);
-    const double lowest =
-        falls        ? 0.0
-        : climb >= 0 ? height
-                     : std::max(height - r * climb * climb / (1 + std::sqrt(1 - climb * climb)), 0.0);
-    const double most = air_.rayleigh[channel] * f64::densityAt(lowest, air_.rayleighHeight) +
-                        air_.haze * f64::densityAt(lowest, air_.hazeHeight) + air_.ozone[channel];
-    double t = 0;
-    for (;;) {
-      t -= std::log(1 - random.nextUnit()) / most;
-      if (t >= way) break;
-      const double there = f64::shellHeightAlong(height, climb, t);
-      if (random.nextUnit() * most < f64::shellAirAt(air_, there).extinction[channel]) break;
-    }
-    onGround = t >= way;
-    if (onGround && !falls) return sum;
-    place += direction * std::min(t, way);
-  }
-  return sum;
-}
-
-ReferenceEstimate ReferenceSky::often(const ReferenceRay& ray, int channel, int paths,
-                                      std::uint32_t seed) const {
-  const double length = endOf(ray);
-  std::vector<double> opacities;  // of the way up to the end of each step
-  double left = 1, opacity = 0;
-  for (int i = 0; i < kFirstSteps; ++i) {
-    const double from = length * i * i / (kFirstSteps * kFirstSteps),
-                 to = length * (i + 1.0) * (i + 1.0) / (kFirstSteps * kFirstSteps);
-    const double height = f64::shellHeightAlong(ray.heightM, ray.sine, 0.5 * (from + to));
-    const double kept = std::exp(-f64::shellAirAt(air_, height).extinction[channel] * (to - from));
-    opacity += left * (1 - kept);
-    left *= kept;
-    opacities.push_back(opacity);
-  }
-  double sum = 0, squares = 0;
-  for (int path = 0; path < paths; ++path) {
-    const double value =
-        pathOf(ray, channel, opacities, length,
-               core::hashCombine(seed * std::uint64_t{3} + static_cast<std::uint64_t>(channel),
-                                 static_cast<std::uint64_t>(path)));
-    sum += value;
-    squares += value * value;
-  }
-  const double mean = sum / paths;
-  return {mean, std::sqrt(std::max(squares / paths - mean * mean, 0.0) / paths)};
+ReferenceEstimate ReferenceSky::often(const ReferenceRay& ray, int paths, std::uint64_t seed) const {
+  return ReferencePaths(*this, ray, seed).upTo(paths);
 }
 
 }  // namespace skydrop::sky

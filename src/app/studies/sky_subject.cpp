@@ -1,12 +1,15 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "app/studies/subjects.h"
 #include "app/studies/table_subject.h"
 #include "skydrop/core/error.h"
 #include "skydrop/sky/atmosphere.h"
+#include "skydrop/sky/reference_paths.h"
 #include "skydrop/sky/reference_sky.h"
 
 namespace skydrop::app {
@@ -38,8 +41,12 @@ void describe(core::SettingsVisitor& visitor, SkyParameters& p) {
                "models, and single scattering by steps with the rest by random paths."});
   visitor.choice("quantity", p.quantity, kQuantityNames, {.help = "What is compared."});
   visitor.integer("steps", p.steps, {.unit = "1", .min = 2, .max = 4096, .help = "Of the integral."});
-  visitor.integer("paths", p.paths,
-                  {.unit = "1", .min = 2, .max = 1e7, .help = "Of the reference's radiance, a direction."});
+  visitor.integer(
+      "paths", p.paths,
+      {.unit = "1",
+       .min = 2,
+       .max = 1 << 20,
+       .help = "Of the reference's radiance, a direction. The first of more are those of fewer."});
   visitor.choice("channel", p.channel, kChannelNames, {.help = "Of the radiance."});
   visitor.number("sunElevationDegrees", p.sunElevationDegrees,
                  {.unit = "degree", .min = -30, .max = 90, .help = "Above the horizon."});
@@ -137,38 +144,71 @@ dvec3 valueOf(const SkyParameters& p, int index) {
   return once / f64::ozoneTransmittance(cosSun);
 }
 
-// The whole sky's radiance over the dome, per irradiance of the sun, without the night's: rings of equal
-// solid angle.
-std::vector<double> radiances(const SkyParameters& p) {
+// The dome: rings of equal solid angle.
+std::vector<sky::ReferenceRay> dome(double sunElevationDegrees) {
   constexpr int kRings = 6, kSectors = 6;
+  std::vector<sky::ReferenceRay> rays;
+  for (int i = 0; i < kRings * kSectors; ++i) {
+    rays.push_back({kEyeM, (i / kSectors + 0.5) / kRings,
+                    std::cos(glm::pi<double>() * (i % kSectors + 0.5) / kSectors),
+                    std::sin(glm::radians(sunElevationDegrees))});
+  }
+  return rays;
+}
+
+// The reference's radiance over the dome. Keeps that of the last sun, for other channels and for more paths,
+// which are added.
+class ReferenceDome {
+ public:
+  const std::vector<dvec3>& radiances(double sunElevationDegrees, int steps, int paths) {
+    const bool isOther = sun_ != sunElevationDegrees || steps_ != steps;
+    if (isOther || (paths < most_ && !byPaths_.contains(paths))) begin(sunElevationDegrees, steps);
+    std::vector<dvec3>& all = byPaths_[paths];
+    if (!all.empty()) return all;
+    for (std::size_t i = 0; i < once_.size(); ++i) all.push_back(once_[i] + paths_[i].upTo(paths).mean);
+    most_ = paths;
+    return all;
+  }
+
+ private:
+  void begin(double sunElevationDegrees, int steps) {
+    static const sky::ReferenceSky reference(air());
+    if (sun_ != sunElevationDegrees || steps_ != steps) {
+      sun_ = sunElevationDegrees;
+      steps_ = steps;
+      once_.clear();
+      byPaths_.clear();
+      for (const sky::ReferenceRay& ray : dome(sunElevationDegrees))
+        once_.push_back(reference.once(ray, steps));
+    }
+    paths_.clear();
+    for (const sky::ReferenceRay& ray : dome(sunElevationDegrees))
+      paths_.emplace_back(reference, ray, paths_.size());
+    most_ = 0;
+  }
+
+  std::optional<double> sun_;
+  int steps_ = 0, most_ = 0;
+  std::vector<dvec3> once_;
+  std::vector<sky::ReferencePaths> paths_;
+  std::map<int, std::vector<dvec3>> byPaths_;
+};
+
+// The whole sky's radiance over the dome by the game, per irradiance of the sun, without the night's.
+std::vector<double> radiances(const SkyParameters& p) {
+  if (p.method == SkyMethod::integral) throw core::RangeError("method: 'integral' has no radiance");
   const auto channel = static_cast<glm::length_t>(p.channel);
   const double elevation = glm::radians(p.sunElevationDegrees);
-  std::vector<double> values;
-  const auto visit = [&](const auto& radianceOf) {
-    for (int i = 0; i < kRings * kSectors; ++i) {
-      values.push_back(radianceOf(sky::ReferenceRay{
-          kEyeM, (i / kSectors + 0.5) / kRings, std::cos(glm::pi<double>() * (i % kSectors + 0.5) / kSectors),
-          std::sin(elevation)}));
-    }
-  };
-  if (p.method == SkyMethod::reference) {
-    static const sky::ReferenceSky reference(air());
-    visit([&](const sky::ReferenceRay& ray) {
-      return reference.once(ray, static_cast<int>(p.steps))[channel] +
-             reference.often(ray, static_cast<int>(channel), static_cast<int>(p.paths), 1).mean;
-    });
-    return values;
-  }
-  if (p.method == SkyMethod::integral) throw core::RangeError("method: 'integral' has no radiance");
   const sky::SkyLight light =
       sky::skyLight(air(), {std::cos(elevation), std::sin(elevation), 0}, kEyeM,
                     p.method == SkyMethod::shell ? sky::SkyModel::shell : sky::SkyModel::closedForm);
-  visit([&](const sky::ReferenceRay& ray) {
+  std::vector<double> values;
+  for (const sky::ReferenceRay& ray : dome(p.sunElevationDegrees)) {
     const double across = std::sqrt(1 - ray.sine * ray.sine);
     const dvec3 direction(across * ray.cosAzimuth, ray.sine,
                           across * std::sqrt(std::max(1 - ray.cosAzimuth * ray.cosAzimuth, 0.0)));
-    return (sky::skyRadiance(light, direction) - light.night)[channel] / light.sunOutside[channel];
-  });
+    values.push_back((sky::skyRadiance(light, direction) - light.night)[channel] / light.sunOutside[channel]);
+  }
   return values;
 }
 
@@ -176,7 +216,7 @@ class SkySubject final : public TableSubject<SkyParameters> {
   accuracy::Observation compute(const SkyParameters& p) override {
     accuracy::Observation observation;
     if (p.quantity == SkyQuantity::radiance) {
-      observation.values = radiances(p);
+      observation.values = radiancesOf(p);
       return observation;
     }
     for (int i = 0; i < kDirections; ++i) {
@@ -186,11 +226,21 @@ class SkySubject final : public TableSubject<SkyParameters> {
     return observation;
   }
   double work(const SkyParameters& p) override {
-    if (p.quantity == SkyQuantity::radiance) return radiances(p).back();
+    if (p.quantity == SkyQuantity::radiance) return radiancesOf(p).back();
     double sum = 0;
     for (int i = 0; i < kDirections; ++i) sum += valueOf(p, i).y;
     return sum;
   }
+  std::vector<double> radiancesOf(const SkyParameters& p) {
+    if (p.method != SkyMethod::reference) return radiances(p);
+    std::vector<double> values;
+    for (const dvec3& radiance :
+         reference_.radiances(p.sunElevationDegrees, static_cast<int>(p.steps), static_cast<int>(p.paths)))
+      values.push_back(radiance[static_cast<glm::length_t>(p.channel)]);
+    return values;
+  }
+
+  ReferenceDome reference_;
 };
 
 }  // namespace
