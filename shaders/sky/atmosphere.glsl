@@ -40,14 +40,29 @@ const float kSkyEven = 0.0, kSkyHaze = 1.0, kSkyLeft = 2.0;
 // Of the air up to a distance: slices of the first and then of the second, as means along the ray.
 layout(binding = 14) uniform sampler3D airTables;
 
-vec2 skyTablePlace(vec3 direction) {
+// In texels, from the middle of the first.
+vec2 skyTableTexels(vec3 direction) {
   float cosAzimuth = dot(direction.xz, frame.skyTable.zw) * inversesqrt(max(dot(direction.xz, direction.xz), 1e-12));
-  vec2 at = vec2(skyTableColumn(cosAzimuth), skyTableRow(direction.y, frame.skyTable.x, frame.skyTable.y));
-  return (at + 0.5) / vec2(float(kSkyColumns), float(kSkyRows));
+  return vec2(skyTableColumn(cosAzimuth), skyTableRow(direction.y, frame.skyTable.x, frame.skyTable.y));
+}
+
+vec2 skyTablePlace(vec3 direction) {
+  return (skyTableTexels(direction) + 0.5) / vec2(float(kSkyColumns), float(kSkyRows));
+}
+
+// The sky's own layers have texels between those of the tables, but none across the horizon (src/render/frame/sky_tables.cpp).
+const float kFinerColumns = 6.0, kFinerRows = 3.0;
+
+vec2 skyLayerPlace(vec3 direction) {
+  vec2 at = skyTableTexels(direction);
+  float acrossHorizon = float(kSkyRowsBelow) - 0.5;
+  at.y = at.y * kFinerRows - (at.y > acrossHorizon ? kFinerRows - 1.0 : 0.0);
+  return (vec2(at.x * kFinerColumns, at.y) + 0.5) /
+         vec2(float(kSkyColumns - 1) * kFinerColumns + 1.0, float(kSkyRows - 2) * kFinerRows + 2.0);
 }
 
 vec3 skyByTable(vec3 direction, float anisotropy) {
-  vec2 place = skyTablePlace(direction);
+  vec2 place = skyLayerPlace(direction);
   return textureLod(skyTables, vec3(place, kSkyEven), 0.0).xyz +
          textureLod(skyTables, vec3(place, kSkyHaze), 0.0).xyz *
              henyeyGreenstein(dot(direction, frame.skySun.xyz), anisotropy);
@@ -75,7 +90,7 @@ vec3 airBeforeSky(vec3 direction, float distanceM, vec3 transmittance) {
 
 // Transmittance of all the air in a direction.
 vec3 skyTransmittance(vec3 direction) {
-  return textureLod(skyTables, vec3(skyTablePlace(direction), kSkyLeft), 0.0).xyz;
+  return textureLod(skyTables, vec3(skyLayerPlace(direction), kSkyLeft), 0.0).xyz;
 }
 
 vec3 airTransmittanceTowards(vec3 direction) { return skyTransmittance(direction); }

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "skydrop/sky/sky_curve.h"
+
 namespace skydrop::sky {
 namespace {
 
@@ -27,8 +29,28 @@ struct Gathered {
 
 }  // namespace
 
+// By curves; no texel across the horizon takes part.
+glm::dvec3 SkyView::curveAt(SkyLayer layer, double row, double column) const {
+  const bool isAbove = row >= f32::kSkyRowsBelow;
+  const int lowest = isAbove ? f32::kSkyRowsBelow : 0, highest = isAbove ? kRows - 1 : f32::kSkyRowsBelow - 1;
+  const int i = std::clamp(static_cast<int>(column), 0, kColumns - 2),
+            j = std::clamp(static_cast<int>(row), lowest, highest - 1);
+  const auto inRow = [&](int of) {
+    const auto texel = [&](int di) {
+      return glm::dvec3(texels[indexOf(layer, of, std::clamp(i + di, 0, kColumns - 1))]);
+    };
+    const glm::dvec3 before = texel(-1), after = texel(2);
+    return curveThrough(i > 0 ? &before : nullptr, texel(0), texel(1), i + 2 < kColumns ? &after : nullptr,
+                        column - i);
+  };
+  const glm::dvec3 before = inRow(std::max(j - 1, lowest)), after = inRow(std::min(j + 2, highest));
+  return curveThrough(j > lowest ? &before : nullptr, inRow(j), inRow(j + 1),
+                      j + 2 <= highest ? &after : nullptr, row - j);
+}
+
 glm::dvec3 SkyView::at(SkyLayer layer, double sine, double cosAzimuth) const {
   const double row = f64::skyTableRow(sine, horizon, airEnds), column = f64::skyTableColumn(cosAzimuth);
+  if (layer <= SkyLayer::left) return curveAt(layer, row, column);
   const int i = std::min(static_cast<int>(column), kColumns - 2),
             j = std::min(static_cast<int>(row), kRows - 2);
   const auto texel = [&](int dj, int di) { return glm::dvec3(texels[indexOf(layer, j + dj, i + di)]); };

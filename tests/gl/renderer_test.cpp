@@ -146,7 +146,10 @@ TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
     return statistics.gl.programs;
   };
   namespace shared = core::shared::f32;
-  const std::size_t tables = sky::kSkyLayers * shared::kSkyRows * shared::kSkyColumns * sizeof(glm::vec4);
+  // Those of the air as they are, those of the sky with six times the columns and three times the rows.
+  const std::size_t tables = (2 * shared::kSkySlices * shared::kSkyRows * shared::kSkyColumns +
+                              3 * (3 * shared::kSkyRows - 4) * (6 * shared::kSkyColumns - 5)) *
+                             sizeof(glm::vec4);
   EXPECT_EQ(expect(sky::SkyModel::closedForm, 3, 0), 2);
   EXPECT_EQ(expect(sky::SkyModel::shell, 5, tables), 3);
   EXPECT_EQ(expect(sky::SkyModel::closedForm, 3, 0), 3);

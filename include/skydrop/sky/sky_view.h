@@ -30,10 +30,13 @@ struct SkyView {
   double airEnds = 1;             // sine of the elevation at which the air ends
   std::vector<glm::vec4> texels;  // kSkyLayers of kSkyRows of kSkyColumns; w is 0
 
-  // Interpolated as a texture is.
+  // Interpolated by curves in the layers of the whole sky, in those of the air as a texture is.
   glm::dvec3 at(SkyLayer layer, double sine, double cosAzimuth) const;
   // Of airEven or airHaze, up to a distance in m, >= 0, or infinite.
   glm::dvec3 upTo(SkyLayer layer, double sine, double cosAzimuth, double distanceM) const;
+
+ private:
+  glm::dvec3 curveAt(SkyLayer layer, double row, double column) const;
 };
 
 // Of the rows [first, last) of all layers: what can be worked out apart. heightM: any finite value, lower

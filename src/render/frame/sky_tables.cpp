@@ -4,8 +4,11 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 #include <span>
+
+#include "skydrop/sky/sky_curve.h"
 
 namespace skydrop::render {
 namespace {
@@ -18,6 +21,12 @@ constexpr int kLeft = static_cast<int>(sky::SkyLayer::left), kAir = static_cast<
               kSkyHaze = static_cast<int>(sky::SkyLayer::skyHaze),
               kAirHaze = static_cast<int>(sky::SkyLayer::airHaze);
 static_assert(kAir == kLeft + 1 && sky::kSkyLayers == kAir + 2 * kSlices);
+
+// Of the sky's own layers on the GPU, where a sky without anything before it shows each kink: texels between
+// those of the view, on curves through them. As in shaders/sky/atmosphere.glsl.
+constexpr int kFinerColumns = 6, kFinerRows = 3;
+constexpr int kSkyWidth = (kColumns - 1) * kFinerColumns + 1;
+constexpr int kSkyHeight = (kRows - 2) * kFinerRows + 2;  // nothing between the two rows at the horizon
 
 constexpr float kMeanPhase = 0.25f / std::numbers::pi_v<float>;  // of any phase function, over all directions
 
@@ -36,6 +45,19 @@ std::array<float, kColumns> azimuthShares() {
   return shares;
 }
 const std::array<float, kColumns> kAzimuthShares = azimuthShares();
+
+// `count` texels `stride` apart become (count - 1) * finer + 1, `to` apart.
+void refine(const glm::vec4* from, int count, int stride, int finer, glm::vec4* to, int toStride) {
+  for (int i = 0; i + 1 < count; ++i) {
+    const glm::vec4* at = from + i * stride;
+    for (int k = 0; k < finer; ++k) {
+      to[(i * finer + k) * toStride] = sky::curveThrough(i > 0 ? at - stride : nullptr, at[0], at[stride],
+                                                         i + 2 < count ? at + 2 * stride : nullptr,
+                                                         static_cast<float>(k) / static_cast<float>(finer));
+    }
+  }
+  to[(count - 1) * finer * toStride] = from[(count - 1) * stride];
+}
 
 }  // namespace
 
@@ -65,9 +87,24 @@ void SkyTables::addMoon(const MoonSky& moon, double exposure) {
   for (int slice = 0; slice < kSlices; ++slice) add(kAir + slice, kAirHaze + slice);
 }
 
+const std::vector<glm::vec4>& SkyTables::finer(std::span<const glm::vec4> texels) {
+  wide_.resize(static_cast<std::size_t>(kSkyWidth * kRows));
+  finer_.resize(static_cast<std::size_t>(kSkyWidth * kSkyHeight));
+  for (int row = 0; row < kRows; ++row)
+    refine(texels.data() + row * kColumns, kColumns, 1, kFinerColumns, wide_.data() + row * kSkyWidth, 1);
+  constexpr int kBelow = shared::kSkyRowsBelow, kAbove = shared::kSkyRowsAbove;
+  constexpr int kFirstAbove = (kBelow - 1) * kFinerRows + 1;
+  for (int column = 0; column < kSkyWidth; ++column) {
+    refine(wide_.data() + column, kBelow, kSkyWidth, kFinerRows, finer_.data() + column, kSkyWidth);
+    refine(wide_.data() + kBelow * kSkyWidth + column, kAbove, kSkyWidth, kFinerRows,
+           finer_.data() + kFirstAbove * kSkyWidth + column, kSkyWidth);
+  }
+  return finer_;
+}
+
 void SkyTables::write(gl::Context& context, const SkyLight& light) {
   if (!sky_) {
-    sky_ = gl::Texture::make2DArray(context, GL_RGBA32F, kColumns, kRows, kAir, "sky tables");
+    sky_ = gl::Texture::make2DArray(context, GL_RGBA32F, kSkyWidth, kSkyHeight, kAir, "sky tables");
     air_ = gl::Texture::make3D(context, GL_RGBA32F, kColumns, kRows, 2 * kSlices, "air tables");
   }
   texels_ = light.view->texels;
@@ -84,7 +121,7 @@ void SkyTables::write(gl::Context& context, const SkyLight& light) {
   const std::span<const glm::vec4> all(texels_);
   for (GLint layer = 0; layer < kAir; ++layer) {
     const auto texels = all.subspan(static_cast<std::size_t>(layer) * kLayerTexels, kLayerTexels);
-    sky_.uploadLayer(layer, GL_RGBA, GL_FLOAT, std::as_bytes(texels));
+    sky_.uploadLayer(layer, GL_RGBA, GL_FLOAT, std::as_bytes(std::span(finer(texels))));
   }
   air_.upload(GL_RGBA, GL_FLOAT, std::as_bytes(all.subspan(kAir * kLayerTexels)));
   view_ = light.view;
