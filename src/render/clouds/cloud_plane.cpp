@@ -173,11 +173,7 @@ void CloudPlanes::draw(FrameContext& context) {
 }
 
 void CloudPlanes::drawPlane(FrameContext& context, CloudPlane& plane) {
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
-    defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->bind();
-  }
+  const std::vector<std::string> defines = withCloudTransmittance(context.defines, context.resources);
   gl::ShaderCache& shaders = context.shaders;
   if (settings_.resolution == clouds::SheetResolution::full) {
     layer_->release();

@@ -28,11 +28,7 @@ std::optional<std::string> GroundFogPass::skipReason(const FrameInput& frame) co
 }
 
 void GroundFogPass::draw(FrameContext& context) {
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
-    defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->bind();
-  }
+  const std::vector<std::string> defines = withCloudTransmittance(context.defines, context.resources);
   gl::Shader& shader = context.shaders.shader("fullscreen.vert", "fog/ground_fog.frag", defines);
   shader.setFloat("eyeAboveBaseM", static_cast<float>(context.frame.view.position.y - settings_.baseM));
   shader.setFloat("extinction", static_cast<float>(settings_.density));

@@ -62,11 +62,7 @@ void LampGlow::draw(FrameContext& context, std::span<const Glow> glows) const {
                   static_cast<float>(std::max(kSpreadsDrawn * spread, glm::radians(reach) / pixelAngle)));
     ++count;
   }
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
-    defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->bind();
-  }
+  const std::vector<std::string> defines = withCloudTransmittance(context.defines, context.resources);
   gl::Shader& shader = context.shaders.shader("models/lamp_glow.vert", "models/lamp_glow.frag", defines);
   if (count == 0) return;
   shader.setVec4s("glowPlaces", places);

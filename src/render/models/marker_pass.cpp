@@ -107,11 +107,7 @@ void MarkerPass::draw(FrameContext& context) {
   empty_.bind();
   const glm::dvec3 signal = signalRadiance(context.light);
   const glm::dvec3 densest = mark.foot + glm::dvec3(0, shared::kBeamHeight / 3, 0);
-  std::vector<std::string> defines;
-  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
-    defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->bind();
-  }
+  const std::vector<std::string> defines = withCloudTransmittance({}, context.resources);
   const auto drawPart = [&](const char* fragment, const Box& box, const glm::dvec3& radiance) {
     if (!isPotentiallyVisible(context.frame.view, box)) return;
     gl::Shader& shader = context.shaders.shader("models/box.vert", fragment, defines);

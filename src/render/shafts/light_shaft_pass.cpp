@@ -34,15 +34,6 @@ std::array<glm::vec4, shared::kShaftHeights> sunAtHeights(const SkyLight& light,
   return nodes;
 }
 
-std::vector<std::string> withClouds(const FrameContext& context) {
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
-    defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->bind();
-  }
-  return defines;
-}
-
 }  // namespace
 
 LightShaftPass::Shade LightShaftPass::shadeOf(const FrameInput& frame, const FrameResources& resources) {
@@ -107,7 +98,7 @@ void LightShaftPass::draw(FrameContext& context) {
 }
 
 void LightShaftPass::march(FrameContext& context, const Shade& shade) {
-  std::vector<std::string> defines = withClouds(context);
+  std::vector<std::string> defines = withCloudTransmittance(context.defines, context.resources);
   if (shade.clouds) {
     for (const std::string& define : CloudShadowMap::defines(true)) defines.push_back(define);
     defines.emplace_back("CLOUD_SHADE");
@@ -141,7 +132,8 @@ void LightShaftPass::compose(FrameContext& context, const Shade& shade) {
       .dispatch(groups(marched_.width()), groups(marched_.height()));
   api.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   filtered_.bind(kMarchedUnit);
-  gl::ComputeShader& shader = context.shaders.computeShader("shafts/compose.comp", withClouds(context));
+  gl::ComputeShader& shader = context.shaders.computeShader(
+      "shafts/compose.comp", withCloudTransmittance(context.defines, context.resources));
   setScene(shader, topM(context.frame, shade));
   context.sceneColor.bindImage(0, GL_READ_WRITE);
   shader.dispatch(groups(context.frame.view.width), groups(context.frame.view.height));

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <span>
+#include <string>
+#include <vector>
+
+#include "skydrop/render/frame/frame_resources.h"
 #include "skydrop/render/gl/texture.h"
 
 namespace skydrop::render {
@@ -29,5 +34,17 @@ struct CloudTransmittance {
     distances->bind(kDistancesUnit);
   }
 };
+
+// Of a program that includes that file: `defines`, and CLOUD_TRANSMITTANCE in frames that have clouds, whose
+// textures are then bound.
+inline std::vector<std::string> withCloudTransmittance(std::span<const std::string> defines,
+                                                       const FrameResources& resources) {
+  std::vector<std::string> all(defines.begin(), defines.end());
+  if (const auto* clouds = resources.find<CloudTransmittance>()) {
+    all.emplace_back("CLOUD_TRANSMITTANCE");
+    clouds->bind();
+  }
+  return all;
+}
 
 }  // namespace skydrop::render
