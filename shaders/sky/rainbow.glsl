@@ -8,6 +8,7 @@ layout(binding = 0) uniform sampler2D sceneDepth;
 layout(binding = 1) uniform sampler2D rainbowTable;
 uniform vec4 rain;           // extinction (1/m), where it begins and ends (m from the eye), its top (m)
 uniform float dropRadiusMm;
+uniform float lightShare;    // what clouds and land leave of the light on the rain
 
 const float kRainbowTo = 90.0;  // degrees from the antisolar point
 
@@ -28,6 +29,6 @@ vec3 rainbowTowards(vec2 ndc) {
   vec2 path = rainPath(frame.eye.x, direction.y, lengthM, rain.y, rain.z, rain.w);
   if (path.y <= 0.0) return vec3(0.0);
   float seenM = path.x + 0.5 * min(path.y, 1.0 / rain.x);
-  vec3 light = frame.sunLight.xyz * airTransmittance(direction.y * seenM, seenM) * throughClouds(seenM);
+  vec3 light = frame.sunLight.xyz * lightShare * airTransmittance(direction.y * seenM, seenM) * throughClouds(seenM);
   return min(light * rainbowPhase(degrees) * rainScattering(rain.x * path.y), vec3(kBrightest));
 }

@@ -10,6 +10,7 @@
 #include "app/settings/settings.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared_optics.h"
+#include "skydrop/render/frame/light_shares.h"
 #include "skydrop/render/sky/halo_pass.h"
 #include "skydrop/render/sky/rainbow_pass.h"
 #include "skydrop/render/sky/sky_pass.h"
@@ -120,6 +121,46 @@ TEST_F(AtmosphericOpticsGLTest, ringsInThePictureHaveTheirRadii) {
   EXPECT_NEAR(brightestRing(bows, away, -sun, 2, 38, 46), 40.9, 0.6);
   EXPECT_NEAR(brightestRing(bows, away, -sun, 0, 46, 60), 51.3, 0.6);
   EXPECT_NEAR(brightestRing(bows, away, -sun, 2, 46, 60), 53.0, 0.8);
+}
+
+// Tells how much of the light is left, and where it was asked.
+class Shade final : public Pass, private LightAtPlaces {
+ public:
+  Shade(const double& share, std::vector<glm::dvec3>& asked) : share_(share), asked_(asked) {}
+  std::string_view name() const override { return "shade"; }
+  RenderStage stage() const override { return RenderStage::shadows; }
+  void draw(FrameContext& context) override { context.resources.replace<LightAtPlaces>(*this); }
+
+ private:
+  LightShares at(const glm::dvec3& place) const override {
+    asked_.push_back(place);
+    return {share_, 1};
+  }
+  const double& share_;
+  std::vector<glm::dvec3>& asked_;
+};
+
+TEST_F(AtmosphericOpticsGLTest, theBowIsDimmedByWhatDimsTheLightOnTheRain) {
+  // With all of the light it is the picture in which nobody dims it, with a quarter of it a quarter, to half
+  // floats. Asked are places in the rain.
+  const View away = view(100, 180, 10);
+  const Light open = added(away);
+  double share = 1;
+  std::vector<glm::dvec3> asked;
+  renderer().add(std::make_unique<Shade>(share, asked));
+  EXPECT_EQ(added(away), open);
+  share = 0.25;
+  const Light dimmed = added(away);
+  const float most = brightest(open);
+  ASSERT_GT(most, 0);
+  for (std::size_t i = 0; i < open.size(); ++i)
+    EXPECT_NEAR(dimmed[i].y, 0.25f * open[i].y, 0.01f * most) << i;
+  ASSERT_FALSE(asked.empty());
+  for (const glm::dvec3& place : asked) {
+    const double distance = glm::distance(place, away.position);
+    EXPECT_TRUE(distance > rainbow_.nearM && distance < rainbow_.farM) << distance;
+    EXPECT_TRUE(place.y >= 0 && place.y <= rainbow_.topM) << place.y;
+  }
 }
 
 TEST_F(AtmosphericOpticsGLTest, platesMakeSunDogsAtTheHeightOfTheSun) {

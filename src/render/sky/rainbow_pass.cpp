@@ -1,17 +1,47 @@
 #include "skydrop/render/sky/rainbow_pass.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <string>
 #include <vector>
 
 #include "render/frame/visibility.h"
 #include "render/sky/optics_table.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
+#include "skydrop/render/frame/light_shares.h"
 
 namespace skydrop::render {
 namespace {
 
 constexpr GLuint kDepthUnit = 0, kTableUnit = 1;  // as in shaders/sky/rainbow.glsl
 constexpr double kReachDegrees = 90;
+
+// What clouds and land leave of the sun where the rain of the primary bow is seen from, in the mean: at eight
+// places around it, in the middle of what can be seen of the rain.
+double lightOnBow(const FrameContext& context, const RainbowSettings& rain) {
+  if (!context.resources.find<LightAtPlaces>()) return 1;
+  constexpr int kPlaces = 8;
+  const double radius = glm::radians(42.0);
+  const double distance = rain.nearM + 0.5 * std::min(rain.farM - rain.nearM, 1 / rain.extinction);
+  const glm::dvec3 axis = -context.frame.toSun;
+  const glm::dvec3 u =
+      glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+  const glm::dvec3 v = glm::cross(axis, u);
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double angle = glm::radians(360.0 / kPlaces) * i;
+    const glm::dvec3 ray =
+        axis * std::cos(radius) + (u * std::cos(angle) + v * std::sin(angle)) * std::sin(radius);
+    const glm::dvec3 place = context.frame.view.position + ray * distance;
+    if (place.y < 0 || place.y > rain.topM) continue;
+    sum += lightAt(context.resources, place).sun;
+    ++count;
+  }
+  return count > 0 ? sum / count : 1;
+}
 
 }  // namespace
 
@@ -29,14 +59,12 @@ std::optional<std::string> RainbowPass::skipReason(const FrameInput& frame) cons
 }
 
 void RainbowPass::draw(FrameContext& context) {
-  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-  if (const auto* clouds = context.resources.find<CloudTransmittance>()) {
-    defines.emplace_back("CLOUD_TRANSMITTANCE");
-    clouds->bind();
-  }
+  const std::vector<std::string> defines = withCloudTransmittance(context.defines, context.resources);
   gl::Shader& shader = context.shaders.shader("fullscreen.vert", "sky/rainbow.frag", defines);
   shader.setVec4("rain", glm::vec4(settings_.extinction, settings_.nearM, settings_.farM, settings_.topM));
   shader.setFloat("dropRadiusMm", static_cast<float>(settings_.dropRadiusMm));
+  shader.setFloat("lightShare",
+                  context.frame.warmsUp ? 1 : static_cast<float>(lightOnBow(context, settings_)));
   context.sceneDepth.bind(kDepthUnit);
   table_.bind(kTableUnit);
   const gl::Functions& gl = context.gl.api();
