@@ -22,6 +22,7 @@ constexpr std::array kMakers = {
     Maker{"march", makeMarchSubject},
     Maker{"cloudShade", makeCloudShadeSubject},
     Maker{"landShade", makeLandShadeSubject},
+    Maker{"glitter", makeGlitterSubject},
 };
 
 }  // namespace

@@ -55,5 +55,7 @@ std::unique_ptr<accuracy::Subject> makeCloudShadeSubject();
 // What mountains leave of the sun on the land: method, detail, rayStepM, sunElevationDegrees,
 // sunAzimuthDegrees. Values.
 std::unique_ptr<accuracy::Subject> makeLandShadeSubject();
+// The glitter of the sun on water: method, rows, sunElevationDegrees. Values.
+std::unique_ptr<accuracy::Subject> makeGlitterSubject();
 
 }  // namespace skydrop::app
