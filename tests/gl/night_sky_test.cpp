@@ -251,5 +251,99 @@ TEST_F(NightSkyGLTest, everyTenthOfEveryRowOfTheStarsMakesADifference) {
   EXPECT_EQ(test::expectNoIdleSteps(table, {"stars."}, observe), 3);
 }
 
+class NightSkyStabilityGL : public NightSkyGLTest {
+ protected:
+  // Of all texels: finite, not negative, within the half float's clip.
+  void expectFinite(const std::string& where) const {
+    for (const glm::vec4& texel : light_)
+      for (int c = 0; c < 3; ++c) ASSERT_TRUE(texel[c] >= 0 && texel[c] <= 60001.0f) << where;
+  }
+};
+
+TEST_F(NightSkyStabilityGL, S80_theMoonExactlyNewAndExactlyFull) {
+  // Its light at phase angles of 0 and 180 degrees and next to both: finite, not negative, falling. In the
+  // picture: at the full moon of September 2026, and at a new moon that stands before the sun.
+  double last = 1e30;
+  for (const double angle : {0.0, 1e-12, 1e-6, 1.0, 90.0, 179.0, 180 - 1e-6, 180 - 1e-12, 180.0}) {
+    const double light = sky::moonIlluminance(angle, 384400), radiance = sky::moonRadiance(angle, 384400);
+    EXPECT_TRUE(std::isfinite(radiance) && radiance >= 0) << angle;
+    EXPECT_TRUE(light >= 0 && light <= last) << angle;
+    last = light;
+  }
+  addMoon();
+  settings_.sun.latitudeDegrees = 65.2, settings_.sun.longitudeDegrees = -25.2;  // in the path of the eclipse
+  for (const char* utc : {"2026-09-26T16:49:00Z", "2026-08-12T17:36:30Z", "2026-08-12T17:46:00Z"}) {
+    settings_.sun.utcMs = sky::parseInstant(utc).utcMs;
+    renderer().find<MoonPass>()->apply(settings_.sun);
+    const MoonView moon = moonView(settings_.sun, 0);
+    received(towards(moon.direction, 5));
+    expectFinite(utc);
+  }
+  const glm::dvec3 sun = directionToSun(settings_.sun), moon = moonView(settings_.sun, 0).direction;
+  EXPECT_LT(glm::degrees(std::acos(std::min(glm::dot(sun, moon), 1.0))), 0.1) << "they are at one place";
+}
+
+TEST_F(NightSkyStabilityGL, S81_nextToTheMoonNoHalfFloatOverflows) {
+  // In a picture of 2 degrees about the full moon, sixteen stops over, through both skies: finite and bright.
+  addMoon();
+  addStars({starAt(moonView(settings_.sun, 0).direction, -30)});
+  settings_.exposureStops = 16;
+  for (const sky::SkyModel model : {sky::SkyModel::closedForm, sky::SkyModel::shell}) {
+    settings_.sky.model = model;
+    EXPECT_GT(received(towards(moonView(settings_.sun, 0).direction, 2)).light, 0);
+    expectFinite("sixteen stops over");
+  }
+}
+
+TEST_F(NightSkyStabilityGL, S82_starsAtThePolesTheZenithTheHorizonAndBelowIt) {
+  // From both poles, from the equator, and from within 1e-9 degrees of a pole: stars exactly at the celestial
+  // poles, in the zenith, on the horizon and in the nadir, in views towards each. Nothing comes from below
+  // the ground.
+  std::vector<sky::Star> stars;
+  for (const glm::dvec3& direction :
+       {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0)})
+    stars.push_back({.direction = direction, .magnitude = -1, .colorIndex = 0.3});
+  for (const double latitude : {90.0, -90.0, 90 - 1e-9, 0.0}) {
+    settings_.sun.latitudeDegrees = latitude;
+    settings_.sun.utcMs =
+        sky::parseInstant(latitude < 0 ? "2026-06-21T00:00:00Z" : "2026-12-21T00:00:00Z").utcMs;
+    std::vector<sky::Star> all = stars;
+    for (const glm::dvec3& direction : {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0)})
+      all.push_back(starAt(direction, -1));
+    renderer().setGroup({"stars", 0});
+    addStars(all);
+    for (const double pitch : {90.0, 0.0, -90.0}) {
+      const double light = received(pose({0, kHeightM, 0}, 0, pitch, 0, kWidth, kHeight)).light;
+      expectFinite(std::to_string(latitude) + " " + std::to_string(pitch));
+      if (pitch < 0) {
+        EXPECT_EQ(light, 0) << latitude;
+      } else if (pitch > 80) {
+        EXPECT_GT(light, 0) << latitude;
+      }
+    }
+    renderer().removeGroup("stars");
+  }
+}
+
+TEST_F(NightSkyStabilityGL, S83_aYearOfLightAtThreeThousandSixHundredTimes) {
+  // The light of sun, moon and sky each 9 hours and 13 minutes of a simulated year: finite, never below the
+  // night's, and what casts shadows is above the horizon or sends nothing.
+  settings_.sky.model = sky::SkyModel::closedForm;
+  settings_.sun.timeScale = 3600;
+  int moonlit = 0;
+  for (int i = 0; i < 950; ++i) {
+    const double seconds = i * (9 * 3600 + 13 * 60) / 3600.0;  // of the simulation
+    const SkyLight light = skyLight(settings_, kHeightM, seconds);
+    ASSERT_TRUE(std::isfinite(light.exposure) && light.exposure > 0) << i;
+    for (int c = 0; c < 3; ++c) {
+      ASSERT_TRUE(std::isfinite(light.sky[c]) && light.sky[c] > 0) << i;
+      ASSERT_TRUE(std::isfinite(light.direct.sun[c]) && light.direct.sun[c] >= 0) << i;
+    }
+    ASSERT_NEAR(glm::length(light.direct.toSun), 1, 1e-12) << i;
+    moonlit += light.moon.has_value();
+  }
+  EXPECT_GT(moonlit, 100);
+}
+
 }  // namespace
 }  // namespace skydrop::render
