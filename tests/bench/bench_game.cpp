@@ -56,6 +56,12 @@ double BenchGame::continueSwitch(double budgetMs) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
+void BenchGame::set(const std::string& assignment) {
+  app::Settings before = run_->settings;
+  core::setField(run_->table, assignment);
+  sceneRenderer_.apply(app::SettingsChange::between(core::SettingsTable(before), run_->table));
+}
+
 double BenchGame::draw(const app::Pose& pose) {
   context_->makeCurrent();  // several games may take turns
   const auto begin = std::chrono::steady_clock::now();

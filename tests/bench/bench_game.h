@@ -31,6 +31,9 @@ class BenchGame {
   const terrain::EndlessTerrain& land() const { return *sceneRenderer_.land(); }
   std::string renderer() const { return context_->renderer(); }
 
+  // As with --set while flying, from the next frame on.
+  void set(const std::string& assignment);
+
   // One frame from there, in ms. Metres; degrees as in app::Pose.
   double draw(const app::Pose& pose);
 

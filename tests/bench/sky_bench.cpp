@@ -1,10 +1,11 @@
-// What the sky's model costs: the shell by tables against the closed form, frames of the whole game at 640 x
-// 360.
+// What the sky's model and the shadows of mountains cost: the shell by tables against the closed form, frames
+// of the whole game at 640 x 360.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/measure/frame_times.h"
@@ -87,6 +88,88 @@ void rebuiltTables(benchmark::State& state) {
   }
 }
 BENCHMARK(rebuiltTables)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+// Haze that changes every twelfth frame, as while its slider is dragged: frames against those at rest.
+void newAir(benchmark::State& state) {
+  constexpr int kFrames = 240;
+  for (auto _ : state) {
+    BenchGame game({.scene = "terrain", .set = {"quality=low", "render.sun.elevationDegrees=8"}});
+    const app::Pose pose = kPlaces[1].pose;
+    game.settle(pose);
+    game.sceneRenderer().setFramesFollow(true);
+    app::FrameTimes still, changing;
+    for (int frame = 0; frame < kFrames; ++frame) still.add(game.draw(pose));
+    for (int frame = 0; frame < kFrames; ++frame) {
+      if (frame % 12 == 0) game.set("render.atmosphere.visibilityM=" + std::to_string(40000 + 100 * frame));
+      changing.add(game.draw(pose));
+    }
+    state.counters["stillMs"] = still.quantile(0.5);
+    state.counters["changingMs"] = changing.quantile(0.5);
+    state.counters["stillLongestMs"] = still.quantile(0.99);
+    state.counters["changingLongestMs"] = changing.quantile(0.99);
+    expect(changing.quantile(0.99) - still.quantile(0.99) < 8,
+           "a new air is made within 8 ms of added frame time");
+  }
+}
+BENCHMARK(newAir)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+double passMs(BenchGame& game, std::string_view pass) {
+  for (const auto& [name, ms] : game.sceneRenderer().renderer().newestTimes()) {
+    if (name == pass) return ms;
+  }
+  return 0;
+}
+
+// What a pass takes with the effect landShadows against without, in turns.
+void withLandShadows(benchmark::State& state, const BenchGame::Setup& setup, const app::Pose& pose,
+                     std::string_view pass, double most) {
+  constexpr int kRounds = 15, kFrames = 6;
+  for (auto _ : state) {
+    BenchGame::Setup plain = setup;
+    plain.without = scene::Effect::landShadows;
+    BenchGame with(setup), without(plain);
+    with.settle(pose);
+    without.settle(pose);
+    std::vector<double> ratios;
+    app::FrameTimes a, b;
+    for (int round = 0; round < kRounds; ++round) {
+      app::FrameTimes withMs, withoutMs;
+      for (int frame = 0; frame < kFrames; ++frame) {
+        with.draw(pose), withMs.add(passMs(with, pass));
+        without.draw(pose), withoutMs.add(passMs(without, pass));
+      }
+      ratios.push_back(withMs.quantile(0.5) / withoutMs.quantile(0.5));
+      a.add(withMs.quantile(0.5)), b.add(withoutMs.quantile(0.5));
+    }
+    std::ranges::sort(ratios);
+    state.counters["ratio"] = ratios[ratios.size() / 2];
+    state.counters["ratioLow"] = ratios[ratios.size() / 4];
+    state.counters["ratioHigh"] = ratios[ratios.size() * 3 / 4];
+    state.counters["withMs"] = a.quantile(0.5);
+    state.counters["withoutMs"] = b.quantile(0.5);
+    expect(ratios[ratios.size() / 2] <= most,
+           "shadows of mountains cost their pass no more than is promised");
+  }
+}
+
+void mountainShadowsOnLand(benchmark::State& state) {
+  withLandShadows(state,
+                  {.measuring = true,
+                   .scene = "terrain",
+                   .set = {"render.sun.elevationDegrees=6", "render.sun.azimuthDegrees=265"}},
+                  {{2500, 700, -1200}, -38, 2, 0}, "terrain", 1.15);
+}
+BENCHMARK(mountainShadowsOnLand)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+void mountainShadowsOnClouds(benchmark::State& state) {
+  withLandShadows(state,
+                  {.measuring = true,
+                   .scene = "shafts",
+                   .set = {"render.sun.elevationDegrees=6", "render.sun.azimuthDegrees=60",
+                           "clouds.cloudHeight=450", "clouds.thickness=350", "clouds.coverage=1"}},
+                  {{8000, 1500, -7500}, 240, -12, 0}, "clouds", 1.15);
+}
+BENCHMARK(mountainShadowsOnClouds)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
 }  // namespace skydrop::bench
