@@ -19,8 +19,8 @@ inline constexpr std::string_view kSkyShellDefine = "SKY_SHELL";
 inline constexpr GLuint kSkyTablesUnit = 15, kAirTablesUnit = 14;
 
 // A layer for each of sky::SkyLayer, in light times exposure; the night's radiance is in the even ones. The
-// three of the whole sky have six times the columns and three times the rows, on curves, so that mixing two texels
-// shows no kink. 1.2 MB in RGBA32F: half floats would show their steps in the sky.
+// three of the whole sky have six times the columns and three times the rows, on curves, so that mixing two
+// texels shows no kink. 1.2 MB in RGBA32F: half floats would show their steps in the sky.
 class SkyTables {
  public:
   // Makes the textures where there are none, writes what has changed since the last call, and binds them.
