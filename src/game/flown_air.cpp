@@ -76,7 +76,7 @@ FlownAir::Sample FlownAir::sample(const glm::dvec3& position, double surface, do
                                   double seconds) {
   const WeatherSetup& weather = *setup_->weather;
   const weather::WeatherSettings& settings = weather.settings;
-  const weather::State state = weather::stateAt(settings, setup_->seed, seconds, {position.x, position.z});
+  const weather::State state = weather.at(setup_->seed, seconds, {position.x, position.z});
   profile_ = weather::WindProfile(state.wind);
   const double above = std::max(position.y - surface, 0.0);
   const glm::dvec3 wind = profile_.at(position.y, above);
@@ -154,8 +154,7 @@ glm::dvec3 FlownAir::meanWind(const glm::dvec3& position, double surface) const 
 
 glm::dvec3 FlownAir::meanWindOf(const glm::dvec3& position, double surface, double seconds) const {
   if (!setup_->weather) return setup_->wind;
-  const weather::State state =
-      weather::stateAt(setup_->weather->settings, setup_->seed, seconds, {position.x, position.z});
+  const weather::State state = setup_->weather->at(setup_->seed, seconds, {position.x, position.z});
   return weather::WindProfile(state.wind).at(position.y, position.y - surface);
 }
 

@@ -52,14 +52,27 @@ InputLogWriter::InputLogWriter(const InputLog& start) {
   text_ = "{\"schema\":" + std::to_string(InputLog::kSchema) + ",\"kind\":\"" + std::string(kLogKind) +
           "\",\"program\":" + quoted(start.program) + ",\"seed\":" + std::to_string(start.seed) +
           ",\"scene\":{\"source\":" + quoted(start.scene.source) + ",\"digest\":\"" +
-          hexText(sceneDigest(start.scene.text)) + "\",\"text\":" + quoted(start.scene.text) +
-          "},\"settings\":[";
+          hexText(sceneDigest(start.scene.text)) + "\",\"text\":" + quoted(start.scene.text) + "}";
+  writeWeather("weather", start.weather);
+  writeWeather("farWeather", start.farWeather);
+  text_ += ",\"settings\":[";
   const char* separator = "";
   for (const SettingOverride& s : start.settings) {
     text_ += separator + ("[" + quoted(s.path) + "," + quoted(s.value) + "]");
     separator = ",";
   }
   text_ += "]}\n";
+}
+
+void InputLogWriter::writeWeather(std::string_view name, const std::vector<InputLog::WeatherRecord>& files) {
+  if (files.empty()) return;
+  text_ += ",\"" + std::string(name) + "\":[";
+  const char* separator = "";
+  for (const InputLog::WeatherRecord& file : files) {
+    text_ += separator + ("[" + quoted(file.source) + ",\"" + hexText(file.digest) + "\"]");
+    separator = ",";
+  }
+  text_ += "]";
 }
 
 void InputLogWriter::append(const QuantisedControls& controls, std::uint64_t steps) {

@@ -61,9 +61,9 @@ class HeaderReader final : public LogEvents {
   }
 
   bool key(std::string& name) override {
-    static constexpr std::array<std::string_view, 9> kKnown = {"schema",       "kind",         "program",
-                                                               "seed",         "scene",        "settings",
-                                                               "scene.source", "scene.digest", "scene.text"};
+    static constexpr std::array<std::string_view, 11> kKnown = {
+        "schema",       "kind",         "program",    "seed",    "scene",     "settings",
+        "scene.source", "scene.digest", "scene.text", "weather", "farWeather"};
     const std::string path = (depth_ == 2 ? "scene." : "") + name;
     key_ = path.substr(0, 40);
     if (std::find(kKnown.begin(), kKnown.end(), path) == kKnown.end() ||
@@ -75,7 +75,8 @@ class HeaderReader final : public LogEvents {
   }
 
   bool start_array(std::size_t) override {
-    if (!(depth_ == 1 && key_ == "settings") && !(depth_ == 2 && inArray_)) wrong("an array");
+    const bool isList = key_ == "settings" || weather();
+    if (!(depth_ == 1 && isList) && !(depth_ == 2 && inArray_)) wrong("an array");
     inArray_ = true;
     ++depth_;
     column_ = 0;
@@ -87,17 +88,31 @@ class HeaderReader final : public LogEvents {
       inArray_ = false;
       return true;
     }
-    const std::string row = "settings[" + std::to_string(log_.settings.size()) + "]";
+    const std::string row = key_ + "[" + std::to_string(rows()) + "]";
     if (column_ != 2) fail(row, "has " + std::to_string(column_) + " entries, not 2");
+    if (std::vector<InputLog::WeatherRecord>* files = weather()) {
+      const std::optional<std::uint64_t> digest = parseHash(texts_[1]);
+      if (!digest) fail(row, "the digest is not a hexadecimal number");
+      if (files->size() == InputLog::kMaxWeatherFiles) fail(row, "there are more than 100 of them");
+      files->push_back({texts_[0], *digest});
+      return true;
+    }
     if (log_.settings.size() >= InputLog::kMaxSettings) fail(row, "there are more than 10000 of them");
     log_.settings.push_back({texts_[0], texts_[1]});
     return true;
   }
 
  private:
+  // Of the list that is read, so far.
+  std::size_t rows() const { return weather() ? weather()->size() : log_.settings.size(); }
+  // The weather files that are read; null within the settings.
+  std::vector<InputLog::WeatherRecord>* weather() const {
+    return key_ == "weather" ? &log_.weather : key_ == "farWeather" ? &log_.farWeather : nullptr;
+  }
+
   std::string place() const override {
     std::string out = key_.empty() ? "line 1" : key_;
-    if (inArray_ && depth_ >= 2) out += "[" + std::to_string(log_.settings.size()) + "]";
+    if (inArray_ && depth_ >= 2) out += "[" + std::to_string(rows()) + "]";
     if (inArray_ && depth_ >= 3) out += "[" + std::to_string(column_) + "]";
     return out;
   }

@@ -47,6 +47,11 @@ const WorldSetup& usable(const WorldSetup& setup) {
 
 }  // namespace
 
+weather::State WeatherSetup::at(std::uint64_t seed, double seconds, const glm::dvec2& xz) const {
+  return forecast ? weather::stateAt(settings, *forecast, clock, seed, seconds, xz)
+                  : weather::stateAt(settings, seed, seconds, xz);
+}
+
 struct World::State {
   WorldSetup setup;
   std::shared_ptr<const weather::WeatherSettings> shownWeather;  // setup.weather's, shared by snapshots
@@ -147,7 +152,10 @@ void World::State::fill(Snapshot& out) const {
   out.simulatedSeconds = secondsOf(steps);
   out.wind = setup.wind;
   out.weather = {};
-  if (shownWeather) out.weather = {shownWeather, setup.seed, out.simulatedSeconds};
+  if (shownWeather) {
+    out.weather = {shownWeather, setup.seed, out.simulatedSeconds, setup.weather->forecast,
+                   setup.weather->clock};
+  }
   out.air = {};
   if (aircraft) {
     out.aircraft = aircraft->snapshot();
@@ -171,6 +179,10 @@ std::uint64_t World::State::hash() const {
     describe(settings, copy.weather->settings);
     describe(settings, copy.weather->drift);
     h.add(std::uint64_t{copy.weather->noise != nullptr});
+    if (copy.weather->forecast) {
+      h.add(copy.weather->forecast->digest);
+      describe(settings, copy.weather->clock);
+    }
     if (aircraft) air.addTo(h);
   }
   if (aircraft) aircraft->addTo(h);

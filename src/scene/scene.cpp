@@ -41,9 +41,17 @@ class SceneReader {
         readStart(value, scene.start);
       else if (name == "settings")
         scene.settingsJson = settings(value);
+      else if (name == "weatherFile")
+        scene.weatherFiles = filesBeside(value, name);
+      else if (name == "farWeatherFile")
+        scene.farWeatherFiles = filesBeside(value, name);
       else
         fail(name, "unknown member");
     }
+    if (scene.weatherFiles.empty() && !scene.farWeatherFiles.empty())
+      fail("farWeatherFile", "there is no weatherFile");
+    if (!scene.weatherFiles.empty() && !scene.effects.contains(Effect::weather))
+      fail("weatherFile", "the scene does not name the effect weather");
     return scene;
   }
 
@@ -99,6 +107,19 @@ class SceneReader {
         fail(place, "unknown member");
       }
     }
+  }
+
+  // A text, or a list of them.
+  std::vector<std::filesystem::path> filesBeside(const json& value, std::string_view place) const {
+    constexpr std::size_t kMostFiles = 100;
+    std::vector<std::filesystem::path> files;
+    for (const json& entry : value.is_array() ? value : json::array({value})) {
+      const std::string name = text(entry, place);
+      if (name.empty()) fail(place, "is empty");
+      if (files.size() == kMostFiles) fail(place, "names more than 100 files");
+      files.push_back(std::filesystem::path(file_).parent_path() / name);
+    }
+    return files;
   }
 
   std::string settings(const json& value) const {

@@ -6,6 +6,7 @@
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/hash.h"
+#include "weather/site_weather.h"
 
 namespace skydrop::weather {
 namespace {
@@ -43,7 +44,7 @@ double wrappedDegrees(double degrees) {
   return turned < 360 ? turned : 0;
 }
 
-void letWander(State& s, double variability, std::uint64_t seed, double time) {
+void turnAndScale(State& s, double variability, std::uint64_t seed, double time) {
   const double speed = 1 + kSpeedWander * variability * wander(seed, kOfSpeed, time);
   const double turn = kDirectionWanderDeg * variability * wander(seed, kOfDirection, time);
   const auto moved = [&](double& speedMps, double& directionDeg) {
@@ -66,6 +67,10 @@ void letWander(State& s, double variability, std::uint64_t seed, double time) {
 
 }  // namespace
 
+void letWander(State& state, const WeatherSettings& s, std::uint64_t seed, double seconds) {
+  if (s.variability > 0) turnAndScale(state, s.variability, seed, seconds / s.wanderSeconds);
+}
+
 State stateOf(const SiteSettings& s) {
   State out;
   out.wind = {s.windSpeed, wrappedDegrees(s.windDirection), s.gust, s.roughness, s.gradientHeight, {}};
@@ -85,14 +90,19 @@ State stateOf(const SiteSettings& s) {
   return out;
 }
 
-double siteShare(const WeatherSettings& s, double seconds, const glm::dvec2& xz) {
-  if (!s.secondSite) return 0;
-  const glm::dvec2 first(s.sites[0].eastM, -s.sites[0].northM), second(s.sites[1].eastM, -s.sites[1].northM);
+double shareAlong(const glm::dvec2& first, const glm::dvec2& second, double approachSeconds, double seconds,
+                  const glm::dvec2& xz) {
   const glm::dvec2 way = second - first, here = xz - first;
   const double length2 = way.x * way.x + way.y * way.y;
   const double along = length2 > 0 ? (here.x * way.x + here.y * way.y) / length2 : 0;
-  const double approached = s.approachSeconds > 0 ? seconds / s.approachSeconds : 0;
+  const double approached = approachSeconds > 0 ? seconds / approachSeconds : 0;
   return smoothShare(along + approached);
+}
+
+double siteShare(const WeatherSettings& s, double seconds, const glm::dvec2& xz) {
+  if (!s.secondSite) return 0;
+  return shareAlong({s.sites[0].eastM, -s.sites[0].northM}, {s.sites[1].eastM, -s.sites[1].northM},
+                    s.approachSeconds, seconds, xz);
 }
 
 State stateAt(const WeatherSettings& s, std::uint64_t seed, double seconds, const glm::dvec2& xz) {
@@ -100,7 +110,7 @@ State stateAt(const WeatherSettings& s, std::uint64_t seed, double seconds, cons
   State out = share <= 0   ? stateOf(s.sites[0])
               : share >= 1 ? stateOf(s.sites[1])
                            : mixed(stateOf(s.sites[0]), stateOf(s.sites[1]), share);
-  if (s.variability > 0) letWander(out, s.variability, seed, seconds / s.wanderSeconds);
+  letWander(out, s, seed, seconds);
   return out;
 }
 

@@ -7,6 +7,9 @@
 //
 //   {"schema":2,"kind":"skydrop input log","program":"skydrop 0.1.0","seed":1,
 //    "scene":{"source":"fair","digest":"0123456789abcdef","text":"{...}"},"settings":[["aircraft.mass","1"],...]}
+// A flight in weather from files has ,"weather":[["/.../bern.json","0123456789abcdef"],..] after its scene,
+// the near site's files, and "farWeather", the same of the far one.
+//
 //   [30,127,0,-64,0,0,1]                  so many steps with thrust, brake, pitch, roll, yaw (127 is 1) and
 //                                         flags: 1 for drop + 2 for reset
 //   [120]                                 more steps with the controls of the last such row
@@ -75,8 +78,18 @@ struct InputLog {
     bool operator==(const SceneRecord&) const = default;
   };
 
+  // A weather file that was flown in; the log holds its digest and not its content.
+  struct WeatherRecord {
+    std::string source;        // its absolute path
+    std::uint64_t digest = 0;  // of its content (forecast::contentDigest)
+
+    bool operator==(const WeatherRecord&) const = default;
+  };
+
   std::string program;  // name and version that recorded it
   SceneRecord scene;
+  static constexpr std::size_t kMaxWeatherFiles = 100;
+  std::vector<WeatherRecord> weather, farWeather;  // of the near site and of the far one, in order
   std::uint64_t seed = 0;
   std::vector<SettingOverride> settings;  // at the start, in order
   std::vector<Run> runs;                  // neighbours differ
@@ -116,6 +129,7 @@ class InputLogWriter {
   std::string take();
 
  private:
+  void writeWeather(std::string_view name, const std::vector<InputLog::WeatherRecord>& files);
   void writeRun();
   void writeHash(std::string_view kind, std::uint64_t hash);
 

@@ -26,6 +26,7 @@
 #include "skydrop/game/events.h"
 #include "skydrop/game/game_settings.h"
 #include "skydrop/game/snapshot.h"
+#include "skydrop/weather/forecast.h"
 #include "skydrop/weather/weather_settings.h"
 
 namespace skydrop::terrain {
@@ -51,8 +52,13 @@ struct StartPose {
 // The weather that is flown in.
 struct WeatherSetup {
   weather::WeatherSettings settings;
-  core::WindSettings drift;                               // that carries the clouds
-  std::shared_ptr<const clouds::PackedCloudNoise> noise;  // of the clouds; null: none are met
+  core::WindSettings drift;                                     // that carries the clouds
+  std::shared_ptr<const clouds::PackedCloudNoise> noise;        // of the clouds; null: none are met
+  std::shared_ptr<const weather::Forecast> forecast = nullptr;  // in place of the settings' sites; null: none
+  weather::ForecastClock clock = {};                            // of the forecast
+
+  // The weather at a place and time, of the forecast or the sites (weather::stateAt).
+  weather::State at(std::uint64_t seed, double seconds, const glm::dvec2& xz) const;
 };
 
 struct WorldSetup {

@@ -8,7 +8,10 @@
 //     "start": {"position": [x, y, z],            metres; with terrain, y is above the ground or the sea
 //               "heading": 90,                    compass degrees
 //               "speed": 70},                     m/s
-//     "settings": {"aircraft": {...}, ...}        overrides of described settings (app checks names, ranges)
+//     "weatherFile": "bern.json",                 a forecast or report, beside the scene's file, for the
+//     effect "farWeatherFile": ["a.json", "b.json"],     weather, or several of one place; and those of a
+//     second site "settings": {"aircraft": {...}, ...}        overrides of described settings (app checks
+//     names, ranges)
 //   }
 //
 // Only `schema` must be there. Unknown members are refused.
@@ -42,6 +45,8 @@ struct Scene {
   EffectSet effects;
   Start start;
   std::string settingsJson = "{}";  // checked JSON text of an object
+  // Weather from files (module forecast); empty for none. A far one only with a near one.
+  std::vector<std::filesystem::path> weatherFiles, farWeatherFiles;
 };
 
 inline constexpr std::size_t kMostSceneBytes = std::size_t{1} << 20;

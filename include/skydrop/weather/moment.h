@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 
+#include "skydrop/weather/forecast.h"
 #include "skydrop/weather/state.h"
 #include "skydrop/weather/weather_settings.h"
 
@@ -12,13 +13,18 @@ namespace skydrop::weather {
 
 // A value; copies share the settings, which nobody changes. Any thread.
 struct Moment {
-  std::shared_ptr<const WeatherSettings> settings;  // usable (requireUsable()); null: there is no weather
-  std::uint64_t seed = 0;                           // of its wander
-  double seconds = 0;                               // simulated
+  std::shared_ptr<const WeatherSettings> settings;     // usable (requireUsable()); null: there is no weather
+  std::uint64_t seed = 0;                              // of its wander
+  double seconds = 0;                                  // simulated
+  std::shared_ptr<const Forecast> forecast = nullptr;  // in place of the sites; null: there is none
+  ForecastClock clock = {};                            // of the forecast
 
   explicit operator bool() const { return settings != nullptr; }
   // stateAt() there: x east, z south, m. Only where there is weather.
-  State at(const glm::dvec2& xz) const { return stateAt(*settings, seed, seconds, xz); }
+  State at(const glm::dvec2& xz) const {
+    return forecast ? stateAt(*settings, *forecast, clock, seed, seconds, xz)
+                    : stateAt(*settings, seed, seconds, xz);
+  }
 };
 
 }  // namespace skydrop::weather
