@@ -6,6 +6,7 @@ find_package(assimp REQUIRED)
 find_package(OpenAL REQUIRED)
 find_package(glfw3 3.3 REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(CURL 7.85 REQUIRED)
 find_package(PkgConfig)
 
 if(NOT TARGET OpenAL::OpenAL)

@@ -28,10 +28,11 @@ std::map<std::string, Names> allowedIncludes() {
   Names outer = game;
   outer.insert("game");
   Names app = outer;
-  app.insert({"render", "audio", "ui", "accuracy"});
+  app.insert({"render", "audio", "ui", "accuracy", "forecast"});
+  const Names forecast = {"core", "sky", "weather"};
   return {{"core", {}},      {"terrain", core}, {"noise", core},   {"clouds", core}, {"accuracy", core},
           {"flight", core},  {"sky", core},     {"weather", core}, {"scene", scene}, {"game", game},
-          {"render", outer}, {"audio", outer},  {"ui", outer},     {"app", app}};
+          {"render", outer}, {"audio", outer},  {"ui", outer},     {"app", app},     {"forecast", forecast}};
 }
 
 // The same for rooms, the folders of a module.
