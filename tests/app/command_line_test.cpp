@@ -145,6 +145,46 @@ TEST(CommandLine, skyTakesATimeAndAPlace) {
   EXPECT_EQ(refusalOf({"sky", "--lat", "1", "--lon", "1"}), "--utc is required");
 }
 
+TEST(CommandLine, weatherFilesAreFlownInAndChecked) {
+  // --weather names the files of the near site and brings the effect, before --set and --no-effect.
+  const CommandLine flown = parse({"--weather", "a.json", "--weather", "b.json", "--weather-far", "c.txt",
+                                   "--no-effect", "weather"})
+                                .commandLine;
+  EXPECT_EQ(flown.weatherFiles, (std::vector<std::filesystem::path>{"a.json", "b.json"}));
+  EXPECT_EQ(flown.farWeatherFiles, (std::vector<std::filesystem::path>{"c.txt"}));
+  EXPECT_EQ(flown.set, (std::vector<std::string>{"effects.weather=true", "effects.weather=false"}));
+  EXPECT_TRUE(parse({"simulate", "--replay", "a.log", "--weather", "a.json"}).commandLine.set.empty());
+  const CommandLine checked =
+      parse({"weather", "check", "a", "-", "--json", "--utc", "2026-06-21"}).commandLine;
+  EXPECT_EQ(checked.weather.verb, WeatherVerb::check);
+  EXPECT_EQ(checked.weather.files, (std::vector<std::filesystem::path>{"a", "-"}));
+  EXPECT_TRUE(checked.weather.json && checked.weather.utc);
+  EXPECT_EQ(refusalOf({"--weather-far", "a.json"}),
+            "--weather-far needs --weather, the weather of the first site");
+  EXPECT_EQ(refusalOf({"--weather", ""}), "--weather: the path is empty");
+  EXPECT_EQ(refusalOf({"weather", "check"}), "weather check: there is no file to check");
+  EXPECT_EQ(refusalOf({"weather", "check", "-", "-"}), "- (standard input) can be read only once");
+  EXPECT_EQ(refusalOf({"weather", "state", "a.json"}),
+            "weather state: files, --json and --utc belong to weather check; --weather FILE is flown in");
+}
+
+TEST(CommandLine, weatherIsFetchedOfAServiceAndAPlace) {
+  const WeatherRequest request = parse({"weather", "fetch", "--provider", "open-meteo", "--lat", "46.9",
+                                        "--lon=-7", "--url", "http://127.0.0.1:8/x", "--out", "a.json"})
+                                     .commandLine.weather;
+  EXPECT_EQ(request.verb, WeatherVerb::fetch);
+  EXPECT_EQ(request.fetch.provider, forecast::Provider::openMeteo);
+  EXPECT_EQ(request.fetch.longitudeDegrees, -7);
+  EXPECT_EQ(request.fetch.url, "http://127.0.0.1:8/x");
+  EXPECT_EQ(refusalOf({"weather", "fetch"}), "weather fetch: --provider is required");
+  EXPECT_EQ(refusalOf({"weather", "fetch", "--provider", "wind"}),
+            "--provider: 'wind' is not one of meteoblue open-meteo metar");
+  EXPECT_EQ(refusalOf({"weather", "fetch", "--provider", "open-meteo", "--lat", "1"}),
+            "weather fetch: --lat and --lon are required");
+  EXPECT_EQ(refusalOf({"weather", "fetch", "--provider", "metar"}), "weather fetch: a METAR needs --station");
+  EXPECT_EQ(refusalOf({"weather", "state", "--lat", "1"}), "--lat belongs to weather fetch");
+}
+
 TEST(CommandLine, weatherTakesASceneATimeAndAPlace) {
   const CommandLine line =
       parse({"weather", "state", "--scene", "breeze", "--time", "600", "--at=-1,2.5,3e9", "--set", "a=1"})
@@ -154,7 +194,7 @@ TEST(CommandLine, weatherTakesASceneATimeAndAPlace) {
   EXPECT_EQ(line.timeS, 600);
   EXPECT_EQ(line.weatherAt, glm::dvec3(-1, 2.5, 3e9));
   EXPECT_EQ(line.set, std::vector<std::string>{"a=1"});
-  EXPECT_EQ(refusalOf({"weather", "forecast"}), "weather: 'forecast' is not one of state");
+  EXPECT_EQ(refusalOf({"weather", "forecast"}), "weather: 'forecast' is not one of state check fetch");
   EXPECT_EQ(refusalOf({"weather", "state", "--at", "1,2"}), "--at: '1,2' is not of the form X,Y,Z");
   EXPECT_EQ(refusalOf({"weather", "state", "--at", "1,nan,2"}), "--at: 'nan' is not a finite number");
   EXPECT_EQ(refusalOf({"weather", "state", "--time", "-1"}), "--time: -1 is out of range 0 to 1e+09");

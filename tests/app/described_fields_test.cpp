@@ -121,6 +121,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::SunSettings;
   using terrain::TerrainSettings;
   using terrain::TerrainStreamingSettings;
+  using weather::ForecastClock;
   using weather::SiteSettings;
   using weather::WeatherLayerSettings;
   using weather::WeatherSettings;
@@ -146,7 +147,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(WeatherLayerSettings), SKYDROP_STRUCT(SiteSettings),
       SKYDROP_STRUCT(WeatherSettings),      SKYDROP_STRUCT(LightShaftSettings),
       SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
-      SKYDROP_STRUCT(MoodSettings),
+      SKYDROP_STRUCT(MoodSettings),         SKYDROP_STRUCT(ForecastClock),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

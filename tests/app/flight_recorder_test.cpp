@@ -67,7 +67,7 @@ Replayed replay(const std::string& log, CommandLine line) {
   const auto run = prepareRun(line);
   Simulation simulation(run->setup, run->settings, run->table);
   while (!simulation.finished()) simulation.step({});
-  return {simulation.takeDivergence().value_or(""), run->replayNotes, simulation.world().stepCount()};
+  return {simulation.takeDivergence().value_or(""), run->notes, simulation.world().stepCount()};
 }
 Replayed replay(const test::TemporaryFolder& folder, const std::string& log) {
   return replay(log, lineOf(folder));

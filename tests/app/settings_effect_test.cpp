@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/input/player_input.h"
+#include "app/session/flown_weather.h"
 #include "app/session/run_config.h"
 #include "app/window/overlay.h"
 #include "skydrop/audio/audio_manager.h"
@@ -182,6 +183,23 @@ std::uint64_t weatherStates(const Settings& settings) {
             s.turbulenceSeverity})
         h.add(value);
     }
+  }
+  return h.value();
+}
+
+// A week of hours, each warmer than the one before, as the clock of the settings runs through it.
+std::uint64_t forecastStates(const Settings& settings) {
+  std::vector<weather::TimedState> hours(169);
+  for (std::size_t i = 0; i < hours.size(); ++i) {
+    hours[i].utcMs = 1782000000000 + static_cast<std::int64_t>(i) * 3600000;
+    hours[i].state.wind.levels = {{{1500, 5, 0}, {5000, 5, 0}, {10000, 5, 0}}};
+    hours[i].state.temperatureC = -50 + 0.5 * static_cast<double>(i);
+  }
+  const weather::Forecast forecast{weather::Timeline(hours), weather::Timeline(hours), std::nullopt, 1};
+  core::StateHasher h;
+  for (const double seconds : {0.0, 10.0, 90.0}) {
+    h.add(weather::stateAt(settings.weather, forecast, forecastClock(settings, forecast), 1, seconds, {0, 0})
+              .temperatureC);
   }
   return h.value();
 }
@@ -416,6 +434,8 @@ const std::vector<Probe> kProbes = {
     {"weather.slopeWind", weatherFlight},
     {"weather.icing", weatherFlight, {"weather.sites.0.temperature=-10", "weather.sites.0.rain=10"}},
     {"weather.", weatherStates, twoSites()},
+    {"weatherFile.followsSky", forecastStates, {"sky.sun=clock"}},
+    {"weatherFile.", forecastStates, {"weatherFile.followsSky=false"}},
     {"autopilot.", autopilot, {"game.targetNearest=1200", "game.targetFarthest=1500"}},
     {"terrain.", heights},
     {"streaming.uploadMiBPerFrame", uploads},
@@ -511,7 +531,7 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
 
 constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot.", "terrain.",
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
-                                   "clouds.",    "render.",  "wind.", "weather."};
+                                   "clouds.",    "render.",  "wind.", "weather.",   "weatherFile."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.",    "cloudDome.",    "groundFog.", "stars.",
                                              "landShadows.",    "halo.",         "rainbow.",   "lightShafts.",

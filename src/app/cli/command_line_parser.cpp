@@ -116,6 +116,9 @@ class Parser {
     if (camera_) line_.pose = poseOfCamera();
     // After every --set: the flag is the shorter word for the same.
     if (frameBudget_) line_.set.push_back("view.frameBudgetMs=" + *frameBudget_);
+    // Before every other word, so that --no-effect weather and --set are heard. A replay has its effects.
+    if (!line_.weatherFiles.empty() && !line_.replay)
+      line_.set.insert(line_.set.begin(), "effects.weather=true");
     if (hud_ || noHud_) line_.set.push_back(std::string("view.hud=") + (hud_ ? "true" : "false"));
     return {line_, std::nullopt, {}};
   }
@@ -171,6 +174,7 @@ class Parser {
     addSeed(verb, "the world's seed instead of the scene's");
     text(verb, "--workers", "N", "threads that make terrain (cores - 1)",
          [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
+    addWeatherFiles(verb);
     path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
     path(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
     path(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
@@ -184,6 +188,27 @@ class Parser {
            frameBudget_ = t;
          });
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
+  }
+
+  void addWeatherFiles(CLI::App& verb) {
+    const auto files = [&](const std::string& flag, std::vector<std::filesystem::path>& target,
+                           const std::string& help) {
+      verb.add_option_function<std::vector<std::string>>(
+              flag,
+              [flag, &target](const std::vector<std::string>& all) {
+                if (std::ranges::find(all, "") != all.end()) throw UsageError(flag + ": the path is empty");
+                target.assign(all.begin(), all.end());
+              },
+              help)
+          ->type_name("FILE|-")
+          ->allow_extra_args(false)
+          ->expected(1, 100);
+    };
+    files(
+        "--weather", line_.weatherFiles,
+        "fly in the weather of a file: an answer of meteoblue or Open-Meteo, or METARs; switches the effect "
+        "weather on; several of one place count as one");
+    files("--weather-far", line_.farWeatherFiles, "of --weather: the weather of a second site");
   }
 
   // The flags are the shorter words for --set, and count in the order in which all of them stand.
@@ -476,13 +501,33 @@ class Parser {
   void addWeather(CLI::App& verb) {
     verb.add_option_function<std::string>(
             "WHAT",
-            [](const std::string& t) {
-              if (t != "state") throw UsageError("weather: '" + t + "' is not one of state");
+            [this](const std::string& t) {
+              const auto what = std::ranges::find(kWeatherVerbs, t);
+              if (what == kWeatherVerbs.end())
+                throw UsageError("weather: '" + t + "' is not one of state check fetch");
+              line_.weather.verb = static_cast<WeatherVerb>(what - kWeatherVerbs.begin());
             },
-            "state: the whole state, with wind, turbulence and cloud at the point")
+            "state: the whole state, with wind, turbulence and cloud at the point; check: what weather files "
+            "say, hour by hour, and what they lack; fetch: ask a service, and keep its answer in the cache "
+            "folder")
         ->required();
+    verb.add_option_function<std::vector<std::string>>(
+            "FILE",
+            [this](const std::vector<std::string>& all) {
+              if (std::ranges::find(all, "") != all.end()) throw UsageError("weather: the path is empty");
+              line_.weather.files.assign(all.begin(), all.end());
+            },
+            "of check: several answers about one place count as one")
+        ->type_name("FILE|-")
+        ->expected(0, 100);
+    verb.add_flag("--json", line_.weather.json, "of check: as JSON");
+    addFetch(verb);
+    text(verb, "--utc", "TIME",
+         "of check: about when METARs were made, which name no month (the file's time)",
+         [this](const std::string& t) { line_.weather.utc = parseUtc(t); });
     addScene(verb);
     addSet(verb);
+    addWeatherFiles(verb);
     addSeed(verb, "the world's seed instead of the scene's");
     text(verb, "--time", "S", "simulated seconds (0)",
          [this](const std::string& t) { line_.timeS = number("--time", t, 0, kLongestWeatherS); });
@@ -516,6 +561,8 @@ class Parser {
     if (line_.scene) inputs.emplace_back(*line_.scene);
     if (line_.preset) inputs.emplace_back(*line_.preset);
     if (line_.replay) inputs.push_back(*line_.replay);
+    for (const auto* files : {&line_.weatherFiles, &line_.farWeatherFiles, &line_.weather.files})
+      inputs.insert(inputs.end(), files->begin(), files->end());
     if (std::ranges::count_if(inputs, core::isStandardInput) > 1)
       throw UsageError("- (standard input) can be read only once");
     if (!line_.noise.folder) return;
@@ -562,6 +609,76 @@ class Parser {
     }
   }
 
+  void addFetch(CLI::App& verb) {
+    forecast::FetchRequest& request = line_.weather.fetch;
+    const auto of = [&](const std::string& flag, const std::string& form, const std::string& help,
+                        std::function<void(const std::string&)> read) {
+      text(verb, flag, form, "of fetch: " + help, [this, flag, read](const std::string& t) {
+        fetchWords_.push_back(flag);
+        read(t);
+      });
+    };
+    of("--provider", "meteoblue|open-meteo|metar", "the service", [&request](const std::string& t) {
+      constexpr std::array<std::string_view, 3> kWords = {"meteoblue", "open-meteo", "metar"};
+      const auto word = std::ranges::find(kWords, t);
+      if (word == kWords.end())
+        throw UsageError("--provider: '" + t + "' is not one of meteoblue open-meteo metar");
+      request.provider = static_cast<forecast::Provider>(word - kWords.begin());
+    });
+    of("--lat", "DEGREES", "latitude, north, -90 to 90",
+       [&request](const std::string& t) { request.latitudeDegrees = number("--lat", t, -90, 90); });
+    of("--lon", "DEGREES", "longitude, east, -180 to 180",
+       [&request](const std::string& t) { request.longitudeDegrees = number("--lon", t, -180, 180); });
+    of("--station", "ICAO", "whose METARs, such as LSZB",
+       [&request](const std::string& t) { request.station = t; });
+    of("--url", "URL", "another server, without ?...: https, or http of this machine",
+       [&request](const std::string& t) {
+         if (t.empty()) throw UsageError("--url: the address is empty");
+         request.url = t;
+       });
+    const auto pathOf = [&](const std::string& flag, const std::string& form, const std::string& help,
+                            std::optional<std::filesystem::path>& target) {
+      of(flag, form, help, [flag, &target](const std::string& t) {
+        if (t.empty()) throw UsageError(flag + ": the path is empty");
+        target = t;
+      });
+    };
+    pathOf("--key-file", "FILE", "the service's key, in a file of yours alone ($SKYDROP_METEOBLUE_KEY)",
+           line_.weather.keyFile);
+    pathOf("--out", "FILE|-", "write the answer there too", line_.weather.out);
+  }
+
+  void checkFetch() const {
+    const auto isGiven = [&](const char* flag) {
+      return std::ranges::find(fetchWords_, flag) != fetchWords_.end();
+    };
+    if (line_.weather.verb != WeatherVerb::fetch) {
+      if (!fetchWords_.empty()) throw UsageError(fetchWords_.front() + " belongs to weather fetch");
+      return;
+    }
+    if (!isGiven("--provider")) throw UsageError("weather fetch: --provider is required");
+    if (line_.weather.fetch.provider == forecast::Provider::metar) {
+      if (!isGiven("--station")) throw UsageError("weather fetch: a METAR needs --station");
+    } else if (!isGiven("--lat") || !isGiven("--lon")) {
+      throw UsageError("weather fetch: --lat and --lon are required");
+    }
+  }
+
+  void checkWeather() const {
+    if (!line_.farWeatherFiles.empty() && line_.weatherFiles.empty())
+      throw UsageError("--weather-far needs --weather, the weather of the first site");
+    const WeatherRequest& request = line_.weather;
+    if (line_.verb != Verb::weather) return;
+    checkFetch();
+    if (request.verb == WeatherVerb::fetch && !request.files.empty())
+      throw UsageError("weather fetch takes no files");
+    if (request.verb == WeatherVerb::check && request.files.empty())
+      throw UsageError("weather check: there is no file to check");
+    if (request.verb == WeatherVerb::state && (!request.files.empty() || request.json || request.utc))
+      throw UsageError(
+          "weather state: files, --json and --utc belong to weather check; --weather FILE is flown in");
+  }
+
   void check() const {
     checkFiles();
     if (frameBudget_ && line_.verb != Verb::fly)
@@ -570,6 +687,7 @@ class Parser {
     if (line_.replay && (line_.scene || line_.seed)) {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
     }
+    checkWeather();
     checkOutputs();
     if (line_.noise.check && !line_.noise.files.empty())
       throw UsageError("--check and --noise exclude each other");
@@ -603,6 +721,7 @@ class Parser {
   std::optional<double> heading_, pitch_, roll_;
   std::optional<std::string> frameBudget_;
   NoiseWords noiseWords_;
+  std::vector<std::string> fetchWords_;  // flags that belong to weather fetch
   std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};

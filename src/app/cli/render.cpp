@@ -107,7 +107,7 @@ int render(const CommandLine& line) {
   FrameFiles files(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
-  for (const std::string& note : run->replayNotes) warn(note);
+  for (const std::string& note : run->notes) warn(note);
   Preparations preparations;  // beside the rest
   preparations.begin(effectsOf(*run), Preparation::Maker::processor, run->settings);
   const Size size = line.size.value_or(kDefaultSize);

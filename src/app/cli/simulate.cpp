@@ -30,7 +30,7 @@ int simulate(const CommandLine& line) {
   const std::unique_ptr<RunConfig> run = prepareRun(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
-  for (const std::string& note : run->replayNotes) warn(note);
+  for (const std::string& note : run->notes) warn(note);
   std::optional<FlightTrace> trace;
   if (line.trace) trace.emplace(*line.trace);
   Simulation simulation(run->setup, run->settings, run->table);

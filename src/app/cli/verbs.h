@@ -14,6 +14,8 @@ int noise(const CommandLine& line);
 int generateNoise(const CommandLine& line);  // noise --generate
 int sky(const CommandLine& line);
 int weather(const CommandLine& line);
+int checkWeather(const CommandLine& line);  // weather check
+int fetchWeather(const CommandLine& line);  // weather fetch
 int info(const CommandLine& line);
 int compare(const CommandLine& line);
 int listSettings(const CommandLine& line);  // settings

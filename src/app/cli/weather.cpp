@@ -3,11 +3,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/verbs.h"
+#include "app/cli/weather_json.h"
+#include "app/console/message.h"
 #include "app/console/standard_output.h"
 #include "app/session/flown_weather.h"
 #include "app/session/run_config.h"
 #include "skydrop/game/contact.h"
 #include "skydrop/game/flown_clouds.h"
+#include "skydrop/sky/instant.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/noise_height_source.h"
 #include "skydrop/weather/draughts.h"
@@ -20,44 +23,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json windJson(const weather::Wind& wind) {
-  Json levels = Json::array();
-  for (const weather::WindLevel& level : wind.levels)
-    levels.push_back(
-        {{"heightM", level.heightM}, {"speedMps", level.speedMps}, {"directionDeg", level.directionDeg}});
-  return {
-      {"speedMps", wind.speedMps},     {"directionDeg", wind.directionDeg},       {"gustMps", wind.gustMps},
-      {"roughnessM", wind.roughnessM}, {"gradientHeightM", wind.gradientHeightM}, {"levels", levels}};
+double siteShareOf(const game::WeatherSetup& setup, double seconds, const glm::dvec2& xz) {
+  return setup.forecast ? weather::siteShare(setup.settings, *setup.forecast, seconds, xz)
+                        : weather::siteShare(setup.settings, seconds, xz);
 }
 
-Json stateJson(const weather::State& s) {
-  Json layers = Json::array();
-  for (const weather::Layer& layer : s.layers) {
-    if (!(layer.cover > 0)) continue;
-    layers.push_back({{"genus", weather::kGenusNames[static_cast<std::size_t>(layer.genus)]},
-                      {"baseM", layer.baseM},
-                      {"topM", layer.topM},
-                      {"cover", layer.cover},
-                      {"density", layer.density}});
-  }
-  return {{"wind", windJson(s.wind)},
-          {"layers", layers},
-          {"fog", {{"extinctionPerM", s.fog.extinction}, {"topM", s.fog.topM}}},
-          {"precipitationMmPerH",
-           {{"rain", s.precipitation.rain},
-            {"snow", s.precipitation.snow},
-            {"sleet", s.precipitation.sleet},
-            {"hail", s.precipitation.hail}}},
-          {"visibilityM", s.visibilityM},
-          {"temperatureC", s.temperatureC},
-          {"pressurePa", s.pressurePa},
-          {"lightningPerMinute", s.lightningPerMinute},
-          {"turbulenceSeverity", s.turbulenceSeverity}};
+// Null without weather files.
+Json forecastJson(const game::WeatherSetup& setup, double seconds) {
+  if (!setup.forecast) return nullptr;
+  const weather::Forecast& forecast = *setup.forecast;
+  const double ms = weather::utcMsAt(forecast, setup.clock, seconds);
+  const auto held = [&](const weather::Timeline& site) {
+    return weather::kHeldNames[static_cast<std::size_t>(weather::heldAt(site, ms))];
+  };
+  return {{"utc", sky::instantText({std::llround(ms)})},
+          {"near", held(forecast.near)},
+          {"far", held(forecast.far)},
+          {"farFromNearM",
+           forecast.farFromNear ? Json({forecast.farFromNear->x, forecast.farFromNear->y}) : Json(nullptr)}};
 }
 
 }  // namespace
 
 int weather(const CommandLine& line) {
+  if (line.weather.verb == WeatherVerb::check) return checkWeather(line);
+  if (line.weather.verb == WeatherVerb::fetch) return fetchWeather(line);
   const std::unique_ptr<RunConfig> run = prepareRun(line);
   const Settings& settings = run->settings;
   const scene::EffectSet effects = effectsOf(*run);
@@ -65,7 +55,14 @@ int weather(const CommandLine& line) {
   const auto ground = hasLand ? terrain::makeNoiseHeightSource(settings.terrain, run->setup.seed)
                               : terrain::makeFlatSource(0);
   const glm::dvec3& at = line.weatherAt;
-  const weather::State state = weather::stateAt(settings.weather, run->setup.seed, line.timeS, {at.x, at.z});
+  for (const std::string& note : run->notes) warn(note);
+  std::shared_ptr<const clouds::PackedCloudNoise> noise;
+  scene::EffectSet flownEffects = effects;
+  flownEffects.insert(scene::Effect::weather);  // what a scene would have, with the effect or without
+  Settings flown = settings;
+  if (run->setup.forecast) flown.weatherFile = forecastClock(settings, *run->setup.forecast);
+  const game::WeatherSetup setup = *flownWeather(flownEffects, flown, noise, run->setup.forecast);
+  const weather::State state = setup.at(run->setup.seed, line.timeS, {at.x, at.z});
   const double surface = game::surfaceAt(*ground, {at.x, at.z}).height;
   const double above = std::max(at.y - surface, 0.0);
   const weather::WindProfile profile(state.wind);
@@ -73,8 +70,7 @@ int weather(const CommandLine& line) {
   const weather::Air air = settings.weather.standardAtmosphere
                                ? weather::airAt(at.y, state.temperatureC, state.pressurePa)
                                : weather::Air{};
-  const game::FlownClouds clouds(weather::hasClouds(settings.weather) ? readFlownNoise() : nullptr,
-                                 settings.wind);
+  const game::FlownClouds clouds(setup.noise, setup.drift);
   const double density = clouds.density(state, at, line.timeS);
   double rising = 0, cloudSigma2 = 0;
   for (const weather::Layer& layer : state.layers) {
@@ -94,7 +90,8 @@ int weather(const CommandLine& line) {
                        {"seed", run->setup.seed},
                        {"seconds", line.timeS},
                        {"isFlown", effects.contains(scene::Effect::weather)},
-                       {"siteShare", weather::siteShare(settings.weather, line.timeS, {at.x, at.z})},
+                       {"siteShare", siteShareOf(setup, line.timeS, {at.x, at.z})},
+                       {"forecast", forecastJson(setup, line.timeS)},
                        {"state", stateJson(state)},
                        {"at",
                         {{"positionM", {at.x, at.y, at.z}},

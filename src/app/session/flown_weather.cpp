@@ -1,5 +1,7 @@
 #include "app/session/flown_weather.h"
 
+#include <algorithm>
+
 #include "app/session/cloud_noise.h"
 #include "app/session/noise_store.h"
 #include "skydrop/clouds/noise_cache.h"
@@ -21,10 +23,23 @@ std::shared_ptr<const clouds::PackedCloudNoise> readFlownNoise() {
 }
 
 std::optional<game::WeatherSetup> flownWeather(const scene::EffectSet& effects, const Settings& settings,
-                                               std::shared_ptr<const clouds::PackedCloudNoise>& noise) {
+                                               std::shared_ptr<const clouds::PackedCloudNoise>& noise,
+                                               const std::shared_ptr<const weather::Forecast>& forecast) {
   if (!effects.contains(scene::Effect::weather)) return std::nullopt;
-  if (!noise && weather::hasClouds(settings.weather)) noise = readFlownNoise();
-  return game::WeatherSetup{settings.weather, settings.wind, noise};
+  const bool clouded = forecast ? weather::hasClouds(*forecast) : weather::hasClouds(settings.weather);
+  if (!noise && clouded) noise = readFlownNoise();
+  return game::WeatherSetup{settings.weather, settings.wind, noise, forecast, settings.weatherFile};
+}
+
+weather::ForecastClock forecastClock(const Settings& settings, const weather::Forecast& forecast) {
+  weather::ForecastClock clock = settings.weatherFile;
+  const render::SunSettings& sun = settings.render.sun;
+  if (!clock.followsSky || sun.source != render::SunSource::clock) return clock;
+  const double ms = static_cast<double>(sun.utcMs - forecast.near.firstMs());
+  clock.hour =
+      std::clamp(ms / 3.6e6 + sun.shiftDays * 24 + sun.shiftHours + sun.offsetSeconds / 3600, -1e6, 1e6);
+  clock.pace = sun.timeScale;
+  return clock;
 }
 
 }  // namespace skydrop::app

@@ -15,8 +15,14 @@ namespace skydrop::app {
 // differ in a few texels, are not taken, and those of the processor are kept in a folder beside them.
 std::shared_ptr<const clouds::PackedCloudNoise> readFlownNoise();
 
-// None without the effect. `noise` is read when there are clouds and it is null, and kept there.
+// None without the effect. `noise` is read when there are clouds and it is null, and kept there. The forecast
+// of weather files, or null.
 std::optional<game::WeatherSetup> flownWeather(const scene::EffectSet& effects, const Settings& settings,
-                                               std::shared_ptr<const clouds::PackedCloudNoise>& noise);
+                                               std::shared_ptr<const clouds::PackedCloudNoise>& noise,
+                                               const std::shared_ptr<const weather::Forecast>& forecast);
+
+// The clock of a forecast as the clock of the sky has it, where that moves the sun and the settings let it be
+// followed; else that of the settings.
+weather::ForecastClock forecastClock(const Settings& settings, const weather::Forecast& forecast);
 
 }  // namespace skydrop::app

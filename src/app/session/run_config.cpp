@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "app/session/flown_weather.h"
 #include "app/settings/cloud_tier.h"
 #include "app/settings/mood.h"
 #include "app/settings/preset_store.h"
@@ -14,6 +15,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/fixed_step.h"
+#include "skydrop/forecast/forecast_of.h"
 
 namespace skydrop::app {
 namespace {
@@ -64,17 +66,17 @@ void readReplay(const std::filesystem::path& path, RunConfig& run) {
   setup.seed = log.seed;
   if (!log.program.empty() && log.program != programName()) {
     setup.replayDoubt = "recorded by " + log.program;
-    run.replayNotes.push_back(file + ": recorded by " + log.program + ", this is " + programName() +
-                              ", which may fly otherwise");
+    run.notes.push_back(file + ": recorded by " + log.program + ", this is " + programName() +
+                        ", which may fly otherwise");
   }
   if (!log.checkpoints.empty() && !log.ended) {
     std::array<char, 32> seconds{};
     std::snprintf(seconds.data(), seconds.size(), "%.3f", core::FixedStep::secondsOf(log.stepCount()));
-    run.replayNotes.push_back(file + ": the recording was cut off after " + seconds.data() + " s");
+    run.notes.push_back(file + ": the recording was cut off after " + seconds.data() + " s");
   }
   if (const auto now = sceneTextNow(log.scene.source); now && *now != setup.scene.text) {
-    run.replayNotes.push_back(file + ": scene: " + log.scene.source +
-                              " has changed since; the recorded scene is flown");
+    run.notes.push_back(file + ": scene: " + log.scene.source +
+                        " has changed since; the recorded scene is flown");
   }
   setup.replay = std::move(log);
 }
@@ -217,6 +219,70 @@ std::string pathOf(const core::SettingsTable& table, const std::string& assignme
   return field ? field->path : "";
 }
 
+using WeatherRecords = std::vector<game::InputLog::WeatherRecord>;
+
+// What a log keeps of weather files. In a replay they are to be those that were flown in.
+WeatherRecords recordsOf(const forecast::Files& files, const std::vector<std::uint64_t>& digests,
+                         const WeatherRecords* flown, const std::string& log) {
+  WeatherRecords records;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::error_code error;
+    const std::filesystem::path absolute = std::filesystem::absolute(files[i], error);
+    records.push_back({(error ? files[i] : absolute).string(), digests[i]});
+    if (flown && (*flown)[i].digest != digests[i])
+      throw core::DataError(
+          core::inputName(files[i]), "",
+          "is not what " + log + " was flown in: " + (*flown)[i].source + " had another content");
+  }
+  return records;
+}
+
+forecast::Files sourcesOf(const WeatherRecords& records) {
+  forecast::Files files;
+  for (const auto& record : records) files.emplace_back(record.source);
+  return files;
+}
+
+// Whether the start of the flight lies outside of the near site's hours.
+void noteHeld(const weather::Forecast& forecast, const weather::ForecastClock& clock, const std::string& file,
+              RunConfig& run) {
+  const weather::Held held = weather::heldAt(forecast.near, weather::utcMsAt(forecast, clock, 0));
+  if (held == weather::Held::within) return;
+  const bool isBefore = held == weather::Held::before;
+  const std::int64_t edge = isBefore ? forecast.near.firstMs() : forecast.near.lastMs();
+  run.notes.push_back(file + ": the flight begins " + (isBefore ? "before" : "after") + " its " +
+                      (isBefore ? "first" : "last") + " hour, " + sky::instantText({edge}) +
+                      ", whose weather is held");
+}
+
+// The weather files of the command line, of the scene, or those that a replay was flown in.
+void readWeatherFiles(const CommandLine& line, RunConfig& run) {
+  SimulationSetup& setup = run.setup;
+  const game::InputLog* log = setup.replay ? &*setup.replay : nullptr;
+  forecast::Files near = line.weatherFiles, far = line.farWeatherFiles;
+  if (near.empty()) {
+    near = log ? sourcesOf(log->weather) : setup.scene.weatherFiles;
+    far = log ? sourcesOf(log->farWeather) : setup.scene.farWeatherFiles;
+  }
+  if (log && (log->weather.size() != near.size() || log->farWeather.size() != far.size()))
+    throw core::DataError(setup.replayFile, "weather",
+                          "was flown in " + std::to_string(log->weather.size() + log->farWeather.size()) +
+                              " weather files, and not in the " + std::to_string(near.size() + far.size()) +
+                              " that are given");
+  if (near.empty()) return;
+  const render::SunSettings& sun = run.settings.render.sun;
+  const bool hasClock = sun.source == render::SunSource::clock;
+  const forecast::FileForecast read =
+      forecast::readForecast(near, far, hasClock ? std::optional(sky::Instant{sun.utcMs}) : std::nullopt);
+  setup.forecast = read.forecast;
+  setup.weatherRecords = recordsOf(near, read.nearDigests, log ? &log->weather : nullptr, setup.replayFile);
+  setup.farWeatherRecords =
+      recordsOf(far, read.farDigests, log ? &log->farWeather : nullptr, setup.replayFile);
+  run.notes.insert(run.notes.end(), read.notes.begin(), read.notes.end());
+  noteHeld(*read.forecast, log ? run.settings.weatherFile : forecastClock(run.settings, *read.forecast),
+           core::inputName(near[0]), run);
+}
+
 // What --set and --preset change in a replay is flown, but not as it was recorded.
 void noteOverrides(RunConfig& run) {
   for (const std::string& set : run.overrides) {
@@ -294,6 +360,7 @@ std::unique_ptr<RunConfig> prepareRun(const CommandLine& line) {
   }
   compose(*run, setup.scene, ownChoices(run->userSettings), When::start);
   if (line.replay) noteOverrides(*run);
+  readWeatherFiles(line, *run);
   if (line.record) run->recorder = std::make_unique<FlightRecorder>(*line.record);
   setup.recorder = run->recorder.get();
   return run;

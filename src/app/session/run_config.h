@@ -36,7 +36,7 @@ struct RunConfig {
   Quality quality = Quality::high;  // in force: never automatic
   SimulationSetup setup;
   std::unique_ptr<FlightRecorder> recorder;  // with --record; setup.recorder
-  std::vector<std::string> replayNotes;      // lines about a replay that is not what it was recorded from
+  std::vector<std::string> notes;            // lines about a replay or weather file that leaves a doubt
   std::optional<std::filesystem::path> userFolder;  // where the player's settings are kept
   UserSettings userSettings;                        // their file, and what the menu chose since
   std::optional<std::string> warning;               // what is wrong with it, to be said once

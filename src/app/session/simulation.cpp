@@ -38,11 +38,18 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   world.start.headingDeg = setup.scene.start.headingDegrees;
   world.start.speed = setup.scene.start.speedMps;
   world.wind = core::flownWind(settings.wind);
-  world.weather = flownWeather(effects, settings, noise);
+  world.weather = flownWeather(effects, settings, noise, setup.forecast);
   world.airplane = settings.aircraft;
   world.package = settings.package;
   world.game = settings.game;
   return world;
+}
+
+// Sets the rows of the forecast's clock to that of the sky; a replay has them from its log.
+Settings& followingSky(const SimulationSetup& setup, Settings& settings) {
+  if (setup.forecast && setup.pilot != Pilot::replay)
+    settings.weatherFile = forecastClock(settings, *setup.forecast);
+  return settings;
 }
 
 }  // namespace
@@ -59,7 +66,7 @@ std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field
 
 Simulation::Simulation(const SimulationSetup& setup, Settings& settings, const core::SettingsTable& table)
     : setup_(setup),
-      settings_(&settings),
+      settings_(&followingSky(setup, settings)),
       table_(&table),
       effects_(scene::effective(settings.effects.set())),
       ground_(makeGround(effects_, settings, setup.seed)),
@@ -77,6 +84,8 @@ void Simulation::beginRecording() {
   game::InputLog start;
   start.program = programName();
   start.scene = {setup_.scene.source, setup_.scene.text};
+  start.weather = setup_.weatherRecords;
+  start.farWeather = setup_.farWeatherRecords;
   start.seed = setup_.seed;
   start.settings = simulationSettings(*table_);
   setup_.recorder->begin(start, world_.stateHash());
@@ -160,10 +169,14 @@ void Simulation::apply(const SettingsChange& change) {
   requireUsable(settings_->weather);
   if (setup_.recorder && (!beforeChange_ || beforeChange_->step != world_.stepCount()))
     beforeChange_ = {world_.stepCount(), world_.stateHash()};
+  const weather::ForecastClock clock = settings_->weatherFile;
+  followingSky(setup_, *settings_);
   applyToWorld();
   if (change.touches("effects")) applyEffects();
   if (!setup_.recorder) return;
-  for (const std::string& path : change.paths()) {
+  SettingsChange all = change;
+  if (settings_->weatherFile != clock) all.add(SettingsChange({"weatherFile.hour", "weatherFile.pace"}));
+  for (const std::string& path : all.paths()) {
     if (isRecorded(path)) setup_.recorder->change({path, core::fieldText(table_->at(path))});
   }
 }
@@ -173,7 +186,7 @@ void Simulation::applyToWorld() {
   world_.apply(settings_->package);
   world_.apply(settings_->game);
   world_.setWind(core::flownWind(settings_->wind));
-  world_.setWeather(flownWeather(effects_, *settings_, noise_));
+  world_.setWeather(flownWeather(effects_, *settings_, noise_, setup_.forecast));
   if (autopilot_) autopilot_->apply(settings_->autopilot);
   keepFlownValues();
 }
@@ -184,7 +197,8 @@ void Simulation::applyEffects() {
   if (changes(Effect::terrain)) ground_ = makeGround(effects_, *settings_, setup_.seed);
   if (changes(Effect::terrain) || changes(Effect::aircraft) || changes(Effect::targets))
     world_.setParts(ground_, effects_.contains(Effect::aircraft), effects_.contains(Effect::targets));
-  if (changes(Effect::weather)) world_.setWeather(flownWeather(effects_, *settings_, noise_));
+  if (changes(Effect::weather))
+    world_.setWeather(flownWeather(effects_, *settings_, noise_, setup_.forecast));
   if (changes(Effect::terrain) && autopilot_) autopilot_.emplace(ground_, settings_->autopilot);
 }
 

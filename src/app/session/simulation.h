@@ -32,7 +32,10 @@ struct SimulationSetup {
   std::optional<game::InputLog> replay;  // with Pilot::replay
   std::string replayFile;                // named in errors
   std::string replayDoubt;  // why the replay may differ (another version, --set), for the line that says so
-  FlightRecorder* recorder = nullptr;  // outlives the simulation; begins with it
+  FlightRecorder* recorder = nullptr;                 // outlives the simulation; begins with it
+  std::shared_ptr<const weather::Forecast> forecast;  // of weather files; null: there are none
+  std::vector<game::InputLog::WeatherRecord> weatherRecords,
+      farWeatherRecords;  // of those files, for the log
 };
 
 // Why the setting cannot change in this flight, empty if it can: what would load it again during a recording

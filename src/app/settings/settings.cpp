@@ -9,8 +9,8 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 6> kSimulationGroups = {"aircraft.", "package.", "game.",
-                                                               "terrain.",  "wind.",    "weather."};
+constexpr std::array<std::string_view, 7> kSimulationGroups = {
+    "aircraft.", "package.", "game.", "terrain.", "wind.", "weather.", "weatherFile."};
 
 // Effects that are more than pictures and sounds.
 constexpr std::array<std::string_view, 4> kSimulatedEffects = {"effects.aircraft", "effects.targets",
@@ -87,6 +87,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("sky", settings.sky, "The sky as a whole.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("weather", settings.weather, "The air that one flies in.");
+  visitor.group("weatherFile", settings.weatherFile, "How time runs through the forecast of a file.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");
   visitor.group("view", settings.view, "How the game is looked at.");

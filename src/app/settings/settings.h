@@ -36,6 +36,7 @@
 #include "skydrop/scene/scene.h"
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
+#include "skydrop/weather/forecast.h"
 #include "skydrop/weather/weather_settings.h"
 
 namespace skydrop::app {
@@ -82,6 +83,7 @@ struct Settings {
   MoodSettings sky;
   core::WindSettings wind;
   weather::WeatherSettings weather;
+  weather::ForecastClock weatherFile;  // how time runs through the forecast of a file
   audio::AudioSettings audio;
   ViewSettings view;
   InputSettings input;

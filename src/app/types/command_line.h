@@ -2,6 +2,7 @@
 // words.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "app/types/pose.h"
 #include "app/types/report_format.h"
 #include "app/types/size.h"
+#include "skydrop/forecast/fetch.h"
 #include "skydrop/noise/noise_generator.h"
 #include "skydrop/noise/noise_recipe.h"
 #include "skydrop/render/gl/backend.h"
@@ -50,6 +52,19 @@ struct PictureComparison {
   std::optional<std::filesystem::path> folder;  // for pictures of the difference
 };
 
+// What `skydrop weather` does: tells the state at a point, checks files, or fetches one.
+enum class WeatherVerb { state, check, fetch };
+inline constexpr std::array<std::string_view, 3> kWeatherVerbs = {"state", "check", "fetch"};
+
+struct WeatherRequest {
+  WeatherVerb verb = WeatherVerb::state;
+  std::vector<std::filesystem::path> files;  // to check
+  bool json = false;                         // of check, instead of text
+  std::optional<sky::Instant> utc;           // about when reports were made, which name no month
+  forecast::FetchRequest fetch;              // without its key
+  std::optional<std::filesystem::path> keyFile, out;
+};
+
 struct CommandLine {
   Verb verb = Verb::fly;
 
@@ -60,6 +75,8 @@ struct CommandLine {
   std::optional<std::uint64_t> seed;
   std::optional<int> workers;  // 1 .. 64; unless told cores - 1, and all of them to render
   std::optional<std::filesystem::path> userDir, stats, replay, record;
+  std::vector<std::filesystem::path> weatherFiles,
+      farWeatherFiles;  // forecasts; far ones only with near ones
   bool autopilot = false;
 
   // fly
@@ -94,6 +111,7 @@ struct CommandLine {
   sky::Place place;
 
   // weather
+  WeatherRequest weather;
   glm::dvec3 weatherAt{0, 500, 0};  // m; its time is timeS
 
   // accuracy

@@ -84,7 +84,7 @@ WindowGame::WindowGame(const CommandLine& line)
   if (run_->warning) tell(part::kPlayersValues, *run_->warning);
   if (const auto warning = folderRefusal(*run_)) tell(part::kChoices, *warning);
   if (!joysticks_.warning().empty()) warnings.push_back(joysticks_.warning());
-  warnings.insert(warnings.end(), run_->replayNotes.begin(), run_->replayNotes.end());
+  warnings.insert(warnings.end(), run_->notes.begin(), run_->notes.end());
   window_.apply(run_->settings.view);
   for (std::string& warning : window_.show(readQualityPreset(run_->quality).window, run_->userFolder)) {
     warnings.push_back(std::move(warning));

@@ -29,6 +29,10 @@ void WindowGame::registerDependents() {
   simulationDependencies_.add(
       {"effects", "aircraft", "package", "game", "autopilot", "wind", "weather", "landingLight"},
       [this](const SettingsChange& change) { simulation_->apply(change); });
+  // The hour of a forecast follows the clock of the sky.
+  simulationDependencies_.add({"weatherFile", "render.sun"}, [this](const SettingsChange& change) {
+    if (run_->setup.forecast) simulation_->apply(change);
+  });
   presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { endSplit(); });
   presentationDependencies_.add({"effects"}, [this](const SettingsChange&) { switchEffects(); });
   // Of every change, because the rows of the effect table say which settings they take.
