@@ -10,6 +10,7 @@
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/game/contact.h"
 #include "skydrop/game/flown_clouds.h"
+#include "skydrop/game/ice_layers.h"
 #include "skydrop/weather/draughts.h"
 #include "skydrop/weather/icing.h"
 #include "skydrop/weather/standard_atmosphere.h"
@@ -83,7 +84,7 @@ FlownAir::Sample FlownAir::sample(const glm::dvec3& position, double surface, do
   const weather::Air air = weather::airAt(position.y, state.temperatureC, state.pressurePa);
   temperatureC_ = air.temperatureK - 273.15;
 
-  const FlownClouds clouds(weather.noise, weather.drift);
+  const FlownClouds clouds(weather.noise, weather.drift, iceWindOf(settings));
   double rising = 0, cloudSigma2 = 0;
   cloudDensity_ = 0;
   for (const weather::Layer& layer : state.layers) {

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "skydrop/game/ice_layers.h"
+
 namespace skydrop::game {
 namespace {
 
 // Density from which on a column counts as a full one: what the core of a cumulus of the default layer has.
 constexpr double kFullColumn = 0.3;
+constexpr int kIceSamples = 3;
 
 // What of a layer's look follows from the genus: towards stratus or cumulus, size of the billows, erosion.
 struct GenusLook {
@@ -54,12 +57,20 @@ clouds::CloudField FlownClouds::fieldOf(const weather::Layer& layer, double seco
 }
 
 double FlownClouds::density(const weather::Layer& layer, const glm::dvec3& position, double seconds) const {
-  if (!noise_ || !(layer.cover > 0) || position.y <= layer.baseM || position.y >= layer.topM) return 0;
+  if (!(layer.cover > 0) || position.y <= layer.baseM || position.y >= layer.topM) return 0;
+  if (const auto ice = iceLayerOf(layer, iceWind_))
+    return std::min(clouds::IceField(*ice, core::windDrift(drift_, seconds)).density(position), 1.0);
+  if (!noise_) return 0;
   return fieldOf(layer, seconds).density(position);
 }
 
 double FlownClouds::column(const weather::Layer& layer, const glm::dvec3& position, double seconds) const {
-  if (!noise_ || !(layer.cover > 0)) return 0;
+  if (!(layer.cover > 0)) return 0;
+  if (const auto ice = iceLayerOf(layer, iceWind_)) {
+    const clouds::IceField field(*ice, core::windDrift(drift_, seconds));
+    return std::min(field.depthAbove({position.x, layer.baseM, position.z}, kIceSamples), 1.0);
+  }
+  if (!noise_) return 0;
   const clouds::CloudField field = fieldOf(layer, seconds);
   double densest = 0;
   for (const double share : {0.12, 0.25, 0.45}) {

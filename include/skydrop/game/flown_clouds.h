@@ -18,14 +18,16 @@ clouds::CloudLayerSettings cloudLayerOf(const weather::Layer& layer);
 
 class FlownClouds {
  public:
-  // Without noise (null) there is no cloud anywhere. The clouds drift with the wind that draws them.
-  FlownClouds(std::shared_ptr<const clouds::PackedCloudNoise> noise, const core::WindSettings& drift)
-      : noise_(std::move(noise)), drift_(drift) {}
+  // Without noise (null) there is no cloud of water anywhere. The clouds drift with the wind that draws them;
+  // ice trails in a wind of its own (iceWindOf(), ice_layers.h).
+  FlownClouds(std::shared_ptr<const clouds::PackedCloudNoise> noise, const core::WindSettings& drift,
+              const weather::Wind& iceWind = {})
+      : noise_(std::move(noise)), drift_(drift), iceWind_(iceWind) {}
 
   // Density of one layer at a place and time (simulated seconds), [0, 1]; 0 where it has no cover.
   double density(const weather::Layer& layer, const glm::dvec3& position, double seconds) const;
   // How much of it stands above or below the place, [0, 1]: of the densest of three heights in its lower
-  // half.
+  // half; of ice, by its optical depth.
   double column(const weather::Layer& layer, const glm::dvec3& position, double seconds) const;
   // Of all layers together, [0, 1].
   double density(const weather::State& state, const glm::dvec3& position, double seconds) const;
@@ -35,6 +37,7 @@ class FlownClouds {
 
   std::shared_ptr<const clouds::PackedCloudNoise> noise_;
   core::WindSettings drift_;
+  weather::Wind iceWind_;
 };
 
 }  // namespace skydrop::game

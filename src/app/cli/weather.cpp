@@ -10,6 +10,7 @@
 #include "app/session/run_config.h"
 #include "skydrop/game/contact.h"
 #include "skydrop/game/flown_clouds.h"
+#include "skydrop/game/ice_layers.h"
 #include "skydrop/sky/instant.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/noise_height_source.h"
@@ -70,7 +71,7 @@ int weather(const CommandLine& line) {
   const weather::Air air = settings.weather.standardAtmosphere
                                ? weather::airAt(at.y, state.temperatureC, state.pressurePa)
                                : weather::Air{};
-  const game::FlownClouds clouds(setup.noise, setup.drift);
+  const game::FlownClouds clouds(setup.noise, setup.drift, game::iceWindOf(settings.weather));
   const double density = clouds.density(state, at, line.timeS);
   double rising = 0, cloudSigma2 = 0;
   for (const weather::Layer& layer : state.layers) {
