@@ -22,7 +22,8 @@ std::string unmetNeed(const EffectSet& effects) {
 EffectSet effective(EffectSet effects) {
   const bool showsSomething = effects.contains(Effect::terrain) || effects.contains(Effect::clouds) ||
                               effects.contains(Effect::cloudPlanes) || effects.contains(Effect::cloudDome) ||
-                              effects.contains(Effect::aircraft) || effects.contains(Effect::groundFog);
+                              effects.contains(Effect::aircraft) || effects.contains(Effect::groundFog) ||
+                              effects.contains(Effect::iceClouds);
   if (!showsSomething) effects.erase(Effect::haze);
   if (!effects.contains(Effect::terrain)) effects.erase(Effect::landShadows);
   if (!effects.contains(Effect::aircraft)) {

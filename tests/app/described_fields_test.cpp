@@ -98,6 +98,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using clouds::CloudPlaneSettings;
   using clouds::CloudPlanesSettings;
   using clouds::CloudSettings;
+  using clouds::IceCloudSettings;
   using clouds::MarchSettings;
   using core::WindSettings;
   using flight::AirplaneSettings;
@@ -147,7 +148,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(WeatherLayerSettings), SKYDROP_STRUCT(SiteSettings),
       SKYDROP_STRUCT(WeatherSettings),      SKYDROP_STRUCT(LightShaftSettings),
       SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
-      SKYDROP_STRUCT(MoodSettings),         SKYDROP_STRUCT(ForecastClock),
+      SKYDROP_STRUCT(MoodSettings), SKYDROP_STRUCT(ForecastClock), SKYDROP_STRUCT(IceCloudSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -535,7 +535,7 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.",    "cloudDome.",    "groundFog.", "stars.",
                                              "landShadows.",    "halo.",         "rainbow.",   "lightShafts.",
-                                             "aircraftLights.", "landingLight.", "sky."};
+                                             "aircraftLights.", "landingLight.", "sky.",       "iceClouds."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -75,6 +75,8 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
                 "clouds.march.resolution=half", "clouds.march.detail=false"});
   draw("fair", {"clouds.march.history=quarter"});
   draw("fair", {"clouds.march.history=sixteenth", "clouds.march.resolution=full"});
+  draw("cirrus", {"effects.clouds=true", "effects.halo=true"});
+  draw("cirrus", {"iceClouds.resolution=quarter", "effects.haze=false"});
   for (const char* entry : kOfTools) note(entry, {});
   for (const auto& file : std::filesystem::recursive_directory_iterator(core::shaderPath(""))) {
     const std::string name = std::filesystem::relative(file.path(), core::shaderPath("")).generic_string();

@@ -33,7 +33,8 @@ ImageLimits limitsOr(const ImageLimits& strict) {
 
 struct Golden {
   const char* name;
-  std::vector<std::string> words;  // after `skydrop render`; the scene `terrain` unless they name another
+  // After `skydrop render`; the scene `terrain` and a size of 320x180 unless they name others.
+  std::vector<std::string> words;
   ImageLimits limits = kSoftwareRounding;
   const char* flatBecause = nullptr;  // why it exists although a shift or a brighter frame would not show
 };
@@ -127,6 +128,54 @@ const std::vector<Golden>& goldens() {
        withoutHud({"--effect", "halo", "--pose=0,600,0,40,14,0", "--set", "render.sun.elevationDegrees=11",
                    "--set", "render.sun.azimuthDegrees=130", "--set", "halo.plates=0.12", "--set",
                    "render.picture.exposureStops=-1"})},
+      {"cirrusAtSunset",
+       withoutHud({"--scene", "cirrus", "--no-effect", "targets", "--no-effect", "aircraft",
+                   "--pose=0,900,0,200,16,0", "--size", "640x360", "--set", "render.sun.elevationDegrees=1.5",
+                   "--set", "render.sun.azimuthDegrees=285", "--set", "render.picture.exposureStops=-1"})},
+      {"cirrostratusWithHalo", withoutHud({"--scene",
+                                           "cirrus",
+                                           "--no-effect",
+                                           "targets",
+                                           "--no-effect",
+                                           "aircraft",
+                                           "--effect",
+                                           "halo",
+                                           "--pose=0,900,0,110,20,0",
+                                           "--size",
+                                           "640x360",
+                                           "--set",
+                                           "render.sun.elevationDegrees=24",
+                                           "--set",
+                                           "render.sun.azimuthDegrees=200",
+                                           "--set",
+                                           "iceClouds.genus=cirrostratus",
+                                           "--set",
+                                           "iceClouds.cover=0.95",
+                                           "--set",
+                                           "iceClouds.opticalDepth=0.4",
+                                           "--set",
+                                           "render.picture.exposureStops=-1.3"})},
+      {"cirrocumulusInTheAfternoon", withoutHud({"--scene",
+                                                 "cirrus",
+                                                 "--no-effect",
+                                                 "targets",
+                                                 "--no-effect",
+                                                 "aircraft",
+                                                 "--pose=0,900,0,60,22,0",
+                                                 "--size",
+                                                 "640x360",
+                                                 "--set",
+                                                 "render.sun.elevationDegrees=30",
+                                                 "--set",
+                                                 "render.sun.azimuthDegrees=240",
+                                                 "--set",
+                                                 "iceClouds.genus=cirrocumulus",
+                                                 "--set",
+                                                 "iceClouds.base=6800",
+                                                 "--set",
+                                                 "iceClouds.thickness=200",
+                                                 "--set",
+                                                 "iceClouds.opticalDepth=0.27"})},
       {"doubleRainbow",
        withoutHud({"--scene", "plane1", "--effect", "rainbow", "--pose=0,300,0,220,13,0", "--set",
                    "render.sun.elevationDegrees=14", "--set", "render.sun.azimuthDegrees=130", "--set",
@@ -169,8 +218,10 @@ TEST_P(GoldenFrame, isThePictureThatWasBlessed) {
   const char* backend = std::getenv("SKYDROP_TEST_BACKEND");
   const TemporaryFolder folder;
   const std::filesystem::path picture = folder.path() / (std::string(golden.name) + ".png");
-  std::vector<std::string> words = {
-      "render", "--size", "320x180", "--out", picture.string(), "--backend", backend ? backend : "egl"};
+  std::vector<std::string> words = {"render", "--out", picture.string(), "--backend",
+                                    backend ? backend : "egl"};
+  if (std::ranges::find(golden.words, "--size") == golden.words.end())
+    words.insert(words.end(), {"--size", "320x180"});
   if (std::ranges::find(golden.words, "--scene") == golden.words.end())
     words.insert(words.end(), {"--scene", "terrain"});
   words.insert(words.end(), golden.words.begin(), golden.words.end());

@@ -100,7 +100,7 @@ TEST(Scene, badScenesAreRefusedWithFilePlaceAndReason) {
             "a.json: seed: -1 is out of range 0.0 to 9.007199254740992e+15");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "seed": 1.5})"), "a.json: seed: 1.5 is not a whole number");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "effects": ["fire"]})"),
-            "a.json: effects: unknown effect \"fire\"; the nearest are 'targets', 'haze' and 'aircraft'");
+            "a.json: effects: unknown effect \"fire\"; the nearest are 'iceClouds', 'targets' and 'haze'");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"position": [1, 2]}})"),
             "a.json: start.position: is not a list of three numbers");
   EXPECT_EQ(refusalOf(R"({"schema": 1, "start": {"speed": "fast"}})"),
@@ -127,12 +127,12 @@ TEST(Scene, unknownNamesListWhatThereIs) {
     loadScene("nowhere");
     FAIL();
   } catch (const core::DataError& error) {
-    EXPECT_EQ(
-        std::string(error.what()),
-        "nowhere: scene: there is none of this name; "
-        "there are: afterRain, breeze, clear, coldFront, dome, duskPlanes, empty, fair, night-approach, "
-        "night-range, overcast, plane1, plane3, shafts, stress, terrain, thunderstorm, valleyFog, "
-        "warmFront");
+    EXPECT_EQ(std::string(error.what()),
+              "nowhere: scene: there is none of this name; "
+              "there are: afterRain, breeze, cirrus, clear, coldFront, dome, duskPlanes, empty, fair, "
+              "night-approach, "
+              "night-range, overcast, plane1, plane3, shafts, stress, terrain, thunderstorm, valleyFog, "
+              "warmFront");
   }
 }
 

@@ -31,14 +31,15 @@ enum class Effect {
   lightShafts,     // the shade that clouds and land throw into the air
   aircraftLights,  // position and anti-collision lights of the aircraft
   landingLight,    // the aircraft's lamp that lights the land ahead
+  iceClouds,       // high clouds of ice: cirrus, cirrostratus, cirrocumulus
   count_           // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
-    {"sky",  "terrain",     "clouds",    "haze",        "aircraft",       "targets",     "sound",
-     "hud",  "cloudPlanes", "cloudDome", "groundFog",   "moon",           "stars",       "landShadows",
-     "halo", "rainbow",     "weather",   "lightShafts", "aircraftLights", "landingLight"});
+    {"sky",  "terrain",     "clouds",    "haze",        "aircraft",       "targets",      "sound",
+     "hud",  "cloudPlanes", "cloudDome", "groundFog",   "moon",           "stars",        "landShadows",
+     "halo", "rainbow",     "weather",   "lightShafts", "aircraftLights", "landingLight", "iceClouds"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -60,9 +61,9 @@ struct EffectNeed {
   Effect needs;
 };
 inline constexpr std::array kEffectNeeds = {
-    EffectNeed{Effect::targets, Effect::aircraft},         // that drops the packages
-    EffectNeed{Effect::targets, Effect::terrain},          // that they land on
-    EffectNeed{Effect::weather, Effect::aircraft},         // that meets the air
+    EffectNeed{Effect::targets, Effect::aircraft},  // that drops the packages
+    EffectNeed{Effect::targets, Effect::terrain},   // that they land on
+    EffectNeed{Effect::weather, Effect::aircraft},  // that meets the air
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

@@ -5,6 +5,7 @@
 #include "app/session/cloud_effect.h"
 #include "app/session/cloud_planes_effect.h"
 #include "app/session/ground_fog_effect.h"
+#include "app/session/ice_clouds_effect.h"
 #include "app/session/land_shadows_effect.h"
 #include "app/session/light_shafts_effect.h"
 #include "app/session/night_sky_effects.h"
@@ -88,6 +89,12 @@ const std::vector<EffectDescriptor>& effectTable() {
        .apply = applyCloudDome,
        .prepare = prepareCloudDome,
        .menuSections = {{"cloudDome", "Cloud dome"}}},
+      // Before cloud planes, which lie below them.
+      {.effect = Effect::iceClouds,
+       .addPasses = addIceClouds,
+       .joints = {{Effect::terrain, addIceShade}, {Effect::halo, addIceHalo, removeIceHalo}},
+       .apply = applyIceClouds,
+       .menuSections = {{"iceClouds", "Ice clouds", false, {"wind"}}}},
       {.effect = Effect::cloudPlanes,
        .addPasses = addCloudPlanes,
        .apply = applyCloudPlanes,

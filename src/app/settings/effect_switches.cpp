@@ -51,6 +51,8 @@ std::string_view helpOf(Effect effect) {
       return "Position lights, beacon and strobes of the aircraft, and light over its instruments.";
     case Effect::landingLight:
       return "A lamp in the aircraft's nose that lights the land ahead, on a key.";
+    case Effect::iceClouds:
+      return "High clouds of ice: strands of cirrus, a veil of cirrostratus, grains of cirrocumulus.";
     case Effect::count_:
       break;
   }

@@ -16,6 +16,7 @@
 #include "skydrop/clouds/cloud_dome_settings.h"
 #include "skydrop/clouds/cloud_planes_settings.h"
 #include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/clouds/ice_clouds.h"
 #include "skydrop/core/settings.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/core/wind.h"
@@ -80,6 +81,7 @@ struct Settings {
   render::LightShaftSettings lightShafts;
   render::AircraftLightsSettings aircraftLights;
   render::LandingLightSettings landingLight;
+  clouds::IceCloudSettings iceClouds;
   MoodSettings sky;
   core::WindSettings wind;
   weather::WeatherSettings weather;

@@ -14,6 +14,7 @@
 #include "skydrop/clouds/raised_sun.h"
 #include "skydrop/clouds/sun_depth.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/render/clouds/ice_shade.h"
 
 namespace skydrop::render {
 namespace {
@@ -278,6 +279,8 @@ void CloudSystem::setUniforms(FrameContext& context) {
   CloudUniforms uniforms =
       fieldUniforms(layer(), settings_.fadeDistance, eyeInField(context.frame), textures_->meanDetail());
   addLight(uniforms, layer(), context.light);
+  if (const auto* ice = context.resources.find<IceShade>())
+    addIceShade(uniforms, layer(), *ice, view.position);
   addMarch(uniforms, settings_, textures_->clearAir(kMarchedLayer), view, tileSideOf(settings_));
   uniforms_.writeValue(0, uniforms);
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);

@@ -57,6 +57,14 @@ void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const S
   u.groundLight = packed(light.ground * light.exposure, 0);
 }
 
+void addIceShade(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const IceShade& ice,
+                 const glm::dvec3& eye) {
+  const double middle = layer.cloudHeight + 0.5 * layer.thickness;
+  const LightShares shares = ice.below({eye.x, middle, eye.z});
+  u.sunLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sun)), 1);
+  u.skyLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sky)), 1);
+}
+
 void addMarch(CloudUniforms& u, const clouds::CloudSettings& settings, const clouds::ClearAir& clearAir,
               const View& view, int tilePixels) {
   const clouds::MarchSettings& march = settings.march;

@@ -7,6 +7,7 @@
 
 #include "skydrop/clouds/clear_air.h"
 #include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/render/clouds/ice_shade.h"
 #include "skydrop/render/frame/sky_light.h"
 #include "skydrop/render/frame/view.h"
 
@@ -33,6 +34,9 @@ CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& layer, double fade
 
 // Light, direction and steps of a frame. Tiles are of so many pixels a side.
 void addLight(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer, const SkyLight& light);
+// What ice above leaves of it over the eye's place, after addLight().
+void addIceShade(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer, const IceShade& ice,
+                 const glm::dvec3& eye);
 void addMarch(CloudUniforms& uniforms, const clouds::CloudSettings& settings,
               const clouds::ClearAir& clearAir, const View& view, int tilePixels);
 

@@ -3,18 +3,13 @@
 #include <cassert>
 
 namespace skydrop::render {
-namespace {
-
-constexpr gl::FrameBufferFormat kFormat{GL_RGBA16F, 0};
-
-}  // namespace
 
 void SheetLayer::begin(const View& view, clouds::SheetResolution resolution) {
   const int pixels = clouds::pixelsAlong(resolution);
   assert(pixels > 1);
   const int width = (view.width + pixels - 1) / pixels, height = (view.height + pixels - 1) / pixels;
   if (!target_)
-    target_ = gl::FrameBuffer(context_, width, height, kFormat, label_);
+    target_ = gl::FrameBuffer(context_, width, height, gl::FrameBufferFormat{format_, 0}, label_);
   else
     target_.resize(width, height);
   target_.bind();

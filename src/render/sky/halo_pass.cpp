@@ -16,10 +16,12 @@ HaloPass::HaloPass(gl::Context& context, const HaloSettings& settings)
     : settings_(settings),
       triangle_(context),
       halo_(opticsTable(context, "halo.dds", false)),
-      sunDogs_(opticsTable(context, "sun_dogs.dds", true)) {}
+      sunDogs_(opticsTable(context, "sun_dogs.dds", true)),
+      tables_{&halo_, &sunDogs_, settings.plates} {}
 
 std::optional<std::string> HaloPass::skipReason(const FrameInput& frame) const {
   if (frame.warmsUp) return std::nullopt;
+  if (isLeft_) return "clouds of ice make the halo";
   if (settings_.opticalDepth <= 0) return "no ice";
   if (frame.view.position.y >= settings_.heightM) return "the view is above the ice";
   if (isLightBelowHorizon(frame)) return "the light is below the horizon";

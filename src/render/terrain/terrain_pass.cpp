@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "skydrop/render/clouds/cloud_shadow_map.h"
+#include "skydrop/render/clouds/ice_shade.h"
 #include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/shadows/cast_shadows.h"
 #include "skydrop/render/shadows/land_shadow_map.h"
@@ -154,6 +155,7 @@ void TerrainPass::drawDepth(FrameContext& context) {
     context.shaders.shader("fullscreen.vert", "terrain/land_shade.frag");
   if (const auto* shadowMap = context.resources.find<LandShadowMap>())
     drawLandShadows(context, *shadowMap, !cloudShadows);
+  if (const auto* ice = context.resources.find<IceShade>()) drawIceShade(context, *ice);
   if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
   surface_.unBind();
 }
@@ -197,6 +199,14 @@ void TerrainPass::drawLandShadows(FrameContext& context, const LandShadowMap& sh
   setSurface(shader, view);
   shadowMap.bind(shader, {view.position.x, view.position.z});
   drawShares(isFirst);
+}
+
+void TerrainPass::drawIceShade(FrameContext& context, const IceShade& ice) {
+  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/ice_share.frag");
+  shader.use();
+  setSurface(shader, context.frame.view);
+  ice.bind(shader, context.frame.view);
+  drawShares(false);
 }
 
 void TerrainPass::drawShares(bool isFirst) {

@@ -6,8 +6,8 @@
 
 namespace skydrop::render {
 
-// What is left of the light of sun and sky (that which the ground sends back included) at a place, [0, 1]
-// each.
+// What is left of the light of sun and sky (that which the ground sends back included) at a place: [0, 1]
+// of the sun, [0, 2] of the sky, which what ice scatters makes more.
 struct LightShares {
   double sun = 1, sky = 1;
 };

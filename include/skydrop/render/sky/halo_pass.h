@@ -1,6 +1,7 @@
 #pragma once
 
 #include "skydrop/render/frame/fullscreen_triangle.h"
+#include "skydrop/render/frame/halo_tables.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/gl/texture.h"
 #include "skydrop/render/sky/halo_settings.h"
@@ -17,7 +18,14 @@ class HaloPass final : public Pass {
   HaloPass(gl::Context& context, const HaloSettings& settings);
 
   // For the next frame. Costs nothing.
-  void apply(const HaloSettings& settings) { settings_ = settings; }
+  void apply(const HaloSettings& settings) {
+    settings_ = settings;
+    tables_.plates = settings.plates;
+  }
+  // Clouds of ice make the halos from now on, with these tables, and the ice by hand is gone; or not.
+  void leaveToClouds(bool leaves) { isLeft_ = leaves; }
+  // As long as the pass.
+  const HaloTables& tables() const { return tables_; }
 
   std::string_view name() const override { return "halo"; }
   RenderStage stage() const override { return RenderStage::sky; }
@@ -31,6 +39,8 @@ class HaloPass final : public Pass {
   HaloSettings settings_;
   FullscreenTriangle triangle_;
   gl::Texture halo_, sunDogs_;
+  HaloTables tables_;
+  bool isLeft_ = false;
 };
 
 }  // namespace skydrop::render

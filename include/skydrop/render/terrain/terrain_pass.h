@@ -16,6 +16,7 @@ namespace skydrop::render {
 
 class CastShadows;
 class CloudShadowMap;
+class IceShade;
 class LandShadowMap;
 
 // The view as EndlessTerrain wants it.
@@ -58,6 +59,7 @@ class TerrainPass final : public Pass {
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
   void drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap, bool isFirst);
+  void drawIceShade(FrameContext& context, const IceShade& ice);
   // Of all pixels, with a program that is in use; multiplied with what the mask has, if this is not the
   // first.
   void drawShares(bool isFirst);
