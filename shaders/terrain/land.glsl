@@ -3,6 +3,7 @@
 #include "shared/land_material.glsl"
 #include "shared/terrain_grid.glsl"
 #include "terrain/spot.glsl"
+#include "terrain/fallen.glsl"
 
 layout(binding = 1) uniform sampler2DArray chunkNormals;
 layout(binding = 2) uniform usampler2D chunkTable;  // layers by level and place: 32 x 32 cells a level; 0xffff: none
@@ -138,20 +139,34 @@ vec3 landLight(vec3 relative, vec2 lightShares) {
   vec3 normal = sight.normal;
   LandSurface land =
       landSurface(sight.heightM, normal.y, landCurvature(sight.texel), noise, strata.x, crowns, sight.treeShare);
+#ifdef FALLEN_WATER
+  Fallen lying = fallenOn(land, sight.heightM, normal, noise, -relative / length(relative));
+  land = lying.land;
+#endif
 
   // Detail as slope: of clods and grains, of ledges where the rock is bare, of the trees' crowns.
   vec3 slope = (clod.xyz * (0.10 * kClodMetres) + grain.xyz * (0.18 * kGrainMetres)) * land.roughness +
                vec3(0.0, strata.y * 3.0 * smoothstep(0.85, 0.6, normal.y), 0.0);
   slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * sight.treeShare), land.wooded);
   vec3 bumped = normalize(normal - (slope - normal * dot(slope, normal)));
-  return litLand(land, bumped, relative, lightShares);
+  vec3 light = litLand(land, bumped, relative, lightShares);
+#ifdef FALLEN_WATER
+  light += lying.mirrored * lightShares.y;
+#endif
+  return light;
 }
 #else
 vec3 landLight(vec3 relative, vec2 lightShares) {
   LandSight sight = landSight(relative);
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
-  LandSurface land = landSurface(sight.heightM, sight.normal.y, 0.0, coarseNoise(sight), 0.0, noCrowns, 0.0);
+  LandNoise noise = coarseNoise(sight);
+  LandSurface land = landSurface(sight.heightM, sight.normal.y, 0.0, noise, 0.0, noCrowns, 0.0);
+#ifdef FALLEN_WATER
+  Fallen lying = fallenOn(land, sight.heightM, sight.normal, noise, -relative / length(relative));
+  return litLand(lying.land, sight.normal, relative, lightShares) + lying.mirrored * lightShares.y;
+#else
   return litLand(land, sight.normal, relative, lightShares);
+#endif
 }
 #endif
 

@@ -115,6 +115,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::LandingLightSettings;
   using render::LandShadowSettings;
   using render::LightShaftSettings;
+  using render::PrecipitationSettings;
   using render::RainbowSettings;
   using render::RenderSettings;
   using render::SkySettings;
@@ -148,7 +149,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(WeatherLayerSettings), SKYDROP_STRUCT(SiteSettings),
       SKYDROP_STRUCT(WeatherSettings),      SKYDROP_STRUCT(LightShaftSettings),
       SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
-      SKYDROP_STRUCT(MoodSettings), SKYDROP_STRUCT(ForecastClock), SKYDROP_STRUCT(IceCloudSettings),
+      SKYDROP_STRUCT(MoodSettings),         SKYDROP_STRUCT(ForecastClock),
+      SKYDROP_STRUCT(IceCloudSettings),     SKYDROP_STRUCT(PrecipitationSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -324,6 +324,10 @@ std::uint64_t sound(const Settings& settings) {
   now.aircraft.present = true;
   now.aircraft.throttle = 0.7;
   now.aircraft.airspeedMps = 70;
+  auto storm = std::make_shared<weather::WeatherSettings>();
+  storm->sites[0].rain = 10;
+  storm->sites[0].layers[0].cover = 1;
+  now.weather = {.settings = storm};
   game::GameEvent drop;
   drop.kind = game::GameEventKind::drop;
   scene.update(now, std::array{drop});
@@ -533,9 +537,9 @@ constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot
                                    "streaming.", "audio.",   "view.", "input.",     "quality",
                                    "clouds.",    "render.",  "wind.", "weather.",   "weatherFile."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
-constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.",    "cloudDome.",    "groundFog.", "stars.",
-                                             "landShadows.",    "halo.",         "rainbow.",   "lightShafts.",
-                                             "aircraftLights.", "landingLight.", "sky.",       "iceClouds."};
+constexpr const char* kGroupsOfPictures[] = {
+    "cloudPlanes.", "cloudDome.",      "groundFog.",    "stars.", "landShadows.", "halo.",         "rainbow.",
+    "lightShafts.", "aircraftLights.", "landingLight.", "sky.",   "iceClouds.",   "precipitation."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

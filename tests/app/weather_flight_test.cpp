@@ -118,7 +118,9 @@ TEST_F(WeatherFlight, aSnapshotTellsTheWeatherOfAnyPlaceAtItsMoment) {
 TEST_F(WeatherFlight, theLowLayerOfEachSceneIsTheOneThatIsDrawn) {
   // What is flown through is what is seen: the first layer's medium at the start is that of clouds.layers.0,
   // but for parts of a tower above what is drawn.
-  for (const char* scene : kWeathers) {
+  std::vector<const char*> scenes(std::begin(kWeathers), std::end(kWeathers));
+  scenes.push_back("snowfall");
+  for (const char* scene : scenes) {
     const auto run = prepareRun(lineOf(scene));
     const clouds::CloudLayerSettings flown =
         game::cloudLayerOf(weather::stateOf(run->settings.weather.sites[0]).layers[0]);

@@ -77,6 +77,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"overlay", effect},
             {"shadows", shadows},
             {"shafts", terrain},
+            {"precipitation", terrain},
             {"terrain", terrain}}}};
 }
 

@@ -130,9 +130,8 @@ TEST(Scene, unknownNamesListWhatThereIs) {
     EXPECT_EQ(std::string(error.what()),
               "nowhere: scene: there is none of this name; "
               "there are: afterRain, breeze, cirrus, clear, coldFront, dome, duskPlanes, empty, fair, "
-              "night-approach, "
-              "night-range, overcast, plane1, plane3, shafts, stress, terrain, thunderstorm, valleyFog, "
-              "warmFront");
+              "night-approach, night-range, overcast, plane1, plane3, shafts, snowfall, stress, terrain, "
+              "thunderstorm, valleyFog, warmFront");
   }
 }
 

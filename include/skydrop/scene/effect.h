@@ -32,14 +32,17 @@ enum class Effect {
   aircraftLights,  // position and anti-collision lights of the aircraft
   landingLight,    // the aircraft's lamp that lights the land ahead
   iceClouds,       // high clouds of ice: cirrus, cirrostratus, cirrocumulus
+  precipitation,   // rain, snow and hail around the eye, its shafts, and what it leaves on the land
   count_           // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
-    {"sky",  "terrain",     "clouds",    "haze",        "aircraft",       "targets",      "sound",
-     "hud",  "cloudPlanes", "cloudDome", "groundFog",   "moon",           "stars",        "landShadows",
-     "halo", "rainbow",     "weather",   "lightShafts", "aircraftLights", "landingLight", "iceClouds"});
+    {"sky",       "terrain",      "clouds",      "haze",           "aircraft",
+     "targets",   "sound",        "hud",         "cloudPlanes",    "cloudDome",
+     "groundFog", "moon",         "stars",       "landShadows",    "halo",
+     "rainbow",   "weather",      "lightShafts", "aircraftLights", "landingLight",
+     "iceClouds", "precipitation"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -61,9 +64,10 @@ struct EffectNeed {
   Effect needs;
 };
 inline constexpr std::array kEffectNeeds = {
-    EffectNeed{Effect::targets, Effect::aircraft},  // that drops the packages
-    EffectNeed{Effect::targets, Effect::terrain},   // that they land on
-    EffectNeed{Effect::weather, Effect::aircraft},  // that meets the air
+    EffectNeed{Effect::targets, Effect::aircraft},       // that drops the packages
+    EffectNeed{Effect::targets, Effect::terrain},        // that they land on
+    EffectNeed{Effect::weather, Effect::aircraft},       // that meets the air
+    EffectNeed{Effect::precipitation, Effect::weather},  // that it falls in
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

@@ -10,6 +10,7 @@
 #include "app/session/light_shafts_effect.h"
 #include "app/session/night_sky_effects.h"
 #include "app/session/optics_effects.h"
+#include "app/session/precipitation_effect.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
@@ -148,6 +149,12 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addFeatures = addLandingLightFeatures,
        .apply = applyLandingLight,
        .menuSections = {{"landingLight", "Landing light"}}},
+      {.effect = Effect::precipitation,
+       .addPasses = addPrecipitation,
+       .joints = {{Effect::clouds, addRainMap}, {Effect::terrain, addFallenWater}},
+       .addFeatures = addPrecipitationFeatures,
+       .apply = applyPrecipitation,
+       .menuSections = {{"precipitation", "Rain and snow"}}},
       {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
       {.effect = Effect::hud},
   };

@@ -284,6 +284,8 @@ bool SceneRenderer::isCut(const game::Snapshot& snapshot, const render::View& vi
 render::FrameInput SceneRenderer::inputOf(const game::Snapshot& snapshot, const render::View& view) const {
   render::FrameInput input = render::gameFrame(snapshot, view, features());
   input.followsLast = setup_.framesFollow;
+  const bool isCarried = camera_.mode() != render::CameraMode::free && snapshot.aircraft.present;
+  if (isCarried && !snapshot.aircraft.crashed) input.eyeVelocity = snapshot.aircraft.velocity;
   if (eyeAdapts()) input.adaptedLevel = eye_.level();
   return input;
 }
@@ -300,8 +302,8 @@ bool SceneRenderer::updateLand(const render::View& view, Streaming streaming) {
 
 std::optional<std::vector<float>> SceneRenderer::drawUnseen(const game::Snapshot& snapshot,
                                                             const render::View& view) {
-  render::FrameInput input = render::gameFrame(snapshot, view, features());
-  if (eyeAdapts()) input.adaptedLevel = eye_.level();  // what it is compared with is exposed so
+  render::FrameInput input = inputOf(snapshot, view);  // exposed as what it is compared with
+  input.followsLast = false;
   return renderer_.drawUnseen(input);
 }
 

@@ -53,6 +53,9 @@ std::string_view helpOf(Effect effect) {
       return "A lamp in the aircraft's nose that lights the land ahead, on a key.";
     case Effect::iceClouds:
       return "High clouds of ice: strands of cirrus, a veil of cirrostratus, grains of cirrocumulus.";
+    case Effect::precipitation:
+      return "Rain, snow and hail where the weather has them: around the eye, below distant clouds, on the "
+             "land.";
     case Effect::count_:
       break;
   }

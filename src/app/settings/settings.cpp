@@ -85,6 +85,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("aircraftLights", settings.aircraftLights, "Lamps on the aircraft.");
   visitor.group("landingLight", settings.landingLight, "The lamp that lights the land ahead.");
   visitor.group("iceClouds", settings.iceClouds, "High clouds of ice, made by hand where no weather is.");
+  visitor.group("precipitation", settings.precipitation, "How rain and snow are drawn.");
   visitor.group("sky", settings.sky, "The sky as a whole.");
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("weather", settings.weather, "The air that one flies in.");

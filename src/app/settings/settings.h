@@ -29,6 +29,7 @@
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/render/models/aircraft_lights_settings.h"
+#include "skydrop/render/precipitation/precipitation_settings.h"
 #include "skydrop/render/shadows/land_shadow_settings.h"
 #include "skydrop/render/shafts/light_shaft_settings.h"
 #include "skydrop/render/sky/halo_settings.h"
@@ -82,6 +83,7 @@ struct Settings {
   render::AircraftLightsSettings aircraftLights;
   render::LandingLightSettings landingLight;
   clouds::IceCloudSettings iceClouds;
+  render::PrecipitationSettings precipitation;
   MoodSettings sky;
   core::WindSettings wind;
   weather::WeatherSettings weather;

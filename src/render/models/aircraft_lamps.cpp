@@ -27,9 +27,6 @@ constexpr double kSideShare = 0.2;
 constexpr double kMostShown = 0.45;
 constexpr double kCabinIntensity = 0.15;  // cd, of a lamp that is turned down for the night
 
-// The cabin in body axes, m: within these, the eye is inside the fuselage of airplane.glb.
-constexpr glm::dvec3 kCabinLow{-0.57, -0.6, -1.3}, kCabinHigh{0.57, 1.05, 1.5};
-
 // Of luminance 1: aviation red, green and white (FAR 23.1397), as far as sRGB has them.
 glm::dvec3 ofLuminance1(const glm::dvec3& color) {
   return color / glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722));

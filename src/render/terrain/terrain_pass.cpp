@@ -6,6 +6,7 @@
 
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/clouds/ice_shade.h"
+#include "skydrop/render/frame/fallen_water.h"
 #include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/shadows/cast_shadows.h"
 #include "skydrop/render/shadows/land_shadow_map.h"
@@ -244,19 +245,34 @@ void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
   triangle_.draw();
 }
 
-// Where a lamp may come and go, both variants are asked for, and those who warm up draw both.
+// Where a lamp, or rain and snow on the ground, may come and go, all variants are asked for, and those who
+// warm up draw all that they can.
 void TerrainPass::drawLitLand(FrameContext& context) {
+  const bool mayLie = context.frame.features.fallenWater;
+  const auto* fallen = context.resources.find<FallenWater>();
+  std::vector<std::string> defines = landDefines(context);
+  if (!fallen || mayLie) drawLitLand(context, defines, nullptr, !fallen || context.frame.warmsUp);
+  if (!fallen && !mayLie) return;
+  defines.emplace_back(FallenWater::kDefine);
+  drawLitLand(context, defines, fallen, fallen != nullptr);
+}
+
+void TerrainPass::drawLitLand(FrameContext& context, std::vector<std::string> defines,
+                              const FallenWater* fallen, bool isDrawn) {
   const View& view = context.frame.view;
   const auto* spot = context.resources.find<SpotLight>();
-  std::vector<std::string> defines = landDefines(context);
+  const auto draw = [&](gl::Shader& shader) {
+    if (fallen) fallen->set(shader);
+    drawLand(shader, view);
+  };
   gl::Shader& unlit = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
-  if (!spot || context.frame.warmsUp) drawLand(unlit, view);
+  if (isDrawn && (!spot || context.frame.warmsUp)) draw(unlit);
   if (!spot && !context.frame.features.spotLight) return;
   defines.emplace_back(SpotLight::kDefine);
   gl::Shader& lit = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
-  if (!spot) return;
+  if (!spot || !isDrawn) return;
   spot->set(lit, view);
-  drawLand(lit, view);
+  draw(lit);
 }
 
 // Separate from the land, so that only pixels that show water pay for it: a software renderer runs both sides

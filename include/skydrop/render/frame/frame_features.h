@@ -13,6 +13,8 @@ struct FrameFeatures {
 
   bool spotLight = false;  // no define: a SpotLight may be published in some frame
 
+  bool fallenWater = false;  // no define: a FallenWater may be published in some frame
+
   bool operator==(const FrameFeatures&) const = default;
 };
 

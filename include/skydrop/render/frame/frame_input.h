@@ -33,6 +33,9 @@ struct FrameInput {
   // What the eye is adapted to (SkyLight::level, klx), where it is not what follows from the light of this
   // frame: EyeAdaptation.
   std::optional<double> adaptedLevel = std::nullopt;
+  // How fast the eye moves, m/s, world axes, finite: what falls is drawn as long as it passes by while the
+  // shutter is open.
+  glm::dvec3 eyeVelocity{0};
 };
 
 // A frame of the game at the moment of the snapshot, which must outlive Renderer::draw().

@@ -50,7 +50,9 @@ std::vector<LitLamp> litLamps(const game::AircraftSnapshot& aircraft, const Airc
 // Over the instruments.
 LitLamp cabinLamp(const game::AircraftSnapshot& aircraft, const AircraftLightsSettings& settings);
 
-// Whether a place (world) is inside the fuselage of airplane.glb.
+// The inside of the fuselage of airplane.glb, body axes, m.
+inline constexpr glm::dvec3 kCabinLow{-0.57, -0.6, -1.3}, kCabinHigh{0.57, 1.05, 1.5};
+// Whether a place (world) is in there.
 bool isInsideCabin(const game::AircraftSnapshot& aircraft, const glm::dvec3& place);
 
 // The lamps of a frame. A resource of the frame (FrameResources), published by LampsPass before models are

@@ -1,0 +1,11 @@
+#include "precipitation/veil_seen.glsl"
+
+in vec4 depths;
+in vec4 lightAndDistance;
+in vec2 rayScaleAndReach;
+out vec4 color;
+
+void main() {
+  Veil veil = Veil(depths, lightAndDistance.xyz, lightAndDistance.w, rayScaleAndReach.y);
+  color = veilBefore(veil, rayScaleAndReach.x);
+}
