@@ -125,9 +125,36 @@ def stall(rng):
     return reed * (1 + .25 * np.cos(2 * np.pi * 36 * t))
 
 
+def periodic(rng, t, shape):
+    """Noise that ends where it begins: shaped in the frequency domain."""
+    spectrum = np.fft.rfft(noise(rng, len(t)))
+    out = np.fft.irfft(spectrum * shape(np.fft.rfftfreq(len(t), 1 / RATE)), len(t))
+    return out / np.abs(out).max()
+
+
+def rain(rng):
+    """A loop: drops on a canopy, short ticks of all strengths over a hiss."""
+    t = seconds(2)
+    ticks = np.zeros_like(t)
+    tick = np.exp(-seconds(.012) / .0022) * np.sin(2 * np.pi * 2300 * seconds(.012))
+    for _ in range(900):
+        start = int(rng.integers(len(t)))
+        ticks[(start + np.arange(len(tick))) % len(t)] += rng.uniform(.05, 1)**3 * tick * rng.choice((-1, 1))
+    hiss = periodic(rng, t, lambda f: np.exp(-((f - 3600) / 2600)**2) + .5 * np.exp(-((f - 700) / 500)**2))
+    return .55 * ticks / np.abs(ticks).max() + .6 * hiss
+
+
+def wind(rng):
+    """A loop of air that streams past, a little stronger and weaker in whole periods."""
+    t = seconds(3)
+    low = periodic(rng, t, lambda f: f / 90 * np.exp(-f / 170))
+    high = periodic(rng, t, lambda f: np.exp(-((f - 900) / 420)**2))
+    return low * (1 + .25 * np.sin(2 * np.pi * t / 1.5)) + .3 * high * (1 + .5 * np.sin(2 * np.pi * t / 3 + 1))
+
+
 SOUNDS = {"engine": (engine, .8), "drop": (drop, .7), "parachute": (parachute, .7), "landing": (landing, .8),
           "splash": (splash, .7), "score": (score, .55), "miss": (miss, .5), "crash": (crash, .9),
-          "stall": (stall, .4)}
+          "stall": (stall, .4), "rain": (rain, .7), "wind": (wind, .7)}
 
 
 def write_wav(path, signal, peak):

@@ -19,6 +19,13 @@ void describe(core::SettingsVisitor& visitor, AudioSettings& settings) {
                   .help = "Loudness of the engine against the rest.",
                   .aliases = "motor, propeller, gain",
                   .note = muted});
+  visitor.number("weatherVolume", settings.weatherVolume,
+                 {.unit = "1",
+                  .min = 0,
+                  .max = 1,
+                  .help = "Loudness of rain and wind against the rest, in flights with weather.",
+                  .aliases = "storm, gusts, gain",
+                  .note = muted});
   visitor.flag("mute", settings.mute, {.help = "No sound at all.", .aliases = "silence, sound off"});
 }
 

@@ -2,19 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "skydrop/core/assets.h"
+#include "skydrop/weather/fall.h"
 
 namespace skydrop::audio {
 namespace {
 
 using game::GameEventKind;
 
-constexpr std::string_view kEngine = "engine", kStallHorn = "stall";
+constexpr std::string_view kEngine = "engine", kStallHorn = "stall", kRain = "rain", kWind = "wind";
 constexpr std::array<std::string_view, 7> kEventSounds = {"drop", "parachute", "landing", "score",
                                                           "miss", "crash",     "splash"};
 
@@ -46,6 +49,7 @@ std::optional<std::string_view> soundOf(const game::GameEvent& event) {
 }
 
 constexpr double kStalledPitch = 1.2, kWarningGain = 0.6;  // of the stall horn
+constexpr double kFaintest = 0.01;                         // gain below which nobody hears a loop
 constexpr double kCruiseSpeed = 70;  // m/s, where the airflow leaves the propeller's pitch alone
 
 }  // namespace
@@ -58,8 +62,7 @@ SoundScene::SoundScene(AudioManager& audio, const AudioSettings& settings)
 }
 
 SoundScene::~SoundScene() {
-  audio_.stop(engine_);
-  audio_.stop(stallHorn_);
+  for (const Voice loop : {engine_, stallHorn_, rain_, wind_}) audio_.stop(loop);
 }
 
 double SoundScene::enginePitch(double throttle, double airspeed) {
@@ -68,6 +71,15 @@ double SoundScene::enginePitch(double throttle, double airspeed) {
 }
 
 double SoundScene::engineGain(double throttle) { return 0.45 + 0.55 * std::clamp(throttle, 0.0, 1.0); }
+
+double SoundScene::rainGain(double rate, double airspeed) {
+  const double impact = 0.35 + 0.65 * std::clamp(airspeed / kCruiseSpeed, 0.0, 1.5);
+  return rate > 0 ? std::min(0.25 * std::sqrt(rate) * impact, 1.0) : 0;
+}
+
+double SoundScene::windGain(double meanMps, double gustMps) {
+  return std::clamp(0.012 * std::max(meanMps, 0.0) + 0.06 * std::max(gustMps, 0.0), 0.0, 1.0);
+}
 
 std::optional<std::string> SoundScene::skipReason() const {
   if (audio_.isSilent()) return audio_.status();
@@ -78,7 +90,7 @@ std::optional<std::string> SoundScene::skipReason() const {
 
 void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEvent> events) {
   if (skipReason()) {
-    for (Voice* loop : {&engine_, &stallHorn_}) audio_.stop(std::exchange(*loop, 0));
+    for (Voice* loop : {&engine_, &stallHorn_, &rain_, &wind_}) audio_.stop(std::exchange(*loop, 0));
     return;
   }
   const bool running = now.aircraft.present && !now.aircraft.crashed;
@@ -99,9 +111,34 @@ void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEve
   // Higher and louder in the stall than before it.
   audio_.setPitch(stallHorn_, now.aircraft.stalled ? kStalledPitch : 1);
   audio_.setGain(stallHorn_, now.aircraft.stalled ? 1 : kWarningGain);
+  updateWeather(now);
   for (const game::GameEvent& event : events) {
     if (const auto sound = soundOf(event)) audio_.play2d(soundFile(*sound));
   }
+}
+
+// A loop runs while it is heard at all; its file is read when it is heard first.
+void SoundScene::updateWeather(const game::Snapshot& now) {
+  double rain = 0, wind = 0, gust = 0;
+  if (now.weather && now.aircraft.present && settings_.weatherVolume > 0) {
+    const glm::dvec3& place = now.aircraft.position;
+    const weather::Precipitation fall = weather::fallAt(now.weather.at({place.x, place.z}), place.y);
+    const double airspeed = now.aircraft.crashed ? 0 : now.aircraft.airspeedMps;
+    rain = rainGain(fall.rain + fall.sleet + 2 * fall.hail, airspeed);
+    gust = now.air.present ? glm::length(now.air.velocity - now.air.wind) : 0;
+    wind = windGain(glm::length(now.air.wind), gust);
+  }
+  const auto play = [&](Voice& voice, std::string_view name, double gain) {
+    if (gain < kFaintest) {
+      audio_.stop(std::exchange(voice, 0));
+    } else if (voice == 0) {
+      voice = audio_.play2d(soundFile(name), true);
+    }
+    audio_.setGain(voice, settings_.weatherVolume * gain);
+  };
+  play(rain_, kRain, rain);
+  play(wind_, kWind, wind);
+  audio_.setPitch(wind_, 0.9 + std::min(0.03 * gust, 0.4));
 }
 
 }  // namespace skydrop::audio

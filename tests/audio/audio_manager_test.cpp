@@ -163,12 +163,46 @@ TEST_F(AudioTest, theEngineRisesWithTheThrottleAndEventsAreHeard) {
   EXPECT_LT(rms(listen(0.2)), 1e-4) << "the engine stands";
 }
 
+TEST_F(AudioTest, rainAndWindAreHeardInWeatherAlone) {
+  // Louder in more rain and at more speed, and over when it is dry; without weather there is nothing of it.
+  SoundScene scene(*audio_, AudioSettings{.volume = 1, .engineVolume = 0, .weatherVolume = 1});
+  game::Snapshot now;
+  now.aircraft.present = true;
+  now.aircraft.airspeedMps = 70;
+  const auto loudness = [&](double rain, double gust) {
+    auto air = std::make_shared<weather::WeatherSettings>();
+    air->variability = 0;
+    air->sites[0].layers[0].cover = 1;
+    air->sites[0].rain = rain;
+    now.weather = {.settings = air};
+    now.air.present = true;
+    now.air.velocity = glm::dvec3(gust, 0, 0);
+    scene.update(now, {});
+    listen(0.1);
+    return rms(listen(0.5));
+  };
+  scene.update(now, {});
+  EXPECT_LT(rms(listen(0.2)), 1e-4) << "no weather";
+  const double calm = loudness(0, 0), gusty = loudness(0, 8), light = loudness(1, 0), heavy = loudness(20, 0);
+  EXPECT_LT(calm, 1e-4);
+  EXPECT_GT(gusty, 0.01);
+  EXPECT_GT(light, 0.005);
+  EXPECT_GT(heavy, 2 * light);
+  EXPECT_GT(SoundScene::rainGain(5, 70), SoundScene::rainGain(5, 0));
+  EXPECT_EQ(SoundScene::rainGain(0, 70), 0);
+  EXPECT_LE(SoundScene::rainGain(150, 300), 1);
+  now.weather = {};
+  scene.update(now, {});
+  EXPECT_LT(rms(listen(0.2)), 1e-4) << "the effect has gone";
+}
+
 TEST(Sound, theGamesSoundsAreWholeAndDoNotClick) {
   // Every shipped sound reads, and its ends meet: a loop's within what neighbouring samples differ by.
   for (const auto& entry : std::filesystem::directory_iterator(core::assetPath("audio"))) {
     const Sound sound = readWav(entry.path());
     EXPECT_GT(sound.seconds(), 0.2) << entry.path();
-    const bool loops = entry.path().stem() == "engine" || entry.path().stem() == "stall";
+    const std::string name = entry.path().stem().string();
+    const bool loops = name == "engine" || name == "stall" || name == "rain" || name == "wind";
     const int jump = std::abs(sound.samples.front() - sound.samples.back());
     int largest = 0;
     for (std::size_t i = 1; i < sound.samples.size(); ++i) {

@@ -7,9 +7,10 @@
 namespace skydrop::audio {
 
 struct AudioSettings {
-  double volume = 0.7;        // 0 .. 1, of everything
-  double engineVolume = 0.6;  // 0 .. 1, of the engine, on top of `volume`
-  bool mute = false;          // no sound at all; the device stays open
+  double volume = 0.7;         // 0 .. 1, of everything
+  double engineVolume = 0.6;   // 0 .. 1, of the engine, on top of `volume`
+  double weatherVolume = 0.6;  // 0 .. 1, of rain and wind, on top of `volume`
+  bool mute = false;           // no sound at all; the device stays open
 };
 
 void describe(core::SettingsVisitor& visitor, AudioSettings& settings);

@@ -1,5 +1,5 @@
-// What is heard of a flight: the engine with the throttle, the horn that announces a stall, and the game's
-// events. Built only for scenes that call for sound. Main thread.
+// What is heard of a flight: the engine with the throttle, the horn that announces a stall, the game's
+// events, and with weather rain and wind. Built only for scenes that call for sound. Main thread.
 #pragma once
 
 #include <optional>
@@ -31,11 +31,19 @@ class SoundScene {
   // in m/s.
   static double enginePitch(double throttle, double airspeed);
   static double engineGain(double throttle);
+  // Of rain on the canopy, [0, 1], at a rate of all that falls, mm/h, and an airspeed, m/s: the square root
+  // of the power that drops bring, about; 0 when it is dry.
+  static double rainGain(double rate, double airspeed);
+  // Of the wind, [0, 1], in air that moves by so much more or less than its mean, m/s.
+  static double windGain(double meanMps, double gustMps);
 
  private:
+  void updateWeather(const game::Snapshot& now);
+
   AudioManager& audio_;
   AudioSettings settings_;
   Voice engine_ = 0, stallHorn_ = 0;
+  Voice rain_ = 0, wind_ = 0;  // with weather alone
 };
 
 }  // namespace skydrop::audio
