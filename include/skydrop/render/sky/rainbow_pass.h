@@ -29,6 +29,9 @@ class RainbowPass final : public Pass {
   void draw(FrameContext& context) override;
 
  private:
+  // The settings, and with weather how dense and high the rain is halfway through them, opposite the light.
+  RainbowSettings rainOf(const FrameInput& frame) const;
+
   RainbowSettings settings_;
   FullscreenTriangle triangle_;
   gl::Texture table_;
