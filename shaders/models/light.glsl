@@ -5,6 +5,7 @@
 #ifdef MODEL_LAMPS
 #include "models/lamps.glsl"
 #endif
+#include "flash_light.glsl"
 
 // Fresnel's equations for a polished surface (Schlick 1994); a matt one hides most of it at grazing angles.
 vec3 fresnel(vec3 reflectance, float cosine, float gloss) {
@@ -38,6 +39,9 @@ vec3 modelLight(Material material, vec3 normal, vec3 relative) {
                shine * frame.sunLight.xyz * (lightShares.x * facing * highlight(normal, toEye, material.gloss));
 #ifdef MODEL_LAMPS
   light += material.albedo / kPi * lampsOn(relative, normal);
+#endif
+#ifdef FLASH_LIGHT
+  light += material.albedo / kPi * flashOn(relative, normal);
 #endif
 #ifdef CLOTH
   // Thin cloth lets a third of the light through: the side in the shade glows.

@@ -4,6 +4,7 @@
 #include "shared/terrain_grid.glsl"
 #include "terrain/spot.glsl"
 #include "terrain/fallen.glsl"
+#include "flash_light.glsl"
 
 layout(binding = 1) uniform sampler2DArray chunkNormals;
 layout(binding = 2) uniform usampler2D chunkTable;  // layers by level and place: 32 x 32 cells a level; 0xffff: none
@@ -113,6 +114,9 @@ vec3 litLand(LandSurface land, vec3 normal, vec3 relative, vec2 lightShares) {
                mix(frame.groundLight.xyz, frame.skyLight.xyz, 0.5 + 0.5 * normal.y) * (land.open * lightShares.y);
 #ifdef SPOT_LIGHT
   light += spotOn(relative, normal);
+#endif
+#ifdef FLASH_LIGHT
+  light += flashOn(relative, normal);
 #endif
   return land.albedo / kPi * light;
 }

@@ -2,6 +2,7 @@
 #include "terrain/noise.glsl"
 #include "shared/water.glsl"
 #include "shared/sun_glitter.glsl"
+#include "flash_light.glsl"
 
 uniform float seaFloorM;  // depth of the floor where none is drawn
 
@@ -62,8 +63,17 @@ SeaLight seaLight(vec3 relative, float depthM, vec2 shares) {
   vec3 glitter = frame.sunLight.xyz * (shares.x * sunGlitter(toEye, frame.toSun.xyz, frame.toSun.w, waves.slope,
                                                              waves.hidden, waves.all));
 
+#ifdef FLASH_LIGHT
+  for (int i = 0; i < kFlashLights; ++i)
+    glitter += flashOnFrom(i, relative, flashTowards(i, relative)) *
+               sunGlitter(toEye, flashTowards(i, relative), kFlashGlitterRadius, waves.slope, waves.hidden, waves.all);
+#endif
+
   vec3 through = throughWater(depthM);
   vec3 body = shadeLambert(seaBodyAlbedo(), vec3(0.0, 1.0, 0.0), shares) * (1.0 - through);
+#ifdef FLASH_LIGHT
+  body += seaBodyAlbedo() / kPi * flashOn(relative, vec3(0.0, 1.0, 0.0)) * (1.0 - through);
+#endif
   SeaLight light;
   light.own = min(sky * reflectance + glitter + body * (1.0 - reflectance), vec3(kBrightest));
   light.passed = through * (1.0 - reflectance);

@@ -78,6 +78,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"shadows", shadows},
             {"shafts", terrain},
             {"precipitation", terrain},
+            {"lightning", effect},
             {"terrain", terrain}}}};
 }
 

@@ -33,16 +33,17 @@ enum class Effect {
   landingLight,    // the aircraft's lamp that lights the land ahead
   iceClouds,       // high clouds of ice: cirrus, cirrostratus, cirrocumulus
   precipitation,   // rain, snow and hail around the eye, its shafts, and what it leaves on the land
+  lightning,       // flashes of the weather, their light and their thunder
   count_           // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
-    {"sky",       "terrain",      "clouds",      "haze",           "aircraft",
-     "targets",   "sound",        "hud",         "cloudPlanes",    "cloudDome",
-     "groundFog", "moon",         "stars",       "landShadows",    "halo",
-     "rainbow",   "weather",      "lightShafts", "aircraftLights", "landingLight",
-     "iceClouds", "precipitation"});
+    {"sky",       "terrain",       "clouds",      "haze",           "aircraft",
+     "targets",   "sound",         "hud",         "cloudPlanes",    "cloudDome",
+     "groundFog", "moon",          "stars",       "landShadows",    "halo",
+     "rainbow",   "weather",       "lightShafts", "aircraftLights", "landingLight",
+     "iceClouds", "precipitation", "lightning"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -81,7 +82,7 @@ EffectSet withNeeds(EffectSet effects);
 std::string unmetNeed(const EffectSet& effects);
 
 // Those that there is anything to do for: haze needs something that it could veil, landShadows land,
-// lightShafts haze and something that shades it, lamps an aircraft.
+// lightShafts haze and something that shades it, lamps an aircraft, lightning weather.
 EffectSet effective(EffectSet effects);
 
 }  // namespace skydrop::scene

@@ -16,6 +16,7 @@
 #include "skydrop/terrain/noise_height_source.h"
 #include "skydrop/weather/draughts.h"
 #include "skydrop/weather/dryden.h"
+#include "skydrop/weather/lightning.h"
 #include "skydrop/weather/standard_atmosphere.h"
 #include "skydrop/weather/wind_profile.h"
 
@@ -42,6 +43,21 @@ Json forecastJson(const game::WeatherSetup& setup, double seconds) {
           {"far", held(forecast.far)},
           {"farFromNearM",
            forecast.farFromNear ? Json({forecast.farFromNear->x, forecast.farFromNear->y}) : Json(nullptr)}};
+}
+
+// The flashes of the next minute within sight.
+Json flashesJson(const RunConfig& run, double seconds, const glm::dvec3& at) {
+  const weather::Moment moment{std::make_shared<const weather::WeatherSettings>(run.settings.weather),
+                               run.setup.seed, seconds};
+  Json flashes = Json::array();
+  for (const weather::Flash& flash :
+       weather::flashesBetween(moment, run.settings.lightning, seconds, seconds + 60, {at.x, at.z}))
+    flashes.push_back({{"seconds", flash.seconds},
+                       {"toGround", flash.toGround},
+                       {"fromM", {flash.from.x, flash.from.y, flash.from.z}},
+                       {"toM", {flash.to.x, flash.to.y, flash.to.z}},
+                       {"strokes", flash.strokeCount}});
+  return flashes;
 }
 
 }  // namespace
@@ -108,7 +124,8 @@ int weather(const CommandLine& line) {
                           {{"temperatureC", air.temperatureK - 273.15},
                            {"pressurePa", air.pressurePa},
                            {"densityKgM3", air.densityKgM3},
-                           {"soundMps", air.soundMps}}}}}};
+                           {"soundMps", air.soundMps}}}}},
+                       {"flashes", flashesJson(*run, line.timeS, at)}};
   print("%s\n", report.dump(2).c_str());
   return 0;
 }

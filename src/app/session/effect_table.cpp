@@ -8,6 +8,7 @@
 #include "app/session/ice_clouds_effect.h"
 #include "app/session/land_shadows_effect.h"
 #include "app/session/light_shafts_effect.h"
+#include "app/session/lightning_effect.h"
 #include "app/session/night_sky_effects.h"
 #include "app/session/optics_effects.h"
 #include "app/session/precipitation_effect.h"
@@ -101,6 +102,12 @@ const std::vector<EffectDescriptor>& effectTable() {
        .apply = applyCloudPlanes,
        .prepare = prepareCloudPlanes,
        .menuSections = {{"cloudPlanes", "Cloud planes", false, {"wind"}}}},
+      // Before air and fog, which lie over what it lights.
+      {.effect = Effect::lightning,
+       .addPasses = addLightning,
+       .addFeatures = addLightningFeatures,
+       .apply = applyLightning,
+       .menuSections = {{"lightning", "Lightning"}}},
       // Before fog, which lies over what the air sends.
       {.effect = Effect::lightShafts,
        .addPasses = addLightShafts,

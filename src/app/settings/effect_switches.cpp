@@ -56,6 +56,8 @@ std::string_view helpOf(Effect effect) {
     case Effect::precipitation:
       return "Rain, snow and hail where the weather has them: around the eye, below distant clouds, on the "
              "land.";
+    case Effect::lightning:
+      return "Lightning of the weather's storms, the light that it throws, and its thunder.";
     case Effect::count_:
       break;
   }

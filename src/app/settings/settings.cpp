@@ -90,6 +90,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("weather", settings.weather, "The air that one flies in.");
   visitor.group("weatherFile", settings.weatherFile, "How time runs through the forecast of a file.");
+  visitor.group("lightning", settings.lightning, "The flashes of the weather.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");
   visitor.group("view", settings.view, "How the game is looked at.");

@@ -39,6 +39,7 @@
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
 #include "skydrop/weather/forecast.h"
+#include "skydrop/weather/lightning_settings.h"
 #include "skydrop/weather/weather_settings.h"
 
 namespace skydrop::app {
@@ -88,6 +89,7 @@ struct Settings {
   core::WindSettings wind;
   weather::WeatherSettings weather;
   weather::ForecastClock weatherFile;  // how time runs through the forecast of a file
+  weather::LightningSettings lightning;
   audio::AudioSettings audio;
   ViewSettings view;
   InputSettings input;

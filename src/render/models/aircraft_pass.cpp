@@ -85,16 +85,21 @@ void AircraftPass::draw(FrameContext& context) {
   if (!aircraft.crashed) pose.hide("propeller");
   if (!isInsideCabin(aircraft, context.frame.view.position)) pose.hide("cockpit");
   context.gl.api().Enable(GL_CULL_FACE);
-  const auto draw = [&](const ModelLamps* lamps) {
+  const auto draw = [&](const ModelLamps* lamps, const FlashLight* flash) {
     model_->draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
                  bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose,
-                 lightAt(context.resources, aircraft.position), lamps);
+                 lightAt(context.resources, aircraft.position), lamps, flash);
   };
   const auto* lamps = context.resources.find<AircraftLamps>();
   const bool isLit = lamps && lamps->areSeenOnModel;
-  // Those who warm up draw both: the sun may rise.
-  if (!isLit || context.frame.warmsUp) draw(nullptr);
-  if (isLit) draw(&lamps->onModel);
+  // Those who warm up draw all: the sun may rise, a flash may come.
+  const auto drawLit = [&](const FlashLight* flash) {
+    if (!isLit || context.frame.warmsUp) draw(nullptr, flash);
+    if (isLit) draw(&lamps->onModel, flash);
+  };
+  const auto* flash = context.resources.find<FlashLight>();
+  if (!flash || context.frame.warmsUp) drawLit(nullptr);
+  if (flash) drawLit(flash);
 }
 
 ShadowSource aircraftShadow(std::shared_ptr<const Model> model) {

@@ -114,7 +114,7 @@ int Model::node(std::string_view name) const {
 
 void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std::string& fragment,
                  std::span<const std::string> defines, const glm::mat4& toEye, const ModelPose& pose,
-                 const LightShares& light, const ModelLamps* lamps) const {
+                 const LightShares& light, const ModelLamps* lamps, const FlashLight* flash) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const int index = static_cast<int>(i);
     if (nodes_[i].meshes.empty() || !pose.isShown(index)) continue;
@@ -125,6 +125,7 @@ void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std:
       std::vector<std::string> all(defines.begin(), defines.end());
       all.insert(all.end(), material.defines.begin(), material.defines.end());
       if (lamps) all.emplace_back(ModelLamps::kDefine);
+      if (flash) all.emplace_back(FlashLight::kDefine);
       gl::Shader& shader = shaders.shader(vertex, fragment, all);
       shader.use();
       shader.setMatrix("toEye", meshToEye);
@@ -134,6 +135,7 @@ void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std:
         shader.setVec4s("lampPlaces", lamps->places);
         shader.setVec4s("lampLights", lamps->lights);
       }
+      if (flash) flash->set(shader);
       for (std::size_t k = 0; k < material.diffuse.size(); ++k) {
         textures_[static_cast<std::size_t>(material.diffuse[k])].bind(static_cast<GLuint>(k));
       }

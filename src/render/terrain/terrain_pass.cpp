@@ -7,6 +7,7 @@
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/clouds/ice_shade.h"
 #include "skydrop/render/frame/fallen_water.h"
+#include "skydrop/render/frame/flash_light.h"
 #include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/shadows/cast_shadows.h"
 #include "skydrop/render/shadows/land_shadow_map.h"
@@ -245,48 +246,59 @@ void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
   triangle_.draw();
 }
 
-// Where a lamp, or rain and snow on the ground, may come and go, all variants are asked for, and those who
-// warm up draw all that they can.
+// Where lamps, flashes, or rain and snow on the ground may come and go, all variants are asked for, and those
+// who warm up draw all that they can.
 void TerrainPass::drawLitLand(FrameContext& context) {
-  const bool mayLie = context.frame.features.fallenWater;
+  const FrameFeatures& features = context.frame.features;
   const auto* fallen = context.resources.find<FallenWater>();
-  std::vector<std::string> defines = landDefines(context);
-  if (!fallen || mayLie) drawLitLand(context, defines, nullptr, !fallen || context.frame.warmsUp);
-  if (!fallen && !mayLie) return;
-  defines.emplace_back(FallenWater::kDefine);
-  drawLitLand(context, defines, fallen, fallen != nullptr);
-}
-
-void TerrainPass::drawLitLand(FrameContext& context, std::vector<std::string> defines,
-                              const FallenWater* fallen, bool isDrawn) {
-  const View& view = context.frame.view;
   const auto* spot = context.resources.find<SpotLight>();
-  const auto draw = [&](gl::Shader& shader) {
-    if (fallen) fallen->set(shader);
-    drawLand(shader, view);
-  };
-  gl::Shader& unlit = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
-  if (isDrawn && (!spot || context.frame.warmsUp)) draw(unlit);
-  if (!spot && !context.frame.features.spotLight) return;
-  defines.emplace_back(SpotLight::kDefine);
-  gl::Shader& lit = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
-  if (!spot || !isDrawn) return;
-  spot->set(lit, view);
-  draw(lit);
+  const auto* flash = context.resources.find<FlashLight>();
+  const auto isAsked = [](bool has, bool isThere, bool mayCome) { return mayCome || has == isThere; };
+  for (const bool hasFallen : {false, true}) {
+    if (!isAsked(hasFallen, fallen, features.fallenWater)) continue;
+    for (const bool hasSpot : {false, true}) {
+      if (!isAsked(hasSpot, spot, features.spotLight)) continue;
+      for (const bool hasFlash : {false, true}) {
+        if (!isAsked(hasFlash, flash, features.flashLight)) continue;
+        std::vector<std::string> defines = landDefines(context);
+        if (hasFallen) defines.emplace_back(FallenWater::kDefine);
+        if (hasSpot) defines.emplace_back(SpotLight::kDefine);
+        if (hasFlash) defines.emplace_back(FlashLight::kDefine);
+        gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
+        const bool isThis = hasFallen == (fallen != nullptr) && hasSpot == (spot != nullptr) &&
+                            hasFlash == (flash != nullptr);
+        const bool isPossible = (fallen || !hasFallen) && (spot || !hasSpot) && (flash || !hasFlash);
+        if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
+        if (hasFallen) fallen->set(shader);
+        if (hasSpot) spot->set(shader, context.frame.view);
+        if (hasFlash) flash->set(shader);
+        drawLand(shader, context.frame.view);
+      }
+    }
+  }
 }
 
 // Separate from the land, so that only pixels that show water pay for it: a software renderer runs both sides
 // of a branch, but skips what the depth test rejects.
 void TerrainPass::drawSea(FrameContext& context) {
-  gl::Shader& shader = context.shaders.shader("terrain/sea.vert", "terrain/sea.frag", context.defines);
-  shader.use();
-  setSurface(shader, context.frame.view);
-  shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
-  context_.api().Enable(GL_BLEND);
-  context_.api().BlendFunc(GL_ONE, GL_SRC1_COLOR);
-  seaPlane_.bind();
-  context_.drawArrays(GL_TRIANGLES, 0, kSeaVertices);
-  context_.api().Disable(GL_BLEND);
+  const auto* flash = context.resources.find<FlashLight>();
+  for (const bool hasFlash : {false, true}) {
+    if (hasFlash && !flash && !context.frame.features.flashLight) continue;
+    std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+    if (hasFlash) defines.emplace_back(FlashLight::kDefine);
+    gl::Shader& shader = context.shaders.shader("terrain/sea.vert", "terrain/sea.frag", defines);
+    const bool isThis = hasFlash == (flash != nullptr);
+    if ((hasFlash && !flash) || !(isThis || context.frame.warmsUp)) continue;
+    if (hasFlash) flash->set(shader);
+    shader.use();
+    setSurface(shader, context.frame.view);
+    shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
+    context_.api().Enable(GL_BLEND);
+    context_.api().BlendFunc(GL_ONE, GL_SRC1_COLOR);
+    seaPlane_.bind();
+    context_.drawArrays(GL_TRIANGLES, 0, kSeaVertices);
+    context_.api().Disable(GL_BLEND);
+  }
 }
 
 void TerrainPass::drawLines(FrameContext& context) {

@@ -11,7 +11,8 @@ struct FrameFeatures {
   bool haze = false;         // HAZE: extinction and in-scattering between eye and surface
   bool landShadows = false;  // no define: a LandShadowMap may be published in some frame
 
-  bool spotLight = false;  // no define: a SpotLight may be published in some frame
+  bool spotLight = false;   // no define: a SpotLight may be published in some frame
+  bool flashLight = false;  // no define: a FlashLight may be published in some frame
 
   bool fallenWater = false;  // no define: a FallenWater may be published in some frame
 

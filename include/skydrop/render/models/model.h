@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "skydrop/render/frame/flash_light.h"
 #include "skydrop/render/frame/light_shares.h"
 #include "skydrop/render/gl/shader_cache.h"
 #include "skydrop/render/gl/texture.h"
@@ -66,11 +67,13 @@ class Model {
   const glm::vec3& high() const { return high_; }
 
   // Draws what the pose shows with programs of these entry points. `defines` are added to the model's own;
-  // `lamps` light it beside sun and sky (programs are then compiled with ModelLamps::kDefine).
+  // `lamps` and a flash light it beside sun and sky (programs are then compiled with ModelLamps::kDefine and
+  // FlashLight::kDefine).
   // toEye: of the model's frame to eye-relative world axes; no shear without scale of one node's own.
   void draw(gl::ShaderCache& shaders, const std::string& vertex, const std::string& fragment,
             std::span<const std::string> defines, const glm::mat4& toEye, const ModelPose& pose,
-            const LightShares& light, const ModelLamps* lamps = nullptr) const;
+            const LightShares& light, const ModelLamps* lamps = nullptr,
+            const FlashLight* flash = nullptr) const;
   // Draws the shape alone, with a program that knows `uniform mat4 toClip` and needs no texture.
   // modelToClip: of the model's frame to clip space.
   void drawOutline(gl::Shader& shader, const glm::mat4& modelToClip, const ModelPose& pose) const;

@@ -57,9 +57,6 @@ class TerrainPass final : public Pass {
   void setLand(gl::Shader& shader, const View& view) const;
   void drawDepth(FrameContext& context);
   void drawLitLand(FrameContext& context);
-  // A variant, with what lies on the land, or without (null); only asked for unless it is drawn.
-  void drawLitLand(FrameContext& context, std::vector<std::string> defines, const FallenWater* fallen,
-                   bool isDrawn);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
   void drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap, bool isFirst);

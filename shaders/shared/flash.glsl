@@ -1,0 +1,37 @@
+// A flash of lightning as points of light, each spread over a length of its channel (core2: the square of that, m^2,
+// above 0). Intensity in kcd, illuminance in klx, radiance in kcd/m^2. Has a C++ face of its own,
+// include/skydrop/core/shared_flash.h.
+#ifndef __cplusplus
+#include "shared/guards.glsl"
+#endif
+
+// Illuminance per intensity on a surface with a unit normal; toLight: from the surface, m.
+FN Real flashIlluminance(Vec3 toLight, Vec3 normal, Real core2) {
+  Real square = dot(toLight, toLight) + core2;
+  return max(dot(normal, toLight), Real(0.0)) / (square * sqrt(square));
+}
+
+// Integral of 1 / distance^2 to a light along a ray from the eye, 1/m: what air that scatters evenly, and hardly dims,
+// sends towards the eye is this times intensity, scattering and 1 / (4 pi) (Sun, Ramamoorthi, Narasimhan and Nayar 2005,
+// without extinction). toLight: from the eye; unit direction; length > 0, at most kFarMarker.
+FN Real flashAirlight(Vec3 toLight, Vec3 direction, Real lengthM, Real core2) {
+  Real along = dot(toLight, direction);
+  Vec3 aside = toLight - direction * along;
+  Real nearest = sqrt(dot(aside, aside) + core2);
+  return (atan((lengthM - along) / nearest) + atan(along / nearest)) / nearest;
+}
+
+// Radiance per intensity of a thick cloud at a distance from a light within or beside it. The light comes out spread
+// over the sphere around it, and what has wandered far has left the cloud on the way: it falls by e over reachM.
+FN Real flashCloudGlow(Real square, Real core2, Real reachM) {
+  return exp(-sqrt(square) / reachM) / (Real(3.14159265) * (square + core2));
+}
+
+// How far in pixels along a piece of a line, blurred by a Gaussian: from 0 to 1, so that consecutive pieces add up to
+// one line without a joint. The logistic function is the Gaussian's integral within 0.01.
+FN Real flashAlong(Real pixels, Real spread) {
+  return Real(1.0) / (Real(1.0) + exp(clamp(-Real(1.702) * pixels / spread, Real(-60.0), Real(60.0))));
+}
+
+// Radiance that is written of a channel: on the way to a most, so that all pieces over a bright scene stay half floats.
+FN Real flashAtMost(Real radiance, Real most) { return radiance / (Real(1.0) + radiance / most); }
