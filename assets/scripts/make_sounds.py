@@ -152,9 +152,26 @@ def wind(rng):
     return low * (1 + .25 * np.sin(2 * np.pi * t / 1.5)) + .3 * high * (1 + .5 * np.sin(2 * np.pi * t / 3 + 1))
 
 
+def thunder(duration, crack, body_hertz, rolls):
+    """A clap of thunder: this share of a crack of high noise, a body of low noise, and so many rolls after it."""
+    def make(rng):
+        t = seconds(duration)
+        out = low_pass(noise(rng, len(t)), 3000) * envelope(t, .002, .06) * 2 * crack
+        out += low_pass(noise(rng, len(t)), body_hertz) * envelope(t, .01 + .2 * (1 - crack), duration / 5) * 6
+        for _ in range(rolls):
+            start = rng.uniform(.1, .6 * duration)
+            local = np.maximum(t - start, 0)
+            out += low_pass(noise(rng, len(t)), body_hertz * rng.uniform(.5, 1)) * \
+                envelope(local, .05, duration / 9) * (t > start) * 6 * rng.uniform(.3, .9)
+        return faded(out, .05)
+    return make
+
+
 SOUNDS = {"engine": (engine, .8), "drop": (drop, .7), "parachute": (parachute, .7), "landing": (landing, .8),
           "splash": (splash, .7), "score": (score, .55), "miss": (miss, .5), "crash": (crash, .9),
-          "stall": (stall, .4), "rain": (rain, .7), "wind": (wind, .7)}
+          "stall": (stall, .4), "rain": (rain, .7), "wind": (wind, .7),
+          "thunderNear": (thunder(1.8, 1, 400, 2), .95), "thunder": (thunder(2.4, .25, 170, 4), .9),
+          "thunderFar": (thunder(3, 0, 80, 5), .9)}
 
 
 def write_wav(path, signal, peak):

@@ -7,6 +7,7 @@ flat out float pixelsLong;
 flat out vec3 radiance;
 flat out float spread;
 flat out float distanceM;
+flat out float most;
 
 void main() {
   PieceCorner corner = cornerOf(pieceFrom, pieceTo, gl_VertexID);
@@ -15,5 +16,6 @@ void main() {
   radiance = corner.radiance;
   spread = corner.spread;
   distanceM = corner.distanceM;
+  most = corner.most;
   gl_Position = corner.clip;
 }

@@ -7,6 +7,8 @@ uniform vec3 channelLight;   // intensity a metre, times exposure
 uniform float lineSpread;    // of the line, pixels
 
 const float kSpreadsDrawn = 3.5;
+// Of the main channel: times all pieces, over the brightest scene, it is still a half float.
+const float kMostOfPiece = 8.0;
 const float kNearestM = 5.0;  // a channel is a few centimetres wide, and nobody looks closer
 
 struct PieceCorner {
@@ -16,6 +18,7 @@ struct PieceCorner {
   vec3 radiance;  // in the middle of the line
   float spread;   // pixels
   float distanceM;
+  float most;  // radiance that is shown: dimmer pieces look dimmer however bright all are
 };
 
 PieceCorner cornerOf(vec4 from, vec4 to, int vertex) {
@@ -46,6 +49,7 @@ PieceCorner cornerOf(vec4 from, vec4 to, int vertex) {
   corner.clip = isSeen ? vec4(end.xy + aside * 2.0 * frame.viewport.zw * end.w, end.zw) : vec4(0.0, 0.0, -1.0, 1.0);
   vec3 middle = 0.5 * (from.xyz + to.xyz);
   corner.distanceM = length(middle);
+  corner.most = kMostOfPiece * from.w;
   float metresAPixel = max(corner.distanceM, kNearestM) * frame.depthToSea.w;
   corner.radiance = channelLight * (from.w / (metresAPixel * spread * sqrt(2.0 * kPi)));
 #ifdef HAZE

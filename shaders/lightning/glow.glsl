@@ -6,10 +6,11 @@ layout(binding = 0) uniform sampler2D sceneDepth;
 #ifdef CLOUD_TRANSMITTANCE
 layout(binding = 2) uniform sampler2D cloudLight;
 layout(binding = 3) uniform sampler2D cloudDistances;
-uniform float cloudReachM;  // over which light wanders through the cloud
+uniform float aboveBaseM;  // height of the flash above the base of its cloud
 #endif
 
 const float kMostGlow = 300.0;  // with channel and scene still a half float
+const float kMostOfCloud = 1.6;  // that is shown of a cloud's glow: its shape is still seen
 const float kFarthestAirM = 1e6;
 
 #ifdef HAZE
@@ -29,7 +30,7 @@ vec3 glowOfCloud(vec3 direction, float cloudM) {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < kFlashLights; ++i) {
     vec3 way = flashPlaces[i].xyz - place;
-    sum += flashLights[i].xyz * flashCloudGlow(dot(way, way), flashPlaces[i].w, cloudReachM);
+    sum += flashLights[i].xyz * flashCloudGlow(dot(way, way), flashPlaces[i].w, aboveBaseM);
   }
 #ifdef HAZE
   sum *= airTransmittance(place.y, cloudM);
@@ -48,7 +49,9 @@ vec3 flashGlow(vec2 ndc) {
 #ifdef CLOUD_TRANSMITTANCE
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float cloudM = texelFetch(cloudDistances, pixel, 0).x, opacity = 1.0 - texelFetch(cloudLight, pixel, 0).a;
-  glow += glowOfCloud(direction, cloudM) * opacity;
+  vec3 cloud = glowOfCloud(direction, cloudM);
+  float brightest = max(max(cloud.x, max(cloud.y, cloud.z)), 1e-20);
+  glow += cloud * (flashAtMost(brightest, kMostOfCloud) / brightest * opacity);
   lengthM = mix(lengthM, min(lengthM, cloudM), opacity);
 #endif
 #ifdef HAZE

@@ -21,6 +21,8 @@ constexpr std::string_view kEngine = "engine", kStallHorn = "stall", kRain = "ra
 constexpr std::array<std::string_view, 7> kEventSounds = {"drop", "parachute", "landing", "score",
                                                           "miss", "crash",     "splash"};
 
+constexpr std::array<std::string_view, 3> kThunder = {"thunderNear", "thunder", "thunderFar"};
+
 std::filesystem::path soundFile(std::string_view name) {
   return core::assetPath("audio/" + std::string(name) + ".wav");
 }
@@ -65,6 +67,15 @@ SoundScene::~SoundScene() {
   for (const Voice loop : {engine_, stallHorn_, rain_, wind_}) audio_.stop(loop);
 }
 
+void SoundScene::setLightning(const std::optional<weather::LightningSettings>& settings) {
+  if (!settings) return thunder_.reset();
+  for (const std::string_view name : kThunder) audio_.load(soundFile(name));
+  if (thunder_)
+    thunder_->apply(*settings);
+  else
+    thunder_.emplace(*settings);
+}
+
 double SoundScene::enginePitch(double throttle, double airspeed) {
   const double dive = std::clamp((airspeed - kCruiseSpeed) / kCruiseSpeed, -0.5, 1.0);
   return 0.7 + 0.6 * std::clamp(throttle, 0.0, 1.0) + 0.1 * dive;
@@ -92,6 +103,12 @@ void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEve
   if (skipReason()) {
     for (Voice* loop : {&engine_, &stallHorn_, &rain_, &wind_}) audio_.stop(std::exchange(*loop, 0));
     return;
+  }
+  if (thunder_) {
+    for (const weather::Clap& clap : thunder_->due(now)) {
+      const Voice voice = audio_.play2d(soundFile(kThunder[thunderSound(clap)]));
+      audio_.setGain(voice, clap.gain);
+    }
   }
   const bool running = now.aircraft.present && !now.aircraft.crashed;
   if (!running) {

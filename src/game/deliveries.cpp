@@ -86,6 +86,8 @@ void Deliveries::drop(const flight::BodyState& aircraft) {
                        glm::dvec3(0),
                        0,
                        0,
+                       weather::Dryden(core::hashCombine(setup_->seed, id)),
+                       0,
                        false,
                        {0, 1, 0}});
   stepsToDrop_ = stepsOf(setup_->game.dropCooldown);
@@ -136,7 +138,8 @@ void Deliveries::fall(FlyingPackage& p, const std::optional<glm::dvec3>& aircraf
     p.wind = setup_->wind;
   } else if (p.stepsToWind == 0) {
     p.clearance = clearanceAt(*setup_->ground, from);
-    p.wind = air_->meanWindOf(from, from.y - p.clearance, secondsOf(step));
+    p.wind = air_->windOnPackage(from, p.body.state().velocity, from.y - p.clearance, secondsOf(step),
+                                 p.gusts, p.windsAsked++, kWindSteps * FixedStep::kStepSeconds);
     p.stepsToWind = kWindSteps;
   }
   if (p.stepsToWind > 0) --p.stepsToWind;
@@ -215,7 +218,10 @@ void Deliveries::addTo(core::StateHasher& h) const {
   for (const FlyingPackage& p : packages_) {
     h.add(std::uint64_t{p.id}), game::addTo(h, p.body.state()), h.add(p.body.age());
     h.add(std::uint64_t{p.body.landed()}), h.add(p.clearance), h.add(p.stepsToRemoval);
-    if (setup_->weather) game::addTo(h, p.wind), h.add(p.stepsToWind);
+    if (setup_->weather) {
+      game::addTo(h, p.wind), h.add(p.stepsToWind), h.add(p.windsAsked);
+      for (int i = 0; i < weather::Dryden::kStates; ++i) h.add(p.gusts.states()[i]);
+    }
     addTo(h, p.target);
   }
 }

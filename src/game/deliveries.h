@@ -13,6 +13,7 @@
 #include "skydrop/flight/rigid_body.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/game/world.h"
+#include "skydrop/weather/dryden.h"
 
 namespace skydrop::game {
 
@@ -52,6 +53,8 @@ class Deliveries {
     double clearance = 0;              // it is at least so far above the surface
     glm::dvec3 wind{0};                // that it was last asked for, with weather
     std::uint64_t stepsToWind = 0;     // until it is asked for again
+    std::uint64_t windsAsked = 0;      // so far
+    weather::Dryden gusts{0};          // that it feels
     std::uint64_t stepsToRemoval = 0;  // once landed
     bool onWater = false;
     glm::dvec3 groundNormal{0, 1, 0};  // of where it landed

@@ -159,6 +159,38 @@ glm::dvec3 FlownAir::meanWindOf(const glm::dvec3& position, double surface, doub
   return weather::WindProfile(state.wind).at(position.y, position.y - surface);
 }
 
+glm::dvec3 FlownAir::windOnPackage(const glm::dvec3& position, const glm::dvec3& velocity, double surface,
+                                   double seconds, weather::Dryden& gusts, std::uint64_t count,
+                                   double interval) const {
+  const WeatherSetup& air = *setup_->weather;
+  const double share = air.settings.packageGusts;
+  if (!(share > 0)) return meanWindOf(position, surface, seconds);
+  const weather::State state =
+      weather::stateAt(air.settings, setup_->seed, seconds, {position.x, position.z});
+  const weather::WindProfile profile(state.wind);
+  const double above = std::max(position.y - surface, 0.0);
+  const glm::dvec3 mean = profile.at(position.y, position.y - surface);
+  const weather::DrydenScales scales =
+      weather::drydenScales(above, profile.w20Mps(), state.turbulenceSeverity);
+  const glm::dvec3 sigma = share * air.settings.turbulence * scales.intensityMps;
+  gusts.advance(weather::DrydenStep(scales, std::max(glm::length(velocity - mean), 1.0), interval), count);
+  const glm::dvec3 gust = sigma * gusts.gust();
+  double rising = 0;
+  if (air.settings.draughts > 0) {
+    const FlownClouds clouds(air.noise, air.drift);
+    for (const weather::Layer& layer : state.layers) {
+      if (!(layer.cover > 0) || position.y >= layer.topM) continue;
+      rising += weather::cloudDraught(layer, clouds.column(layer, position, seconds), position.y, surface,
+                                      state.precipitation.rain);
+    }
+  }
+  const double level = std::sqrt(mean.x * mean.x + mean.z * mean.z);
+  const glm::dvec2 along = level > 0.1 ? glm::dvec2(mean.x, mean.z) / level : glm::dvec2(1, 0);
+  return mean + glm::dvec3(gust.x * along.x - gust.y * along.y,
+                           gust.z + share * air.settings.draughts * rising,
+                           gust.x * along.y + gust.y * along.x);
+}
+
 AirSnapshot FlownAir::snapshot(const flight::BodyState& aircraft) const {
   AirSnapshot out;
   if (!setup_->weather) return out;

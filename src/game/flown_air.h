@@ -38,6 +38,12 @@ class FlownAir {
   // The same under the weather of the place itself: what carries a package there.
   glm::dvec3 meanWindOf(const glm::dvec3& position, double surface, double seconds) const;
 
+  // The same with the gusts and draughts that a package feels there, m/s, as much of them as the settings
+  // say. gusts: its own, advanced by this call, number `count` of them, over `interval` seconds.
+  glm::dvec3 windOnPackage(const glm::dvec3& position, const glm::dvec3& velocity, double surface,
+                           double seconds, weather::Dryden& gusts, std::uint64_t count,
+                           double interval) const;
+
   AirSnapshot snapshot(const flight::BodyState& aircraft) const;
   void addTo(core::StateHasher& hash) const;
 

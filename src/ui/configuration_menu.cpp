@@ -18,6 +18,7 @@
 #include "ui/row_filter.h"
 #include "ui/sky_section.h"
 #include "ui/statistics_view.h"
+#include "ui/weather_section.h"
 
 namespace skydrop::ui {
 namespace {
@@ -259,11 +260,16 @@ void ConfigurationMenu::Parts::drawHead(const MenuContent& content, const MenuSe
                                         MenuResult& result) {
   const auto row = [&](const char* path) -> const Field& { return content.table.at(path); };
   ImGui::PushID(("head " + section.group).c_str());
-  if (section.head == MenuSection::Head::choiceButtons) {
+  const bool isWeather = section.head == MenuSection::Head::weather;
+  if (section.head == MenuSection::Head::choiceButtons || isWeather) {
     const std::vector<Field>& fields = content.table.fields();
     const auto choice = std::ranges::find(fields, section.group, &Field::group);
     if (choice != fields.end()) {
       if (const auto clicked = drawChoiceButtons(*choice, items)) set(*choice, *clicked, result);
+    }
+    if (isWeather) {
+      for (const SettingValue& value : drawGenusButtons(content.table, content.tools.genera, items))
+        set(row(value.path.c_str()), value.value, result);
     }
   } else if (section.head == MenuSection::Head::clock && content.tools.clockMs) {
     const Field& utc = row("render.sun.utc");

@@ -191,6 +191,10 @@ void describe(core::SettingsVisitor& v, SiteSettings& s) {
 }
 
 void describe(core::SettingsVisitor& v, WeatherSettings& s) {
+  v.choice("sky", s.sky, kSkyChoiceNames,
+           {.help = "Sets the weather of both sites, the wind and the low clouds together; rows that are set "
+                    "after it stay as they are.",
+            .aliases = "preset, front, storm, weather"});
   v.flag("standardAtmosphere", s.standardAtmosphere,
          {.help = "Air thins with height by the standard atmosphere of 1976; off, it is as dense as at the "
                   "sea everywhere.",
@@ -219,6 +223,14 @@ void describe(core::SettingsVisitor& v, WeatherSettings& s) {
             .max = 4,
             .help = "How fast ice grows in cold clouds and freezing rain; 0 for never.",
             .aliases = "ice, frost"});
+  v.number(
+      "packageGusts", s.packageGusts,
+      {.unit = "1",
+       .min = 0,
+       .max = 1,
+       .help = "How much of gusts and draughts packages feel; at 0 the mean wind alone carries them, which "
+               "is what the prediction of their landing knows.",
+       .aliases = "drop, accuracy, turbulence"});
   v.number("variability", s.variability,
            {.unit = "1",
             .min = 0,

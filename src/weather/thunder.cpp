@@ -10,7 +10,7 @@ namespace skydrop::weather {
 namespace {
 
 constexpr double kLapseKPerM = 0.0065;  // of the troposphere (US standard atmosphere 1976)
-constexpr double kLoudM = 300;          // a nearer part of the channel is no louder
+constexpr double kLoudM = 1000;         // where a clap has half its loudness
 constexpr double kFarthestM = 20000;    // beyond it thunder is not heard
 constexpr double kFadesFromM = 12000;
 constexpr double kDullM = 3000;  // where absorption has taken the upper half of the frequencies
@@ -31,7 +31,7 @@ Claps clapsOf(const Flash& flash, const Channel& channel, const glm::dvec3& list
     const double middleM = std::clamp(0.5 * (from.y + listener.y), 0.0, 11000.0);
     clap.delayS = clap.distanceM / speedOfSound(temperatureC - kLapseKPerM * middleM);
     const double fade = std::clamp((kFarthestM - clap.distanceM) / (kFarthestM - kFadesFromM), 0.0, 1.0);
-    clap.gain = std::min(kLoudM / std::max(clap.distanceM, 1.0), 1.0) * fade * std::min(flash.strength, 1.0);
+    clap.gain = kLoudM / (kLoudM + clap.distanceM) * fade * std::min(flash.strength, 1.0);
     clap.dullness = 1 - core::dmath::exp(-clap.distanceM / kDullM);
   }
   return claps;

@@ -124,6 +124,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using terrain::TerrainSettings;
   using terrain::TerrainStreamingSettings;
   using weather::ForecastClock;
+  using weather::LightningSettings;
   using weather::SiteSettings;
   using weather::WeatherLayerSettings;
   using weather::WeatherSettings;
@@ -151,6 +152,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
       SKYDROP_STRUCT(MoodSettings),         SKYDROP_STRUCT(ForecastClock),
       SKYDROP_STRUCT(IceCloudSettings),     SKYDROP_STRUCT(PrecipitationSettings),
+      SKYDROP_STRUCT(LightningSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -28,6 +28,7 @@
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
+#include "skydrop/weather/lightning.h"
 #include "support/row_steps.h"
 
 namespace skydrop::app {
@@ -162,6 +163,29 @@ std::uint64_t weatherFlight(const Settings& settings) {
   game::WorldSetup setup = worldOf(settings, land(), 300);
   setup.weather = {settings.weather, settings.wind, nullptr};
   return flight(setup, 10, [](const game::Snapshot&) { return Controls(); });
+}
+
+// A package dropped at once, in that air.
+std::uint64_t packagesInWeather(const Settings& settings) {
+  game::WorldSetup setup = worldOf(settings, land(), 300);
+  setup.weather = {settings.weather, settings.wind, nullptr};
+  Controls drop;
+  drop.drop = true;
+  return flight(setup, 10, [&](const game::Snapshot&) { return drop; });
+}
+
+// What flashes there are in some minutes of a storm, and how bright they are.
+std::uint64_t flashesOfAStorm(const Settings& settings) {
+  auto storm = std::make_shared<weather::WeatherSettings>();
+  storm->sites[0].lightning = 30;
+  storm->sites[0].layers[0].cover = 1;
+  core::StateHasher hash;
+  for (const weather::Flash& flash :
+       weather::flashesBetween({storm, 1, 0}, settings.lightning, 0, 1800, {})) {
+    hash.add(flash.toGround ? 1.0 : 0.0);
+    hash.add(weather::brightnessAt(flash, settings.lightning, flash.seconds + 0.1));
+  }
+  return hash.value();
 }
 
 // The weather at some places and times.
@@ -437,9 +461,11 @@ const std::vector<Probe> kProbes = {
     {"weather.draughts", weatherFlight, {"weather.sites.0.layers.0.cover=0.6"}},
     {"weather.slopeWind", weatherFlight},
     {"weather.icing", weatherFlight, {"weather.sites.0.temperature=-10", "weather.sites.0.rain=10"}},
+    {"weather.packageGusts", packagesInWeather},
     {"weather.", weatherStates, twoSites()},
     {"weatherFile.followsSky", forecastStates, {"sky.sun=clock"}},
     {"weatherFile.", forecastStates, {"weatherFile.followsSky=false"}},
+    {"lightning.", flashesOfAStorm},
     {"autopilot.", autopilot, {"game.targetNearest=1200", "game.targetFarthest=1500"}},
     {"terrain.", heights},
     {"streaming.uploadMiBPerFrame", uploads},
@@ -517,6 +543,7 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
   int rows = 0;
   for (const core::Field& field : table.fields()) {
     if (!field.path.starts_with(GetParam())) continue;
+    if (field.path == "weather.sky") continue;  // tests/app/weather_sky_test.cpp
     const auto probe =
         std::ranges::find_if(kProbes, [&](const Probe& p) { return field.path.starts_with(p.rows); });
     if (probe == kProbes.end()) {
@@ -533,9 +560,9 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
   EXPECT_GT(rows, 0);
 }
 
-constexpr const char* kGroups[] = {"aircraft.",  "package.", "game.", "autopilot.", "terrain.",
-                                   "streaming.", "audio.",   "view.", "input.",     "quality",
-                                   "clouds.",    "render.",  "wind.", "weather.",   "weatherFile."};
+constexpr const char* kGroups[] = {
+    "aircraft.", "package.", "game.",   "autopilot.", "terrain.", "streaming.", "audio.",       "view.",
+    "input.",    "quality",  "clouds.", "render.",    "wind.",    "weather.",   "weatherFile.", "lightning."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {
     "cloudPlanes.", "cloudDome.",      "groundFog.",    "stars.", "landShadows.", "halo.",         "rainbow.",

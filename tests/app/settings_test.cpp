@@ -100,7 +100,7 @@ TEST(Settings, theThesisWeatherParametersHaveRowsThatTakeEffectAtOnce) {
   const auto first = std::ranges::find(table.fields(), layer, &core::Field::group);
   std::size_t i = 0;
   for (auto field = first; field != table.fields().end() && field->group == layer; ++field, ++i) {
-    EXPECT_EQ(ui::sectionOf(sections, *field)->title, "Weather") << field->path;
+    EXPECT_EQ(ui::sectionOf(sections, *field)->title, "Low clouds") << field->path;
     if (field->kind == core::FieldKind::number) {
       EXPECT_TRUE(core::isWhileHeld(field->takesEffect)) << field->path;
     }

@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "skydrop/core/hash.h"
+#include "skydrop/core/shared_flash.h"
 #include "skydrop/weather/thunder.h"
 
 namespace skydrop::weather {
@@ -24,7 +26,7 @@ Moment storm(double perMinute, std::uint64_t seed = 7) {
 
 constexpr double kDayS = 86400;
 
-TEST(Lightning, comesAsOftenAsTheWeatherSaysWithinSight) {
+TEST(Lightning, W52_comesAsOftenAsTheWeatherSaysWithinSight) {
   // The mean of a day is that of the state within four standard deviations, at any place.
   for (const double rate : {0.5, 6.0, 30.0}) {
     for (const glm::dvec2 place : {glm::dvec2(0), glm::dvec2(123456, -7e5), glm::dvec2(-1e9, 1e9)}) {
@@ -35,7 +37,7 @@ TEST(Lightning, comesAsOftenAsTheWeatherSaysWithinSight) {
   }
 }
 
-TEST(Lightning, noSecondOfThirtyDaysHasMoreThanThreeBrightMoments) {
+TEST(Lightning, W55_noSecondOfThirtyDaysHasMoreThanThreeBrightMoments) {
   // At the highest rate, at a place that is flown away from: of strokes in any second, and between the last
   // of one flash and the first of the next.
   std::deque<double> strokes;
@@ -168,6 +170,72 @@ TEST(LightningChannel, leadsFromTheCloudToTheGroundInSmallTurns) {
   }
   ASSERT_GT(turns, 1000);
   EXPECT_NEAR(turned / turns * 180 / 3.14159, 16, 2);
+}
+
+// Photons of a light within a slab of cloud that scatters evenly with a mean free path (that of drops, over 1
+// less their anisotropy) and absorbs nothing: how many leave downwards, and at which distance from below it.
+struct Escaped {
+  std::vector<double> aside;
+  double down = 0;  // share of all
+};
+Escaped followPhotons(double depthM, double heightM, double freePathM, int photons) {
+  core::RandomStream random{42};
+  Escaped escaped;
+  for (int i = 0; i < photons; ++i) {
+    glm::dvec3 at(0, heightM, 0);
+    for (;;) {
+      const double up = 2 * random.nextUnit() - 1, angle = 2 * 3.14159265358979 * random.nextUnit();
+      const double lengthM = -freePathM * std::log(1 - random.nextUnit()), level = std::sqrt(1 - up * up);
+      const glm::dvec3 to = at + lengthM * glm::dvec3(level * std::cos(angle), up, level * std::sin(angle));
+      if (to.y < 0) {
+        const glm::dvec3 left = at + (to - at) * (at.y / (at.y - to.y));
+        escaped.aside.push_back(std::hypot(left.x, left.z));
+      }
+      if (to.y < 0 || to.y > depthM) break;
+      at = to;
+    }
+  }
+  escaped.down = static_cast<double>(escaped.aside.size()) / photons;
+  return escaped;
+}
+
+TEST(FlashLight, glowOfCloudsIsThatOfPhotonsFollowedWithin40Percent) {
+  // Of the base of slabs of cloud, from below the light to three times its height aside.
+  constexpr int kPhotons = 30000;
+  double worst = 0;
+  for (const auto& [depthM, heightM] : {std::pair(6000.0, 2100.0), {6000.0, 1000.0}, {10000.0, 3000.0}}) {
+    const Escaped escaped = followPhotons(depthM, heightM, 133, kPhotons);
+    EXPECT_NEAR(escaped.down, 0.7, 0.15);
+    for (double from = 0; from < 3; from += 0.5) {
+      const double inner = from * heightM, outer = (from + 0.5) * heightM;
+      const auto count = static_cast<double>(
+          std::ranges::count_if(escaped.aside, [&](double r) { return r >= inner && r < outer; }));
+      // Of a light of intensity 1, which sends out 4 pi: exitance over pi.
+      const double radiance = count / kPhotons * 4 / (3.14159265 * (outer * outer - inner * inner));
+      const double middle = 0.5 * (inner + outer);
+      const double formula =
+          core::shared::f64::flashCloudGlow(middle * middle + heightM * heightM, 1, heightM);
+      worst = std::max(worst, std::abs(formula / radiance - 1));
+    }
+  }
+  EXPECT_LT(worst, 0.4);
+  EXPECT_GT(worst, 0.1);  // and no better than it says
+}
+
+TEST(FlashLight, airlightIsTheIntegralAlongTheRay) {
+  // Against the midpoint rule of 200000 steps; from within the light's core, away from it, past it.
+  namespace shared = core::shared::f64;
+  for (const glm::dvec3& light : {glm::dvec3(3000, 400, 0), {-3000, 10, 5}, {1e-3, 0, 0}, {20000, 0, 0}}) {
+    for (const double lengthM : {1.0, 2500.0, 40000.0}) {
+      double sum = 0;
+      constexpr int kSteps = 200000;
+      for (int i = 0; i < kSteps; ++i) {
+        const glm::dvec3 way = light - glm::dvec3((i + 0.5) / kSteps * lengthM, 0, 0);
+        sum += lengthM / kSteps / (glm::dot(way, way) + 200.0 * 200);
+      }
+      EXPECT_NEAR(shared::flashAirlight(light, {1, 0, 0}, lengthM, 200.0 * 200) / sum, 1, 1e-6);
+    }
+  }
 }
 
 TEST(Thunder, isLateByDistanceOverTheSpeedOfSound) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "skydrop/audio/audio_manager.h"
+#include "skydrop/audio/thunder_schedule.h"
 #include "skydrop/game/events.h"
 #include "skydrop/game/snapshot.h"
 
@@ -26,6 +27,9 @@ class SoundScene {
   // played.
   void update(const game::Snapshot& now, std::span<const game::GameEvent> events);
   void apply(const AudioSettings& settings) { settings_ = settings; }
+  // Thunder of these flashes from now on; nullopt: none is asked for, and nothing of it is loaded. Throws
+  // core::DataError for a broken sound.
+  void setLightning(const std::optional<weather::LightningSettings>& settings);
 
   // Pitch of the engine's loop at a throttle in [0, 1]: 0.7 idle .. 1.3 full, a little more in a dive. Speed
   // in m/s.
@@ -44,6 +48,7 @@ class SoundScene {
   AudioSettings settings_;
   Voice engine_ = 0, stallHorn_ = 0;
   Voice rain_ = 0, wind_ = 0;  // with weather alone
+  std::optional<ThunderSchedule> thunder_;
 };
 
 }  // namespace skydrop::audio

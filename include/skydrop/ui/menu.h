@@ -26,9 +26,9 @@ struct MenuSection {
   std::string title;                         // "Aircraft"
   bool open = false;                         // at first
   std::vector<std::string> moreGroups = {};  // shown below it
-  // What it has above its rows: buttons for the choice that is its group's first row, or the clock of the sky
-  // (MenuTools::clockMs).
-  enum class Head { none, choiceButtons, clock };
+  // What it has above its rows: buttons for the choice that is its group's first row, the clock of the sky
+  // (MenuTools::clockMs), or such buttons and a picture for each genus of clouds (MenuTools::genera).
+  enum class Head { none, choiceButtons, clock, weather };
   Head head = Head::none;
 };
 
@@ -42,6 +42,14 @@ struct PresetEntry {
   bool usable = true;
 };
 
+// A picture to click: a genus of clouds, and the rows that make it. It is lit while all have these values;
+// clicked then, it takes its clouds away.
+struct GenusButton {
+  std::string_view name;             // "cumulus": what is drawn on it
+  std::vector<SettingValue> values;  // of rows of the table
+  std::vector<SettingValue> away;    // the same without the clouds
+};
+
 // What the menu shows beside the settings.
 struct MenuTools {
   std::span<const double> frameMs = {};  // times of the last frames, the newest last
@@ -51,6 +59,7 @@ struct MenuTools {
   // The player's presets; nullopt where they have no place.
   std::optional<std::span<const PresetEntry>> presets = std::nullopt;
   std::optional<double> clockMs = std::nullopt;  // what the sky's clock shows, UTC, ms since 1970
+  std::span<const GenusButton> genera = {};
 };
 
 struct MenuContent {
@@ -122,7 +131,7 @@ class ConfigurationMenu {
   const BindingsPlaces& bindingPlaces() const;
   // Where the last frame drew what is no row: "refusal" (while there is a line), "search", "changed only",
   // "undo", "redo", "reset all", "section GROUP", "reset GROUP", "controls", "costs", "presets", "preset
-  // name", "save preset", "load NAME", "delete NAME", "mood NAME", "clock",
+  // name", "save preset", "load NAME", "delete NAME", "mood NAME", "genus NAME", "clock",
   // "clock +1 h" (and the other steps), "speed 60" (and the others), "copy", "copy flags", "copy pose". Null:
   // not drawn.
   const ScreenRect* place(std::string_view what) const;

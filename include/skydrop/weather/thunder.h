@@ -15,7 +15,7 @@ double speedOfSound(double temperatureC);
 struct Clap {
   double delayS = 0;     // after the flash began
   double distanceM = 0;  // of that part of the channel
-  double gain = 0;       // amplitude, [0, 1]: of a part of a channel at 300 m 1, falling with the distance
+  double gain = 0;       // amplitude, [0, 1]: 1 at the channel, far off as 1 / distance
   double dullness = 0;   // [0, 1]: 0 a crack, 1 only the lowest frequencies are left
 };
 using Claps = std::array<Clap, Channel::kLights>;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <string_view>
 
 #include "skydrop/core/settings.h"
 #include "skydrop/weather/state.h"
@@ -50,12 +51,19 @@ struct SiteSettings {
   double severity = 2;        // 0 .. 6 (State::turbulenceSeverity)
 };
 
+// A whole sky at once: sets the rows of sites, wind and clouds (app/settings/weather_sky.h).
+enum class SkyChoice { none, fair, beforeWarmFront, frontPassing, thunderstorm, afterRain };
+inline constexpr std::array<std::string_view, 6> kSkyChoiceNames = {
+    "none", "fair", "beforeWarmFront", "frontPassing", "thunderstorm", "afterRain"};
+
 struct WeatherSettings {
+  SkyChoice sky = SkyChoice::none;
   bool standardAtmosphere = true;  // off: the density of the sea's level at all heights
   double turbulence = 1;           // 0 .. 2, of Dryden's
   double draughts = 1;             // 0 .. 2, of those of clouds
   double slopeWind = 1;            // 0 .. 2, of that of ridges
   double icing = 1;                // 0 .. 4, of the usual rate
+  double packageGusts = 1;         // 0 .. 1: share of gusts and draughts that packages feel
   double variability = 0.2;        // 0 .. 1: how far wind and clouds wander about their means
   double wanderSeconds = 900;      // s, 60 .. 86400: from one wander to the next
   bool secondSite = false;         // off: the first site's weather is everywhere

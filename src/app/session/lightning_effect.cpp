@@ -23,4 +23,10 @@ void applyLightning(SceneRenderer& sceneRenderer, const SettingsChange& change) 
   sceneRenderer.renderer().find<render::LightningLightPass>()->apply(sceneRenderer.settings().lightning);
 }
 
+std::optional<weather::LightningSettings> lightningOf(const scene::EffectSet& effects,
+                                                      const Settings& settings) {
+  if (!scene::effective(effects).contains(scene::Effect::lightning)) return std::nullopt;
+  return settings.lightning;
+}
+
 }  // namespace skydrop::app

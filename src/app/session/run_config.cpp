@@ -11,6 +11,7 @@
 #include "app/settings/mood.h"
 #include "app/settings/preset_store.h"
 #include "app/settings/quality_preset.h"
+#include "app/settings/weather_sky.h"
 #include "app/types/version.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
@@ -115,6 +116,12 @@ Mood moodOf(const scene::Scene& scene) {
   return settings.sky.mood;
 }
 
+weather::SkyChoice skyOf(const scene::Scene& scene) {
+  Settings settings;
+  applyScene(core::SettingsTable(settings), scene);
+  return settings.weather.sky;
+}
+
 // Throws core::DataError with the name of what the settings are from.
 void requireUsableWeather(const Settings& settings, const std::string& from) {
   try {
@@ -144,14 +151,17 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
   const Settings chosen = composeOver(applyQuality);
   const clouds::CloudTier tier = chosen.clouds.tier;
   const bool isScenesMood = chosen.sky.mood == moodOf(scene);
+  const bool isScenesSky = chosen.weather.sky == skyOf(scene);
 
   Settings base;
   const core::SettingsTable baseTable(base);
   applyCloudTier(baseTable, readCloudTier(cloudTierPath(tier)));
   applyQuality(baseTable);
   if (isScenesMood) applyMood(baseTable, chosen.sky.mood);
+  if (isScenesSky) applyWeatherSky(baseTable, chosen.weather.sky);
   applyScene(baseTable, scene);
   requireUsableWeather(base, scene.file.string());
+  if (!isScenesSky) applyWeatherSky(baseTable, chosen.weather.sky);
   if (!isScenesMood) applyMood(baseTable, chosen.sky.mood);
   Settings own = base;
   player(core::SettingsTable(own));
@@ -206,6 +216,7 @@ SettingsChange rowsThatFollow(const core::SettingsTable& table, const SettingsCh
   const bool quality = picked.touches("quality");
   if (quality) rows = SettingsChange(presetPaths());
   if (picked.touches(kMoodRow)) rows.add(SettingsChange(moodPaths()));
+  if (picked.touches(kWeatherSkyRow)) rows.add(SettingsChange(weatherSkyPaths(table)));
   if (!quality && !picked.touches(kCloudTierRow)) return rows;
   for (const core::Field& field : table.fields()) {
     if (belongsToCloudTier(field.path)) rows.add(field.path);

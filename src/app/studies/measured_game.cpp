@@ -1,10 +1,9 @@
 #include "app/studies/measured_game.h"
 
-#include <stdexcept>
-
 #include "app/input/bindings.h"
 #include "app/measure/bill.h"
 #include "app/measure/stopwatch.h"
+#include "app/session/lightning_effect.h"
 #include "app/session/open_context.h"
 #include "skydrop/core/fixed_step.h"
 
@@ -52,6 +51,7 @@ MeasuredGame::MeasuredGame(const Setup& setup)
   if (effects.contains(scene::Effect::sound)) {
     audio_ = openSound(run_->settings.audio);
     sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
+    sound_->setLightning(lightningOf(effects, run_->settings));
   }
   const game::Snapshot& start = simulation_->world().now();
   sceneRenderer_->warmUp(start, size_);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/session/pose_text.h"
+#include "app/window/genus_buttons.h"
 
 namespace skydrop::app {
 namespace {
@@ -61,6 +62,8 @@ ui::MenuTools MenuController::tools(const core::SettingsTable& base, const rende
   bases_[1] = &defaultTable_;
   pose_ = poseText(poseOf(view));
   ui::MenuTools tools{frameMs, bases_, pose_, std::nullopt};
+  if (genera_.empty()) genera_ = genusButtons();
+  tools.genera = genera_;
   if (presetStore_) {
     if (!presets_) presets_ = presetStore_->list();
     tools.presets = *presets_;

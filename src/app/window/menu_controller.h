@@ -50,6 +50,7 @@ class MenuController {
   std::optional<std::vector<ui::PresetEntry>> presets_;  // as last read; nullopt: to be read
   const core::SettingsTable* bases_[2] = {};
   std::string pose_;
+  std::vector<ui::GenusButton> genera_;
 };
 
 }  // namespace skydrop::app

@@ -8,6 +8,7 @@
 #include "app/console/message.h"
 #include "app/console/standard_output.h"
 #include "app/measure/system_info.h"
+#include "app/session/lightning_effect.h"
 #include "app/session/start_camera.h"
 #include "app/settings/quality_preset.h"
 #include "app/settings/user_settings.h"
@@ -161,6 +162,7 @@ WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
   if (effects.contains(Effect::sound)) {
     openSound();
     next.sound = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
+    next.sound->setLightning(lightningOf(effects, run_->settings));
   }
   loading.makeLand(*next.sceneRenderer, next.simulation->world().now());
   return next;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/console/message.h"
+#include "app/session/lightning_effect.h"
 #include "app/window/fault_parts.h"
 #include "app/window/window_game.h"
 
@@ -50,6 +51,9 @@ void WindowGame::registerDependents() {
     if (audio_) audio_->apply(run_->settings.audio);
     if (sound_) sound_->apply(run_->settings.audio);
   });
+  presentationDependencies_.add({"lightning"}, [this](const SettingsChange&) {
+    if (sound_) sound_->setLightning(lightningOf(simulation_->effects(), run_->settings));
+  });
 }
 
 void WindowGame::openSound() {
@@ -69,6 +73,7 @@ void WindowGame::switchEffects() {
   if (effects.contains(scene::Effect::sound)) {
     openSound();
     if (!sound_) sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
+    sound_->setLightning(lightningOf(effects, run_->settings));
   } else {
     sound_.reset();
     audio_.reset();

@@ -18,18 +18,18 @@ constexpr GLuint kGlowDepthUnit = 0, kChannelDepthUnit = 8;  // as in shaders/li
 // Of a channel of some 25 000 K (Orville 1968) as the eye has it, of luminance 1.
 constexpr glm::dvec3 kColor{0.84, 0.99, 1.51};
 
-// What leaves a cloud downwards of a light within it: the drops scatter nearly all, to all sides.
-constexpr double kBelowCloud = 0.4;
-// Light wanders so far through a cloud before it has left it, as a share of the cloud's depth (docs).
-constexpr double kReachShare = 0.35, kLeastReachM = 300;
+// Two thirds of a light within a cloud leave it downwards, into half of all directions (photons followed in
+// tests/unit/lightning_test.cpp).
+constexpr double kBelowCloud = 1.3;
+constexpr double kLeastAboveBaseM = 300;
 constexpr double kNearestShownM = 800;  // a flash is not held down more for being nearer
 constexpr double kFaintest = 1.0 / 512;
 // The lens of an eye blurs a line by so much, rad; a pixel by more, in most pictures.
 constexpr double kEyeBlurRad = 6e-4;
 constexpr double kLeastSpreadPixels = 0.65;
 // The line's own glow: so much of its light, so many times as wide, drawn in so many pieces.
-constexpr double kGlowShare = 0.35;
-constexpr float kGlowWidth = 9;
+constexpr double kGlowShare = 0.03;
+constexpr float kGlowWidth = 8;
 constexpr std::size_t kGlowPieces = 16;
 constexpr std::array<std::uint16_t, 6> kCorners = {0, 1, 2, 3, 4, 5};
 
@@ -135,8 +135,8 @@ void LightningPass::drawGlow(FrameContext& context, const LitFlash& lit) {
   gl::Shader& shader = context.shaders.shader("fullscreen.vert", "lightning/glow.frag", defines);
   lit.light.set(shader);
   if (clouds) {
-    const double depth = lit.flash.from.y - lit.flash.cloudBaseM;
-    shader.setFloat("cloudReachM", static_cast<float>(std::max(kReachShare * depth, kLeastReachM)));
+    const double aboveM = lit.flash.from.y - lit.flash.cloudBaseM;
+    shader.setFloat("aboveBaseM", static_cast<float>(std::max(aboveM, kLeastAboveBaseM)));
   }
   context.sceneDepth.bind(kGlowDepthUnit);
   shader.use();
