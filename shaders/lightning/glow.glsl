@@ -10,7 +10,7 @@ uniform float aboveBaseM;  // height of the flash above the base of its cloud
 #endif
 
 const float kMostGlow = 300.0;  // with channel and scene still a half float
-const float kMostOfCloud = 1.6;  // that is shown of a cloud's glow: its shape is still seen
+const float kMostOfCloud = 1.1;  // that is shown of a cloud's glow: its shape is still seen
 const float kFarthestAirM = 1e6;
 
 #ifdef HAZE

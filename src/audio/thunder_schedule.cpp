@@ -13,28 +13,42 @@ constexpr double kFastestMps = 300;
 
 }  // namespace
 
+// Takes over the flashes between two moments.
+void ThunderSchedule::follow(const game::Snapshot& now, double from, double to) {
+  const glm::dvec3& place = now.aircraft.position;
+  for (const weather::Flash& flash :
+       weather::flashesBetween(now.weather, settings_, from, to, {place.x, place.z})) {
+    weather::Channel channel = weather::channelOf(flash, flash.toGround ? now.aircraft.groundHeight : -1e9);
+    channel.pieces.clear();
+    underWay_.push_back({flash, std::move(channel)});
+  }
+}
+
 std::vector<weather::Clap> ThunderSchedule::due(const game::Snapshot& now) {
   std::vector<weather::Clap> claps;
   if (!now.weather || !now.aircraft.present) {
     last_.reset();
     return claps;
   }
-  const Heard here{now.weather.seconds, now.aircraft.position};
-  const std::optional<Heard> before = std::exchange(last_, here);
+  const Moment here{now.weather.seconds, now.aircraft.position};
+  if (last_ && here.seconds == last_->seconds) return claps;  // held
+  const std::optional<Moment> before = std::exchange(last_, here);
   const double step = before ? here.seconds - before->seconds : 0;
-  if (!(step > 0 && step <= kLongestStepS)) return claps;
-  if (glm::length(here.place - before->place) > kFastestMps * step) return claps;
-  const glm::dvec2 level(here.place.x, here.place.z);
-  const double temperatureC = now.weather.at(level).temperatureC;
-  for (const weather::Flash& flash :
-       weather::flashesBetween(now.weather, settings_, here.seconds - kLongestDelayS, here.seconds, level)) {
-    const weather::Channel channel =
-        weather::channelOf(flash, flash.toGround ? now.aircraft.groundHeight : -1e9);
-    const weather::Claps then = weather::clapsOf(flash, channel, before->place, temperatureC);
-    const weather::Claps current = weather::clapsOf(flash, channel, here.place, temperatureC);
+  if (!(step > 0 && step <= kLongestStepS) || glm::length(here.place - before->place) > kFastestMps * step) {
+    underWay_.clear();
+    follow(now, here.seconds - kLongestDelayS, here.seconds);
+    return claps;
+  }
+  follow(now, before->seconds, here.seconds);
+  std::erase_if(underWay_,
+                [&](const UnderWay& sound) { return sound.flash.seconds < here.seconds - kLongestDelayS; });
+  const double temperatureC = now.weather.at({here.place.x, here.place.z}).temperatureC;
+  for (const UnderWay& sound : underWay_) {
+    const weather::Claps then = weather::clapsOf(sound.flash, sound.channel, before->place, temperatureC);
+    const weather::Claps current = weather::clapsOf(sound.flash, sound.channel, here.place, temperatureC);
     for (std::size_t i = 0; i < current.size(); ++i) {
-      const bool wasHeard = before->seconds >= flash.seconds + then[i].delayS;
-      const bool isHeard = here.seconds >= flash.seconds + current[i].delayS;
+      const bool wasHeard = before->seconds >= sound.flash.seconds + then[i].delayS;
+      const bool isHeard = here.seconds >= sound.flash.seconds + current[i].delayS;
       if (isHeard && !wasHeard && current[i].gain > 0) claps.push_back(current[i]);
     }
   }

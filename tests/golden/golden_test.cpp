@@ -213,6 +213,10 @@ const std::vector<Golden>& goldens() {
       {"moodDusk", inMood("dusk")},
       {"moodMoonlitNight", inMood("moonlitNight")},
       {"moodStarryNight", inMood("starryNight")},
+      {"strokeBelowADarkCloud",
+       {"--scene", "thunderstorm", "--time", "24.04", "--set", "lightning.groundShare=1", "--set",
+        "render.sun.elevationDegrees=-9", "--set", "effects.targets=false", "--camera=-4500,300,1000",
+        "--heading", "98", "--pitch", "8", "--above-ground"}},
   };
   return all;
 }

@@ -102,7 +102,9 @@ TEST_P(WeatherClickTest, aPictureSetsItsLayerInOneStepAndAnotherClickTakesTheClo
     EXPECT_EQ(layer.top, usual.topM);
     EXPECT_EQ(layer.cover, usual.cover);
     EXPECT_NO_THROW(weather::requireUsable(settings.weather)) << name;
-    if (weather::usualPlace(genus) == 0) EXPECT_EQ(settings.clouds.layers[0].coverage, usual.cover);
+    if (weather::usualPlace(genus) == 0) {
+      EXPECT_EQ(settings.clouds.layers[0].coverage, usual.cover);
+    }
     clickOn("undo");
     EXPECT_EQ(layer.genus, before.genus) << name;
     EXPECT_EQ(layer.top, before.top) << name;

@@ -29,7 +29,7 @@ struct LitFlash {
 // darkness. Exposure itself knows no flash: it follows from sun, moon and sky.
 class LightningLightPass final : public Pass {
  public:
-  static constexpr double kMostShown = 1.5;
+  static constexpr double kMostShown = 0.7;
 
   // groundM: height of land or sea at a place (x east, z south), m.
   using Ground = std::function<double(const glm::dvec2&)>;
