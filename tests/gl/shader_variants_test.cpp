@@ -74,6 +74,7 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("fair", {"render.land.terrainNormals=true", "render.land.wireframe=true",
                 "clouds.march.resolution=half", "clouds.march.detail=false"});
   draw("coldFront", {});
+  draw("thunderstorm", {});
   draw("fair", {"clouds.march.history=quarter"});
   draw("fair", {"clouds.march.history=sixteenth", "clouds.march.resolution=full"});
   draw("cirrus", {"effects.clouds=true", "effects.halo=true"});
