@@ -82,11 +82,15 @@ double evenWear(const CloudField& field, double periodM) {
 
 ClearAir measureClearAir(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
                          std::size_t layer) {
-  const CloudLayerSettings& s = settings.layers.at(layer);
+  return measureClearAir(std::move(noise), mediumOf(settings, layer));
+}
+
+ClearAir measureClearAir(std::shared_ptr<const PackedCloudNoise> noise, const LayerMedium& medium) {
+  const CloudLayerSettings& s = medium.layer;
   ClearAir air;
   air.leastShape = s.erosion * leastWear(noise->detail);
-  const CloudField field(std::move(noise), settings, layer);
-  const double period = weatherPeriod(s, settings.fadeDistance);
+  const CloudField field(std::move(noise), medium);
+  const double period = weatherPeriod(medium);
   core::RandomStream random{1, 0};
   std::vector<float> rises;
   for (int i = 0; i < kPlaces; ++i) {

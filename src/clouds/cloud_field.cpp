@@ -6,7 +6,7 @@
 #include <string>
 
 #include "skydrop/core/error.h"
-#include "skydrop/core/shared.h"
+#include "skydrop/core/shared_clouds.h"
 
 namespace skydrop::clouds {
 namespace {
@@ -40,8 +40,9 @@ struct InFloat {
   using Vec3 = f32::Vec3;
   using Vec4 = f32::Vec4;
   using Medium = f32::CloudMedium;
-  static Real shapeDensity(const Medium& medium, Real height, Vec4 weather, Real base) {
-    return f32::cloudShapeDensity(medium, height, weather, base);
+  using Form = f32::CloudForm;
+  static Real shapeDensity(const Medium& medium, const Form& form, Real height, Vec4 weather, Real base) {
+    return f32::formedShapeDensity(medium, form, height, weather.x, weather.z, base);
   }
   static Real eroded(const Medium& medium, Real height, Real density, Real detail) {
     return f32::erodedDensity(medium, height, density, detail);
@@ -54,8 +55,9 @@ struct InDouble {
   using Vec3 = f64::Vec3;
   using Vec4 = f64::Vec4;
   using Medium = f64::CloudMedium;
-  static Real shapeDensity(const Medium& medium, Real height, Vec4 weather, Real base) {
-    return f64::cloudShapeDensity(medium, height, weather, base);
+  using Form = f64::CloudForm;
+  static Real shapeDensity(const Medium& medium, const Form& form, Real height, Vec4 weather, Real base) {
+    return f64::formedShapeDensity(medium, form, height, weather.x, weather.z, base);
   }
   static Real eroded(const Medium& medium, Real height, Real density, Real detail) {
     return f64::erodedDensity(medium, height, density, detail);
@@ -107,6 +109,22 @@ typename Shared::Vec4 mapAt(const std::vector<glm::vec3>& map, int side, const t
   return {glm::mix(row(y.first), row(y.second), y.share), Real(1)};
 }
 
+template <class Shared>
+typename Shared::Medium mediumIn(const LayerMedium& of) {
+  using Real = typename Shared::Real;
+  return {static_cast<Real>(of.layer.densityThreshold), static_cast<Real>(of.layer.coverage),
+          static_cast<Real>(of.layer.typeShift), static_cast<Real>(of.layer.erosion)};
+}
+
+template <class Shared>
+typename Shared::Form formIn(const LayerMedium& of) {
+  using Real = typename Shared::Real;
+  return {typename Shared::Vec4(of.form.slopes()),   static_cast<Real>(of.form.own),
+          static_cast<Real>(of.form.anvilBase),      static_cast<Real>(of.form.spread),
+          static_cast<Real>(of.form.anvilThreshold), static_cast<Real>(of.form.taper),
+          static_cast<Real>(of.form.contrast)};
+}
+
 // A place in periods, [0, 1): wrapped in double before anything is rounded.
 double inPeriods(double metres, double period) {
   const double periods = metres / period;
@@ -136,47 +154,49 @@ PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::Text
 
 CloudField::CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
                        std::size_t layer)
-    : noise_(std::move(noise)), layer_(settings.layers.at(layer)), fadeDistance_(settings.fadeDistance) {}
+    : CloudField(std::move(noise), mediumOf(settings, layer)) {}
+
+CloudField::CloudField(std::shared_ptr<const PackedCloudNoise> noise, const LayerMedium& medium)
+    : noise_(std::move(noise)), medium_(medium), periodM_(weatherPeriod(medium)) {}
 
 template <class Shared>
 typename Shared::Real CloudField::densityAs(const glm::dvec3& position) const {
   using Real = typename Shared::Real;
   using Vec2 = typename Shared::Vec2;
   using Vec3 = typename Shared::Vec3;
-  const double height = (position.y - layer_.cloudHeight) / layer_.thickness;
+  const CloudLayerSettings& layer = medium_.layer;
+  const double height = (position.y - layer.cloudHeight) / layer.thickness;
   if (!(height > 0 && height < 1)) return 0;
   const glm::dvec3 carried = position - glm::dvec3(drift_.x, 0, drift_.y);
-  const auto placeIn = [&](double period) {
-    return Vec3(inPeriods(carried.x, period), inPeriods(carried.y, period), inPeriods(carried.z, period));
+  const auto placeIn = [](const glm::dvec3& at, double period) {
+    return Vec3(inPeriods(at.x, period), inPeriods(at.y, period), inPeriods(at.z, period));
   };
-  const typename Shared::Medium medium{
-      static_cast<Real>(layer_.densityThreshold), static_cast<Real>(layer_.coverage),
-      static_cast<Real>(layer_.typeShift), static_cast<Real>(layer_.erosion)};
-  const Vec3 inMap = placeIn(weatherPeriod(layer_, fadeDistance_));
+  const auto medium = mediumIn<Shared>(medium_);
+  const Vec3 inMap = placeIn(carried, periodM_);
   const Real shape =
-      Shared::shapeDensity(medium, static_cast<Real>(height),
+      Shared::shapeDensity(medium, formIn<Shared>(medium_), static_cast<Real>(height),
                            mapAt<Shared>(noise_->weather, noise_->weatherSide, Vec2(inMap.x, inMap.z)),
-                           volumeAt<Real>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(layer_))));
+                           volumeAt<Real>(noise_->base, noise_->shapeSide,
+                                          placeIn(carried * medium_.form.stretch, shapePeriod(layer))));
   if (!(shape > 0)) return 0;  // most places: the detail is not even fetched
-  return Shared::eroded(medium, static_cast<Real>(height), shape,
-                        volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(detailPeriod(layer_))));
+  return Shared::eroded(
+      medium, static_cast<Real>(height), shape,
+      volumeAt<Real>(noise_->detail, noise_->detailSide, placeIn(carried, detailPeriod(layer))));
 }
 
 float CloudField::shapeEstimateInFloat(const glm::dvec3& position) const {
   const glm::dvec3 carried = position - glm::dvec3(drift_.x, 0, drift_.y);
-  const auto placeIn = [&](double period) {
-    return f32::Vec3(inPeriods(carried.x, period), inPeriods(carried.y, period),
-                     inPeriods(carried.z, period));
+  const CloudLayerSettings& layer = medium_.layer;
+  const auto placeIn = [](const glm::dvec3& at, double period) {
+    return f32::Vec3(inPeriods(at.x, period), inPeriods(at.y, period), inPeriods(at.z, period));
   };
-  const f32::CloudMedium medium{static_cast<float>(layer_.densityThreshold),
-                                static_cast<float>(layer_.coverage), static_cast<float>(layer_.typeShift),
-                                static_cast<float>(layer_.erosion)};
-  const f32::Vec3 inMap = placeIn(weatherPeriod(layer_, fadeDistance_));
+  const f32::Vec3 inMap = placeIn(carried, periodM_);
   const f32::Vec4 weather = mapAt<InFloat>(noise_->weather, noise_->weatherSide, f32::Vec2(inMap.x, inMap.z));
-  const auto height = static_cast<float>((position.y - layer_.cloudHeight) / layer_.thickness);
-  return f32::cloudShapeEstimate(
-      medium, height, weather.x, weather.z,
-      volumeAt<float>(noise_->base, noise_->shapeSide, placeIn(shapePeriod(layer_))));
+  const auto height = static_cast<float>((position.y - layer.cloudHeight) / layer.thickness);
+  return f32::formedShapeEstimate(
+      mediumIn<InFloat>(medium_), formIn<InFloat>(medium_), height, weather.x, weather.z,
+      volumeAt<float>(noise_->base, noise_->shapeSide,
+                      placeIn(carried * medium_.form.stretch, shapePeriod(layer))));
 }
 
 double CloudField::density(const glm::dvec3& position) const { return densityAs<InDouble>(position); }

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "skydrop/clouds/layer_medium.h"
+
 namespace skydrop::clouds {
 namespace {
 
@@ -261,6 +263,17 @@ double weatherPeriod(const CloudLayerSettings& layer, double fadeDistance) {
   const double least = std::max(kWeatherPeriodAtOne / layer.weatherScale, leastWeatherPeriod(fadeDistance));
   const double shape = shapePeriod(layer);
   return std::ceil(least / shape) * shape;
+}
+
+LayerMedium mediumOf(const CloudSettings& settings, std::size_t layer) {
+  return {settings.layers.at(layer), {}, settings.fadeDistance};
+}
+
+double weatherPeriod(const LayerMedium& medium) {
+  const double least = std::min({medium.form.stretch.x, medium.form.stretch.z, 1.0});
+  CloudLayerSettings drawnOut = medium.layer;
+  drawnOut.scale *= least;
+  return weatherPeriod(drawnOut, medium.fadeDistance);
 }
 
 bool isSameField(const CloudSettings& a, const CloudSettings& b, std::size_t layer) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "skydrop/core/shared.h"
+#include "skydrop/core/shared_clouds.h"
 
 namespace skydrop::clouds {
 namespace {
@@ -33,13 +33,13 @@ struct Windows {
 };
 
 // `count` cells of so many texels each, the first beginning at a texel coordinate (texels are centred on
-// whole numbers).
-Windows windowsOf(int side, int count, double begin, double texelsPerCell) {
+// whole numbers), each with some texels more on both sides.
+Windows windowsOf(int side, int count, double begin, double texelsPerCell, double more = 0) {
   Windows windows{static_cast<std::size_t>(side), 1, {}};
   const std::int64_t wrap = side - 1;
   const auto texelsOf = [&](int cell) {
-    const double from = std::floor(begin + cell * texelsPerCell),
-                 to = std::ceil(begin + (cell + 1) * texelsPerCell);
+    const double from = std::floor(begin + cell * texelsPerCell - more),
+                 to = std::ceil(begin + (cell + 1) * texelsPerCell + more);
     return std::array{static_cast<std::int64_t>(from), static_cast<std::int64_t>(to)};
   };
   // Lengths of the cells of one axis differ by one at most, so the longest power of two that fits the
@@ -95,22 +95,25 @@ void maximaAcross(const Windows& windows, const float* lines, std::size_t length
 }
 
 // Largest base density of each cell, at (z * kRows + row) * kSide + x.
-std::vector<float> largestBase(const PackedCloudNoise& noise, const CloudLayerSettings& layer,
-                               double weatherPeriodM) {
+std::vector<float> largestBase(const PackedCloudNoise& noise, const LayerMedium& medium,
+                               double weatherPeriodM, double heightSlackM) {
+  const CloudLayerSettings& layer = medium.layer;
+  const glm::dvec3& stretch = medium.form.stretch;
   const int side = noise.shapeSide;
   const auto n = static_cast<std::size_t>(side);
-  const double period = shapePeriod(layer), texelsPerMetre = side / period;
+  const double period = shapePeriod(layer), texelsPerMetre = side / period * stretch.y;
   // The weather map repeats after a whole number of shapes.
   const double texelsPerCell = std::round(weatherPeriodM / period) * side / kSide;
-  const Windows level = windowsOf(side, kSide, -0.5, texelsPerCell);
+  const Windows east = windowsOf(side, kSide, -0.5, texelsPerCell * stretch.x),
+                south = windowsOf(side, kSide, -0.5, texelsPerCell * stretch.z);
   const Windows rows = windowsOf(side, kRows, layer.cloudHeight * texelsPerMetre - 0.5,
-                                 layer.thickness / kRows * texelsPerMetre);
+                                 layer.thickness / kRows * texelsPerMetre, heightSlackM * texelsPerMetre);
   std::vector<float> slice(kRows * n), slices(n * kRows * kSide), cells(std::size_t{kSide} * kRows * kSide);
   for (std::size_t z = 0; z < n; ++z) {
     maximaAcross(rows, &noise.base[z * n * n], n, slice.data());
-    maximaAlong(level, slice.data(), kRows, &slices[z * kRows * kSide]);
+    maximaAlong(east, slice.data(), kRows, &slices[z * kRows * kSide]);
   }
-  maximaAcross(level, slices.data(), std::size_t{kRows} * kSide, cells.data());
+  maximaAcross(south, slices.data(), std::size_t{kRows} * kSide, cells.data());
   return cells;
 }
 
@@ -175,6 +178,31 @@ class ProfileTable {
   }
 
   std::array<Rows, kTypes + 1> table_;
+};
+
+// What the form adds, over the heights of each row: its profile and cover at most, its threshold at least.
+struct FormRows {
+  std::array<float, kRows> profile{}, cover{}, threshold{};
+
+  explicit FormRows(const f32::CloudForm& form) {
+    constexpr int kHeights = 64;  // a row, and one beyond each end
+    profile.fill(0);
+    cover.fill(0);
+    threshold.fill(0);
+    for (std::size_t row = 0; row < kRows; ++row) {
+      for (int k = -1; k <= kHeights + 1; ++k) {
+        const float height = (static_cast<float>(row) + static_cast<float>(k) / kHeights) / kRows;
+        profile[row] = std::max(profile[row], f32::ownProfile(form, height));
+        cover[row] = std::max(cover[row], f32::formedCover(form, height));
+        threshold[row] = std::min(threshold[row], form.anvilThreshold * f32::anvilShare(form, height));
+      }
+      // Between the heights looked at; the plain form has nothing there.
+      constexpr float kBetween = 0.02f;
+      profile[row] += kBetween;
+      if (form.spread != 1 || form.taper != 0) cover[row] += kBetween * form.spread;
+      if (form.anvilThreshold != 0) threshold[row] += kBetween * form.anvilThreshold;
+    }
+  }
 };
 
 // The cells of a row from west to east, a bit each.
@@ -249,11 +277,12 @@ void countMissing(const BitVolume& volume, std::vector<std::uint8_t>& distances)
   }
 }
 
-BitVolume occupiedCells(const PackedCloudNoise& noise, const CloudLayerSettings& layer,
-                        double weatherPeriodM) {
+BitVolume occupiedCells(const PackedCloudNoise& noise, const LayerMedium& of, double weatherPeriodM,
+                        double heightSlackM) {
+  const CloudLayerSettings& layer = of.layer;
   BitVolume occupied(std::size_t{kSide} * kRows, BitRow{});
   if (!(layer.coverage > 0 && layer.thickness > 0)) return occupied;
-  const std::vector<float> base = largestBase(noise, layer, weatherPeriodM);
+  const std::vector<float> base = largestBase(noise, of, weatherPeriodM, heightSlackM);
   const std::vector<float> coverage = largestWeather(noise, [](const glm::vec3& w) { return w.x; });
   const std::vector<float> highestType = largestWeather(noise, [](const glm::vec3& w) { return w.z; });
   const std::vector<float> lowestType = largestWeather(noise, [](const glm::vec3& w) { return -w.z; });
@@ -261,14 +290,26 @@ BitVolume occupiedCells(const PackedCloudNoise& noise, const CloudLayerSettings&
   const f32::CloudMedium medium{static_cast<float>(layer.densityThreshold),
                                 static_cast<float>(layer.coverage), static_cast<float>(layer.typeShift),
                                 static_cast<float>(layer.erosion)};
+  const f32::CloudForm form{f32::Vec4(of.form.slopes()),
+                            static_cast<float>(of.form.own),
+                            static_cast<float>(of.form.anvilBase),
+                            static_cast<float>(of.form.spread),
+                            static_cast<float>(of.form.anvilThreshold),
+                            static_cast<float>(of.form.taper),
+                            static_cast<float>(of.form.contrast)};
+  const FormRows formed(form);
   for (std::size_t column = 0; column < coverage.size(); ++column) {
     const std::size_t x = column % kSide, z = column / kSide;
-    const float covered = f32::localCoverage(medium, coverage[column] + kSlack);
     const ProfileTable::Rows profile = kProfiles.largest(medium.typeShift - lowestType[column] - kSlack,
                                                          medium.typeShift + highestType[column] + kSlack);
     for (std::size_t row = 0; row < kRows; ++row) {
       const float mostBase = base[(z * kRows + row) * kSide + x] + kSlack;
-      const bool isOccupied = f32::profiledDensity(medium, mostBase, profile[row], covered) > 0;
+      f32::CloudMedium there = medium;
+      there.coverage *= formed.cover[row];
+      there.threshold += formed.threshold[row];
+      const float covered = f32::formedLocalCoverage(there, form, coverage[column] + kSlack);
+      const float most = f32::mix(profile[row], formed.profile[row], form.own);
+      const bool isOccupied = f32::profiledDensity(there, mostBase, most, covered) > 0;
       occupied[z * kRows + row][x / 64] |= std::uint64_t{isOccupied} << (x % 64);
     }
   }
@@ -278,11 +319,14 @@ BitVolume occupiedCells(const PackedCloudNoise& noise, const CloudLayerSettings&
 }  // namespace
 
 Occupancy::Occupancy(const PackedCloudNoise& noise, const CloudSettings& settings, std::size_t layer)
-    : baseM_(settings.layers.at(layer).cloudHeight),
-      thicknessM_(settings.layers[layer].thickness),
-      periodM_(weatherPeriod(settings.layers[layer], settings.fadeDistance)),
+    : Occupancy(noise, mediumOf(settings, layer)) {}
+
+Occupancy::Occupancy(const PackedCloudNoise& noise, const LayerMedium& medium, double heightSlackM)
+    : baseM_(medium.layer.cloudHeight),
+      thicknessM_(medium.layer.thickness),
+      periodM_(weatherPeriod(medium)),
       distances_(std::size_t{kSide} * kRows * kSide, 0) {
-  BitVolume reached = occupiedCells(noise, settings.layers[layer], periodM_);
+  BitVolume reached = occupiedCells(noise, medium, periodM_, heightSlackM);
   for (const BitRow& row : reached) {
     for (const std::uint64_t word : row) occupied_ += std::popcount(word);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "skydrop/core/hash.h"
@@ -44,8 +45,11 @@ double diffuseTransmittance(double opticalDepth) { return 1 / (1 + 0.75 * (1 - k
 
 SkyCover::SkyCover(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
                    std::size_t layer)
-    : periodM_(weatherPeriod(settings.layers.at(layer), settings.fadeDistance)) {
-  const CloudField field(std::move(noise), settings, layer);
+    : SkyCover(std::move(noise), mediumOf(settings, layer)) {}
+
+SkyCover::SkyCover(std::shared_ptr<const PackedCloudNoise> noise, const LayerMedium& medium)
+    : periodM_(weatherPeriod(medium)) {
+  const CloudField field(std::move(noise), medium);
   const std::vector<float> columns = columnTransmittances(field, periodM_);
   // A cell at a horizontal distance r seen under a base at h: solid angle times cosine, h^2 / (r^2 + h^2)^2.
   const double heightM = std::max(field.layer().cloudHeight, kLowestBaseM), cellM = periodM_ / kSide;
@@ -73,6 +77,10 @@ SkyCover::SkyCover(std::shared_ptr<const PackedCloudNoise> noise, const CloudSet
       shares_[wrapped(x, z)] = std::min(share, 1.0f);
     }
   }
+}
+
+double SkyCover::meanShare() const {
+  return std::accumulate(shares_.begin(), shares_.end(), 0.0) / static_cast<double>(shares_.size());
 }
 
 double SkyCover::share(const glm::dvec2& place) const {

@@ -12,46 +12,87 @@ namespace {
 constexpr double kFullColumn = 0.3;
 constexpr int kIceSamples = 3;
 
-// What of a layer's look follows from the genus: towards stratus or cumulus, size of the billows, erosion.
+// What of a layer's look follows from the genus.
 struct GenusLook {
   double typeShift, scale, erosion;
+  double threshold, cover;  // least density of the noise; coverage of the medium at a cover of 1
+  double extinction;        // 1/m
+  double higherScale, weatherScale;
+  clouds::CloudForm form;
 };
 
-GenusLook lookOf(weather::Genus genus) {
-  static constexpr clouds::CloudLayerSettings kDefault;
-  // Order of weather::Genus.
-  static constexpr std::array<GenusLook, 10> kLooks{{{-1, 0.4, 0.1},
-                                                     {-0.5, 0.595, 0.3},
-                                                     {kDefault.typeShift, kDefault.scale, kDefault.erosion},
-                                                     {-1, 0.3, 0.1},
-                                                     {-0.4, 1.2, 0.3},
-                                                     {-0.8, 0.8, 0.6},
-                                                     {-1, 0.2, 0.1},
-                                                     {-0.4, 2, 0.3},
-                                                     {-1, 0.3, 0.05},
-                                                     {1, 0.3, 0.3}}};
+constexpr clouds::CloudLayerSettings kPlain;
+
+// A sheet or a heap with a profile of its own.
+clouds::CloudForm formOf(const glm::dvec4& profile, const glm::dvec3& stretch = glm::dvec3(1)) {
+  clouds::CloudForm form;
+  form.profile = profile;
+  form.own = 1;
+  form.stretch = stretch;
+  return form;
+}
+
+// A thundercloud: walls that the map draws, noise that only roughens them, an anvil over the uppermost fifth.
+clouds::CloudForm towerWithAnvil() {
+  clouds::CloudForm form = formOf({0, 0.02, 0.92, 1}, {1, 0.8, 1});
+  form.anvilBase = 0.85;
+  form.spread = 1.25;
+  form.anvilThreshold = -0.6;
+  form.taper = 0.1;
+  form.contrast = 6;
+  return form;
+}
+
+// Order of weather::Genus. Figures: docs/cloud-layers.md#genera.
+const GenusLook& lookOf(weather::Genus genus) {
+  static const std::array<GenusLook, 10> kLooks{
+      {{0, 0.4, 0.15, 0, 2.5, 0.03, 20, 0.02, formOf({0, 0.3, 0.8, 1})},
+       {0, 0.9, 0.3, 0.35, 1.4, 0.05, 20, 0.02, formOf({0, 0.25, 0.5, 1}, {0.5, 1, 1})},
+       {kPlain.typeShift,
+        kPlain.scale,
+        kPlain.erosion,
+        kPlain.densityThreshold,
+        1,
+        kPlain.extinction,
+        kPlain.higherScale,
+        kPlain.weatherScale,
+        {}},
+       {0, 0.25, 0.1, 0, 2.5, 0.003, 10, 0.02, formOf({0, 0.4, 0.7, 1}, {1, 0.5, 1})},
+       {0, 2, 0.3, 0.42, 1.3, 0.03, 30, 0.02, formOf({0, 0.35, 0.5, 1}, {1, 0.5, 1})},
+       {-0.8, 0.8, 0.6, kPlain.densityThreshold, 1, 0.002, 20, 0.02, {}},
+       {-1, 0.2, 0.1, kPlain.densityThreshold, 1, 0.002, 20, 0.02, {}},
+       {-0.4, 2, 0.3, kPlain.densityThreshold, 1, 0.002, 20, 0.02, {}},
+       {0, 0.25, 0.15, 0, 2.5, 0.012, 20, 0.02, formOf({0, 0.12, 0.8, 1})},
+       {0, 0.45, 0.28, -0.35, 0.52, 0.1, 12, 0.01, towerWithAnvil()}}};
   return kLooks[static_cast<std::size_t>(genus)];
 }
 
 }  // namespace
 
-clouds::CloudLayerSettings cloudLayerOf(const weather::Layer& layer) {
-  clouds::CloudLayerSettings out;
-  const GenusLook look = lookOf(layer.genus);
-  out.typeShift = look.typeShift;
-  out.scale = look.scale;
-  out.erosion = look.erosion;
-  out.cloudHeight = layer.baseM;
-  out.thickness = layer.topM - layer.baseM;
-  out.coverage = layer.cover;
-  out.extinction *= layer.density;
+bool isVolume(weather::Genus genus) {
+  return genus != weather::Genus::cirrus && genus != weather::Genus::cirrostratus &&
+         genus != weather::Genus::cirrocumulus;
+}
+
+clouds::LayerMedium cloudLayerOf(const weather::Layer& layer) {
+  clouds::LayerMedium out;
+  const GenusLook& look = lookOf(layer.genus);
+  out.form = look.form;
+  out.layer.typeShift = look.typeShift;
+  out.layer.scale = look.scale;
+  out.layer.erosion = look.erosion;
+  out.layer.densityThreshold = look.threshold;
+  out.layer.higherScale = look.higherScale;
+  out.layer.weatherScale = look.weatherScale;
+  out.layer.cloudHeight = layer.baseM;
+  out.layer.thickness = layer.topM - layer.baseM;
+  out.layer.coverage = layer.cover * look.cover;
+  out.layer.extinction = look.extinction * layer.density;
   return out;
 }
 
 clouds::CloudField FlownClouds::fieldOf(const weather::Layer& layer, double seconds) const {
-  clouds::CloudSettings settings;
-  settings.layers[0] = cloudLayerOf(layer);
-  clouds::CloudField field(noise_, settings);
+  clouds::CloudField field(noise_, cloudLayerOf(layer));
   field.setDrift(core::windDrift(drift_, seconds));
   return field;
 }

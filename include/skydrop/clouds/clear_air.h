@@ -23,5 +23,6 @@ struct ClearAir {
 // any thread.
 ClearAir measureClearAir(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
                          std::size_t layer = 0);
+ClearAir measureClearAir(std::shared_ptr<const PackedCloudNoise> noise, const LayerMedium& medium);
 
 }  // namespace skydrop::clouds

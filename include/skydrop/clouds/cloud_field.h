@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/clouds/layer_medium.h"
 #include "skydrop/core/dds.h"
 
 namespace skydrop::clouds {
@@ -33,8 +33,11 @@ class CloudField {
   CloudField(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
              std::size_t layer = 0);
 
-  const CloudLayerSettings& layer() const { return layer_; }
-  double fadeDistance() const { return fadeDistance_; }
+  CloudField(std::shared_ptr<const PackedCloudNoise> noise, const LayerMedium& medium);
+
+  const CloudLayerSettings& layer() const { return medium_.layer; }
+  const LayerMedium& medium() const { return medium_; }
+  double fadeDistance() const { return medium_.fadeDistance; }
 
   // How far the wind has carried the field (core::windDrift), metres in x and z; the field repeats, so this
   // is wrapped to its periods where it is used.
@@ -46,6 +49,7 @@ class CloudField {
   float densityInFloat(const glm::dvec3& position) const;
   // cloudShapeEstimate() (shaders/shared/cloud_medium.glsl), in 32-bit arithmetic: not bounded, below 0 where
   // there is no cloud; outside the layer too.
+  // (with a form, formedShapeEstimate()).
   float shapeEstimateInFloat(const glm::dvec3& position) const;
 
  private:
@@ -53,8 +57,8 @@ class CloudField {
   typename Shared::Real densityAs(const glm::dvec3& position) const;
 
   std::shared_ptr<const PackedCloudNoise> noise_;
-  CloudLayerSettings layer_;
-  double fadeDistance_;
+  LayerMedium medium_;
+  double periodM_;  // of the weather map
   glm::dvec2 drift_{0};
 };
 

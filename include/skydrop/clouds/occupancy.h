@@ -22,6 +22,9 @@ class Occupancy {
   // settings, 16 to 24 ms for others that have cloud (time of the thread, median of 41, -O2, one core of a
   // shared AMD EPYC). Conservative for lookups in 32 bits and for filters that know 1/256 of a texel.
   Occupancy(const PackedCloudNoise& noise, const CloudSettings& settings, std::size_t layer = 0);
+  // Conservative too for every layer of less cover whose base and top are no more than so many metres from
+  // those of the medium: rows are then counted between the base and the top that it has.
+  Occupancy(const PackedCloudNoise& noise, const LayerMedium& medium, double heightSlackM = 0);
 
   bool isEmpty() const { return occupied_ == 0; }
   double occupiedShare() const { return static_cast<double>(occupied_) / (kSide * kSide * kRows); }

@@ -19,10 +19,12 @@ class SkyCover {
   // Of one of the settings' layers, below kCloudLayers (std::out_of_range).
   SkyCover(std::shared_ptr<const PackedCloudNoise> noise, const CloudSettings& settings,
            std::size_t layer = 0);
+  SkyCover(std::shared_ptr<const PackedCloudNoise> noise, const LayerMedium& medium);
 
   // Share of the sky's light at sea level, [0, 1], of the middles of the cells; x fastest. 1 where the layer
   // is empty.
   const std::vector<float>& shares() const { return shares_; }
+  double meanShare() const;
   double periodM() const { return periodM_; }
   // Between the middles of cells, bilinear, as a texture that repeats is filtered. `place`: x and z in the
   // field (drift taken off).

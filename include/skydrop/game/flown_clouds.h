@@ -6,15 +6,19 @@
 #include <memory>
 
 #include "skydrop/clouds/cloud_field.h"
-#include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/clouds/layer_medium.h"
 #include "skydrop/core/wind.h"
 #include "skydrop/weather/state.h"
 
 namespace skydrop::game {
 
-// The medium of a layer: a cumulus between the default base and top at cover .5 is the default layer of
-// clouds.layers.0. Density scales the extinction, not the field.
-clouds::CloudLayerSettings cloudLayerOf(const weather::Layer& layer);
+// The medium of a layer, for flight and picture: a cumulus between the default base and top at cover .5 is
+// the default layer of clouds.layers.0; of the other genera docs/cloud-layers.md has a table. Density scales
+// the extinction, not the field.
+clouds::LayerMedium cloudLayerOf(const weather::Layer& layer);
+
+// Whether clouds of a genus are drawn as volumes: all but the high ones of ice, which are thin sheets.
+bool isVolume(weather::Genus genus);
 
 class FlownClouds {
  public:
