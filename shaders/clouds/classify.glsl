@@ -1,4 +1,5 @@
 // Which tiles have to be marched, and between which distances. A tile's rays are judged together: as one wide ray.
+#include "clouds/field.glsl"
 #include "clouds/occupancy.glsl"
 #include "clouds/view.glsl"
 #include "clouds/tiles.glsl"
@@ -10,6 +11,9 @@ layout(std430, binding = 0) buffer Tiles {
 } tiles;
 layout(std430, binding = 1) buffer Spans { vec2 spans[]; };
 
+#ifdef LAYERS
+#include "clouds/union_spans.glsl"
+#else
 // Where any ray of a cone may lie in the layer; `width` is the cone's half-width at 1 m.
 RaySpan layerOfCone(vec3 direction, float width) {
   float level = length(direction.xz);
@@ -54,6 +58,7 @@ RaySpan occupiedSpan(vec3 direction, float width, RaySpan span, int notedAt) {
   spans[notedAt] = vec2(float(part.end > part.begin ? parts + 1 : parts), 0.0);
   return make_raySpan(found.begin, min(found.end, span.end));
 }
+#endif
 
 // The interval of a tile in which there may be cloud before a surface, its parts noted at a place in the buffer; empty: none.
 RaySpan cloudSpanOf(ivec2 tile, int notedAt) {

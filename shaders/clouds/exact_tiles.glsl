@@ -14,19 +14,28 @@ layout(binding = 0, rgba16f) uniform writeonly image2D light;       // rgb, tran
 layout(binding = 1, r16f) uniform writeonly image2D distances;       // mean of the light's
 
 #ifdef MULTI_DISPATCH
-layout(binding = 2, rgba32f) uniform image2D rayLight;  // sun, sky, ground, transmittance
+layout(binding = 2, rgba32f) uniform image2D rayLight;  // sun, sky, ground (LAYERS: light), transmittance
 layout(binding = 3, rgba32f) uniform image2D rayState;    // weight, distance, at, clear
 layout(std430, binding = 2) buffer UnderWay { uint raysUnderWay; };
 
 March begunMarch(ivec2 at, float begin) {
   vec4 l = imageLoad(rayLight, at);
   vec4 w = imageLoad(rayState, at);
-  return March(Gathered(l.x, l.y, l.z, l.w, w.x, w.y), max(w.z, alignedBefore(begin, 1.0)), w.w);
+#ifdef LAYERS
+  Gathered gathered = Gathered(l.xyz, l.w, w.x, w.y);
+#else
+  Gathered gathered = Gathered(l.x, l.y, l.z, l.w, w.x, w.y);
+#endif
+  return March(gathered, max(w.z, alignedBefore(begin, 1.0)), w.w);
 }
 
 void keepMarch(ivec2 at, March march, RaySpan span) {
   Gathered g = march.gathered;
+#ifdef LAYERS
+  imageStore(rayLight, at, vec4(g.light, g.transmittance));
+#else
   imageStore(rayLight, at, vec4(g.sun, g.sky, g.ground, g.transmittance));
+#endif
   imageStore(rayState, at, vec4(g.weight, g.distance, march.at, march.clear));
   if (isUnderWay(march, span)) atomicAdd(raysUnderWay, 1u);
 }

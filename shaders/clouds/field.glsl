@@ -1,5 +1,5 @@
 // The clouds' medium at a place relative to the eye, in the field: where a straight ray is bent (placeOnBentRay()). DETAIL:
-// edges are eroded by the detail texture, else by its mean.
+// edges are eroded by the detail texture, else by its mean. LAYERS: of several layers.
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
 #include "clouds/far.glsl"
@@ -9,6 +9,9 @@ layout(binding = 0) uniform sampler3D baseNoise;
 layout(binding = 1) uniform sampler3D detailNoise;
 layout(binding = 2) uniform sampler2D weatherMap;
 
+#ifdef LAYERS
+#include "clouds/union_field.glsl"
+#else
 CloudMedium frameMedium() {
   CloudMedium medium;
   medium.threshold = clouds.medium.x;
@@ -79,3 +82,4 @@ float extinctionAt(vec3 place) {
   float height = heightFraction(place);
   return erodedDensity(place, height, shapeDensity(place, height)) * clouds.layer.w;
 }
+#endif

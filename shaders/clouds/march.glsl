@@ -19,10 +19,14 @@ const float kBrightnessOfRest = 0.5;
 // Opacity, and distance times opacity, of what is lit at one place. 256 bytes a ray.
 vec2 segments[kMostSegments];
 
-// How far from a sample on the air is clear, about.
+// How far from a sample on the air is clear, about. LAYERS: samples know it.
+#ifdef LAYERS
+float clearDistance(MediumSample medium, float slope) { return medium.clear; }
+#else
 float clearDistance(MediumSample medium, float slope) {
   return medium.extinction > 0.0 ? 0.0 : (clouds.strides.x - medium.shape) * slope;
 }
+#endif
 
 // A ray on its way through the tile's spans.
 struct Walk {
@@ -71,7 +75,12 @@ void gather(inout Walk walk, vec4 ray, int spansAt, float limitM, const bool isF
       float length = clamp(walk.end - walk.at, 0.0, step);
       float middle = walk.at + 0.5 * length;
       vec3 place = placeOnBentRay(ray.xyz, ray.w, middle);
+#ifdef LAYERS
+      float rise = ray.y + 2.0 * ray.w * middle;
+      MediumSample medium = isFar ? farSampleAt(place, rise) : sampleAt(place, detailLeft(middle), rise);
+#else
       MediumSample medium = isFar ? farSampleAt(place) : sampleAt(place, detailLeft(middle));
+#endif
       // A stride that ends in cloud is taken back.
       bool isTooFar = walk.stride > step && medium.extinction > 0.0;
       length = isTooFar ? 0.0 : length;
@@ -112,11 +121,11 @@ int gatherSegments(vec4 ray, int spansAt, float surfaceM, out float transmittanc
   return walk.open.x > 0.0 ? walk.count + 1 : walk.count;
 }
 
-// The way from a segment to the sun, through the layer: the finer, the more the segment's light counts.
+// The way from a segment to the sun, through all layers: the finer, the more the segment's light counts.
 struct SunRay {
   vec3 place;
   float height;
-  float total;  // m, to the top of the layer
+  float total;  // m, to the top of the highest layer
   float first;  // m, step
   float detail;  // detailLeft()
   float at;
@@ -126,8 +135,13 @@ struct SunRay {
 SunRay sunRayOf(vec2 segment, vec4 ray) {
   float distanceM = segment.y / max(segment.x, 1e-20);
   vec3 place = placeOnBentRay(ray.xyz, ray.w, distanceM);
+#ifdef LAYERS
+  float height = 0.0;
+  float length = max(clouds.shells.x - place.y, 0.0) / clouds.toSun.y;
+#else
   float height = heightFraction(place);
   float length = max(1.0 - height, 0.0) * clouds.layer.y / clouds.toSun.y;
+#endif
   float detail = detailLeft(distanceM);
   float first = clouds.sunSteps.x * mix(clouds.farField.y, 1.0, detail) * inversesqrt(max(segment.x, 0.01));
   return SunRay(place, height, length, first, detail, 0.0, 0.0);
@@ -136,15 +150,26 @@ SunRay sunRayOf(vec2 segment, vec4 ray) {
 void stepTowardsSun(inout SunRay way) {
   float step = way.first + clouds.sunSteps.y * way.at + clouds.sunSteps.z * way.depth;
   float length = clamp(way.total - way.at, 0.0, step);
-  MediumSample medium = sampleAt(way.place + clouds.toSun.xyz * (way.at + 0.5 * length), way.detail);
+  vec3 place = way.place + clouds.toSun.xyz * (way.at + 0.5 * length);
+#ifdef LAYERS
+  MediumSample medium = sampleToSun(place, way.detail);
+#else
+  MediumSample medium = sampleAt(place, way.detail);
+#endif
   way.depth += medium.extinction * length;
   way.at += max(step, clearDistance(medium, clouds.strides.z));
 }
 
 void addLight(inout Gathered gathered, vec2 segment, SunRay way, vec4 phases) {
+#ifdef LAYERS
+  SourceLight light = sourceLightAt(way.place);
+  gathered.light +=
+      segment.x * (light.sun * (scatteredSun(phases, way.depth) * sunOverLand(way.place)) + light.ambient);
+#else
   gathered.sun += segment.x * scatteredSun(phases, way.depth) * sunOverLand(way.place);
   gathered.sky += segment.x * scatteredSky(way.height);
   gathered.ground += segment.x * scatteredGround(way.height);
+#endif
   gathered.weight += segment.x;
   gathered.distance += segment.y;
 }
@@ -184,7 +209,7 @@ void lightSegments(inout Gathered gathered, int count, vec4 ray, vec4 phases) {
 #endif
 
 Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
-  Gathered gathered = Gathered(0.0, 0.0, 0.0, 1.0, 0.0, 0.0);
+  Gathered gathered = nothingGathered();
   vec4 ray = vec4(direction, rayBend(direction));
   int count = gatherSegments(ray, spansAt, surfaceM, gathered.transmittance);
   lightSegments(gathered, count, ray, cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y));

@@ -51,3 +51,7 @@ float leapOnRay(CellRay ray, float at, vec3 cell, float cells, vec3 wide, vec3 w
   vec3 tangent = ray.perLength + vec3(0.0, 2.0 * ray.bend * at, 0.0);
   return wayOutOfBox(cell, tangent, cells, wide + vec3(0.0, ray.slack, 0.0), widening);
 }
+
+#ifdef LAYERS
+#include "clouds/union_occupancy.glsl"
+#endif

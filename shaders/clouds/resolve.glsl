@@ -17,7 +17,11 @@ vec3 throughAir(vec3 light, float opacity, vec3 direction, float distanceM) {
 vec4 seenCloud(Gathered gathered, vec3 direction) {
   float transmittance = gathered.transmittance > clouds.march.w ? gathered.transmittance : 0.0;
   float whole = (1.0 - transmittance) / max(1.0 - gathered.transmittance, 1e-6);
+#ifdef LAYERS
+  vec3 light = gathered.light;
+#else
   vec3 light = clouds.sunLight.xyz * gathered.sun + clouds.skyLight.xyz * gathered.sky + clouds.groundLight.xyz * gathered.ground;
+#endif
   float distanceM = gathered.distance / max(gathered.weight, 1e-20);
   vec3 seen = throughAir(light * whole, 1.0 - transmittance, direction, distanceM);
   return vec4(min(seen, vec3(kBrightest)), transmittance);

@@ -1,8 +1,32 @@
 // What clouds leave of the light at a place (include/skydrop/render/clouds/cloud_shadow_map.h).
 #include "frame.glsl"
 #include "shared/cloud_light.glsl"
+#include "shared/cloud_form.glsl"
 
+// CLOUD_LAYERS: so many layers, a channel of the maps for each.
 layout(binding = 12) uniform sampler2D skyShareMap;  // of the light of the sky, below the layer
+#ifdef CLOUD_LAYERS
+uniform vec4 skySharePlaces[CLOUD_LAYERS];  // as below, of each layer
+uniform vec4 shadowMapBases;                // as below, of each layer
+uniform vec4 shadowMapThicknesses;          // 1 / m
+uniform vec2 overcastSky;                   // how overcast it is, [0, 1]; sine of the sun's elevation
+
+vec4 layersAbove(vec3 relative) {
+  return vec4(1.0) - clamp((vec4(relative.y) - shadowMapBases) * shadowMapThicknesses, vec4(0.0), vec4(1.0));
+}
+
+float skyThroughClouds(vec3 relative) {
+  vec4 above = layersAbove(relative) * cloudFade(length(relative), skySharePlaces[0].w);
+  float share = 1.0;
+  for (int i = 0; i < CLOUD_LAYERS; ++i) {
+    float below = texture(skyShareMap, skySharePlaces[i].xy + relative.xz * skySharePlaces[i].z)[i];
+    share *= 1.0 - (1.0 - below) * above[i];
+  }
+  return share;
+}
+
+float depthAbove(vec3 relative, vec4 depths) { return dot(depths, layersAbove(relative)); }
+#else
 uniform vec4 skySharePlace;   // the eye in that texture; its coordinates a metre; where clouds have faded (m)
 uniform vec2 shadowMapLayer;  // base above the eye (m), 1 / thickness
 
@@ -13,6 +37,9 @@ float skyThroughClouds(vec3 relative) {
   float below = texture(skyShareMap, skySharePlace.xy + relative.xz * skySharePlace.z).x;
   return 1.0 - (1.0 - below) * (layerAbove(relative) * cloudFade(length(relative), skySharePlace.w));
 }
+
+float depthAbove(vec3 relative, vec4 depths) { return depths.x * layerAbove(relative); }
+#endif
 
 #ifdef SUN_SHADOW
 layout(binding = 10) uniform sampler3D fineShadowMap;  // one layer: optical depth of the clouds along a sun ray
@@ -38,14 +65,18 @@ float insideShadowMap(vec4 rows[2], vec3 relative, float radiusM) {
 vec2 sunDepthInClouds(vec3 relative) {
   vec2 fine = placeInShadowMap(inFineShadowMap, relative);
   vec2 coarse = placeInShadowMap(inCoarseShadowMap, relative);
-  float depth = mix(texture(coarseShadowMap, vec3(coarse, 0.5)).x, texture(fineShadowMap, vec3(fine, 0.5)).x,
+  vec4 depths = mix(texture(coarseShadowMap, vec3(coarse, 0.5)), texture(fineShadowMap, vec3(fine, 0.5)),
                     insideShadowMap(inFineShadowMap, relative, shadowRadii.x));
-  return vec2(depth * layerAbove(relative), insideShadowMap(inCoarseShadowMap, relative, shadowRadii.y));
+  return vec2(depthAbove(relative, depths), insideShadowMap(inCoarseShadowMap, relative, shadowRadii.y));
 }
 
 float sunThroughClouds(vec3 relative) {
   vec2 depth = sunDepthInClouds(relative);
+#ifdef CLOUD_LAYERS
+  return mix(1.0, sunBelowLayers(depth.x, overcastSky.y, overcastSky.x), depth.y);
+#else
   return mix(1.0, sunBelowCloud(depth.x), depth.y);
+#endif
 }
 #else
 float sunThroughClouds(vec3 relative) { return 1.0; }  // it is below the horizon

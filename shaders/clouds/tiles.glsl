@@ -11,7 +11,11 @@ struct Task {
 
 // Parts of a tile's interval, nearest first, with clear air between them: their number in the first place, then begin and
 // end of each.
+#ifdef LAYERS
+const int kPlacesOfSpans = 16 * LAYERS;
+#else
 const int kPlacesOfSpans = 16;
+#endif
 const int kMostSpans = kPlacesOfSpans - 1;
 
 // Groups of an indirect dispatch: rows of 1024.

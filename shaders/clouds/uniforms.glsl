@@ -1,7 +1,28 @@
 // What the shaders of the clouds share: the block of src/render/clouds/cloud_uniforms.h. Positions are relative to the eye, in
-// world axes (metres); light is multiplied by exposure.
+// world axes (metres); light is multiplied by exposure. LAYERS: so many layers at once, each with its own medium and light;
+// the fields of the one layer are then not read. Without it there is one, of the plain form.
 #include "frame.glsl"
 #include "shared/cloud_medium.glsl"
+
+#ifdef LAYERS
+#include "shared/cloud_form.glsl"
+
+struct CloudLayer {
+  vec4 shapePlace;    // xyz: the eye in periods of the texture, [0, 1)
+  vec4 shapeScale;    // xyz: periods in a metre
+  vec4 detailPlace;   // as below
+  vec4 weatherPlace;
+  vec4 shell;         // base above the eye (m), thickness (m), 1 / thickness, extinction (1/m)
+  vec4 medium;        // as below
+  vec4 profile;       // as in CloudForm
+  vec4 form;          // own, anvilBase, spread, anvilThreshold
+  vec4 strides;       // xyz: as below; w: what wears edges in the far field
+  vec4 cells;         // as below
+  vec4 sunLight;      // rgb: as below; w: taper
+  vec4 skyLight;      // w: contrast
+  vec4 groundLight;
+};
+#endif
 
 layout(std140, binding = 1) uniform Clouds {
   vec4 shapePlace;    // xyz: the eye in periods of the texture, [0, 1); w: periods in a metre
@@ -21,4 +42,8 @@ layout(std140, binding = 1) uniform Clouds {
   vec4 cells;         // xz: the eye in cells of the occupancy; y: cells in a metre; w: rows in a metre
   vec4 farField;      // where it begins (m), steps and tolerances there (times those nearer), what wears edges there
   vec4 sight;         // half-width of a tile's ray at 1 m; tolerances: between rays 4 pixels apart, 2 pixels apart
+#ifdef LAYERS
+  vec4 shells;        // of all layers: top above the eye (m)
+  CloudLayer layers[LAYERS];
+#endif
 } clouds;

@@ -27,7 +27,7 @@ class ShadeOfASquare final : public Pass {
     const CloudShadowMap& map = context.resources.get<CloudShadowMap>();
     gl::Shader& shader =
         context.shaders.shader("fullscreen.vert", test::sourceDir() + "/tests/gl/shaders/cloud_shade.frag",
-                               CloudShadowMap::defines(map.hasSun()));
+                               map.defines(map.hasSun()));
     shader.use();
     shader.setVec3("corner", relativeToEye(context.frame.view, corner_));
     shader.setFloat("spacing", spacing_);

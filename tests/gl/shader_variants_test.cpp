@@ -76,6 +76,9 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("coldFront", {});
   draw("thunderstorm", {});
   draw("fair", {"clouds.march.history=quarter"});
+  draw("warmFront", {});
+  draw("afterRain", {"clouds.march.history=quarter"});
+  draw("afterRain", {"clouds.tier=reference"});
   draw("fair", {"clouds.march.history=sixteenth", "clouds.march.resolution=full"});
   draw("cirrus", {"effects.clouds=true", "effects.halo=true"});
   draw("cirrus", {"iceClouds.resolution=quarter", "effects.haze=false"});

@@ -1,16 +1,28 @@
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 
+#include <span>
+
 namespace skydrop::render {
 
-std::vector<std::string> CloudShadowMap::defines(bool hasSun) {
-  if (hasSun) return {"SUN_SHADOW"};
-  return {};
+std::vector<std::string> CloudShadowMap::defines(bool hasSun) const {
+  std::vector<std::string> defines;
+  if (hasSun) defines.emplace_back("SUN_SHADOW");
+  if (layers_.count > 0) defines.push_back("CLOUD_LAYERS " + std::to_string(layers_.count));
+  return defines;
 }
 
 void CloudShadowMap::bind(gl::ShaderProgram& shader) const {
-  shader.setVec2("shadowMapLayer", layer_);
   sky_.shares->bind(kSkyUnit);
-  shader.setVec4("skySharePlace", sky_.place);
+  if (layers_.count > 0) {
+    shader.setVec4s("skySharePlaces",
+                    std::span(layers_.skyPlaces).first(static_cast<std::size_t>(layers_.count)));
+    shader.setVec4("shadowMapBases", layers_.bases);
+    shader.setVec2("overcastSky", layers_.overcast);
+    shader.setVec4("shadowMapThicknesses", layers_.inverseThicknesses);
+  } else {
+    shader.setVec2("shadowMapLayer", layer_);
+    shader.setVec4("skySharePlace", sky_.place);
+  }
   if (!hasSun()) return;
   fine_.depths->bind(kFineUnit);
   coarse_.depths->bind(kCoarseUnit);

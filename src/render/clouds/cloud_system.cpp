@@ -11,9 +11,12 @@
 #include "render/clouds/cloud_uniforms.h"
 #include "render/clouds/march_plan.h"
 #include "render/clouds/sun_optical_depth_grid.h"
+#include "render/clouds/weather_layers.h"
 #include "skydrop/clouds/raised_sun.h"
 #include "skydrop/clouds/sun_depth.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/core/shared_clouds.h"
+#include "skydrop/game/snapshot.h"
 #include "skydrop/render/clouds/ice_shade.h"
 
 namespace skydrop::render {
@@ -54,6 +57,24 @@ bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, doub
   return (steepest - bend * lowest) * lowest <= above;
 }
 
+// Samples along a sun ray through a layer of the weather, fine and coarse map.
+constexpr double kFineSampleM = 90, kCoarseSampleM = 180;
+
+// What shadow maps are made of: rounded, so that they are not filled in every frame of a weather that
+// changes.
+clouds::LayerMedium inShadowMap(const clouds::LayerMedium& medium) {
+  constexpr double kCoverages = 128, kHeightM = 10, kExtinctions = 8;  // an octave
+  const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
+  clouds::LayerMedium out = medium;
+  clouds::CloudLayerSettings& s = out.layer;
+  s.coverage = rounded(s.coverage, 1 / kCoverages);
+  const double top = rounded(s.cloudHeight + s.thickness, kHeightM);
+  s.cloudHeight = rounded(s.cloudHeight, kHeightM);
+  s.thickness = std::max(top - s.cloudHeight, kHeightM);
+  if (s.extinction > 0) s.extinction = std::exp2(rounded(std::log2(s.extinction), 1 / kExtinctions));
+  return out;
+}
+
 }  // namespace
 
 CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
@@ -62,7 +83,8 @@ CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::Pac
       settings_(settings),
       wind_(wind),
       flatLoops_(context.isSoftware()),
-      textures_(std::make_unique<CloudTextures>(context, std::move(noise), settings)),
+      textures_(std::make_unique<CloudTextures>(context, noise, settings)),
+      noise_(std::move(noise)),
       uniforms_(context, sizeof(CloudUniforms), gl::Buffer::Use::write, "cloud uniforms") {
   forgetShadowMap();
 }
@@ -89,9 +111,37 @@ void CloudSystem::apply(const clouds::CloudSettings& settings, const core::WindS
 
 std::optional<std::string> CloudSystem::skipReason(const FrameInput& frame) const {
   if (settings_.tier == clouds::CloudTier::off) return "switched off";
+  if (drawsWeather(frame)) {
+    std::string reason = "no cloud anywhere";
+    for (const DrawnLayer& drawn :
+         WeatherLayers::mediaOf(frame.game->weather, {frame.view.position.x, frame.view.position.z})) {
+      if (!drawn.isThere) continue;
+      if (!missesLayer(frame.view, drawn.medium.layer, settings_.fadeDistance)) return std::nullopt;
+      reason = "the layer is out of view";
+    }
+    return reason;
+  }
   if (textures_->isEmpty(kMarchedLayer)) return "no cloud anywhere";
   if (missesLayer(frame.view, layer(), settings_.fadeDistance)) return "the layer is out of view";
   return std::nullopt;
+}
+
+bool CloudSystem::drawsWeather(const FrameInput& frame) const { return WeatherLayers::isWeather(frame); }
+
+void CloudSystem::prepare(const FrameInput& frame) {
+  if (!drawsWeather(frame)) {
+    weather_.reset();
+    return;
+  }
+  if (!weather_) weather_ = std::make_unique<WeatherLayers>(context_, noise_);
+  weather_->update(frame);
+}
+
+std::vector<std::string> CloudSystem::definesOf(const FrameContext& context) const {
+  std::vector<std::string> defines = marchDefines(context.defines, settings_, flatLoops_);
+  if (weather_) defines.push_back("LAYERS " + std::to_string(weather_->layers().size()));
+  if (weather_ && weather_->mayOverlap()) defines.emplace_back("OVERLAPS");
+  return defines;
 }
 
 glm::dvec3 CloudSystem::inField(const glm::dvec3& place, const FrameInput& frame) const {
@@ -111,7 +161,9 @@ void CloudSystem::resize(const View& view) {
     const bool isThere = light && glm::ivec2(light.width(), light.height()) == size(spacing);
     return spacing <= widest ? isThere : !light;
   };
-  if (tiles == tileCount_ && has(1) && has(2) && has(4)) return;
+  const std::size_t spanBytes = kSpansBytes * (weather_ ? weather_->layers().size() : 1);
+  const std::size_t all = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
+  if (tiles == tileCount_ && has(1) && has(2) && has(4) && spans_.size() == all * spanBytes) return;
   for (const int spacing : {1, 2, 4}) {
     raysApart(spacing) = {};
     if (spacing > widest) continue;
@@ -120,10 +172,9 @@ void CloudSystem::resize(const View& view) {
                           gl::Texture::make2D(context_, GL_R16F, rays.x, rays.y, "cloud distances")};
   }
   tileCount_ = tiles;
-  const std::size_t all = static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y);
   tiles_ =
       gl::Buffer(context_, sizeof(TilesHeader) + all * kTaskBytes, gl::Buffer::Use::write, "cloud tiles");
-  spans_ = gl::Buffer(context_, all * kSpansBytes, gl::Buffer::Use::fixed, "cloud spans");
+  spans_ = gl::Buffer(context_, all * spanBytes, gl::Buffer::Use::fixed, "cloud spans");
   for (const int spacing : {1, 2}) {
     gl::Buffer& list = listedRays_[static_cast<std::size_t>(spacing) - 1];
     list = {};
@@ -144,12 +195,78 @@ void CloudSystem::update(FrameContext& context, SunOpticalDepthGrid& grid, doubl
 
 std::optional<std::string> CloudSystem::shadowSkipReason(const FrameInput& frame) const {
   if (settings_.tier == clouds::CloudTier::off) return "switched off";
+  if (drawsWeather(frame)) {
+    const std::vector<DrawnLayer> layers =
+        WeatherLayers::mediaOf(frame.game->weather, {frame.view.position.x, frame.view.position.z});
+    if (std::ranges::none_of(layers, &DrawnLayer::isThere)) return "no cloud anywhere";
+    if (frame.view.position.y > hullOf(layers).cloudHeight + settings_.fadeDistance)
+      return "the eye is too far above";
+    return std::nullopt;
+  }
   if (textures_->isEmpty(kMarchedLayer)) return "no cloud anywhere";
   if (frame.view.position.y > layer().cloudHeight + settings_.fadeDistance) return "the eye is too far above";
   return std::nullopt;
 }
 
+CloudShadowMap CloudSystem::shadowMapOfLayers(FrameContext& context) {
+  std::vector<DrawnLayer> layers = weather_->layers();
+  std::vector<clouds::LayerMedium> media;
+  for (DrawnLayer& layer : layers) {
+    layer.medium = inShadowMap(layer.medium);
+    media.push_back(layer.isThere ? layer.medium : clouds::LayerMedium{});
+  }
+  if (media != shadowLayers_) {
+    shadowLayers_ = std::move(media);
+    fineShadowMap_->forget();
+    coarseShadowMap_->forget();
+  }
+  const glm::dvec3 eye = eyeInField(context.frame);
+  const clouds::CloudLayerSettings hull = hullOf(layers);
+  CloudShadowMap::Layers channels;
+  channels.count = static_cast<int>(layers.size());
+  channels.overcast = glm::vec2(overcastOf(layers), clouds::raisedSun(context.light.direct.toSun).y);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const clouds::CloudLayerSettings& s = layers[i].medium.layer;
+    const int channel = static_cast<int>(i);
+    channels.bases[channel] = static_cast<float>(s.cloudHeight - context.frame.view.position.y);
+    channels.inverseThicknesses[channel] = static_cast<float>(1 / s.thickness);
+    const double period = weatherPeriod(layers[i].medium);
+    const glm::dvec2 periods = glm::dvec2(eye.x, eye.z) / period;
+    channels.skyPlaces[i] =
+        glm::vec4(glm::vec2(periods - glm::floor(periods)), static_cast<float>(1 / period),
+                  static_cast<float>(settings_.fadeDistance));
+  }
+  const CloudShadowMap::Sky sky{&weather_->skyShares(), glm::vec4(0)};
+  const glm::dvec2 baseAndThickness(hull.cloudHeight - context.frame.view.position.y,
+                                    std::max(hull.thickness, 1.0));
+  CloudShadowMap shadows(sky, baseAndThickness);
+  if (context.frame.toSun.y > 0) {
+    textures_->bind(kMarchedLayer);
+    const glm::dvec3 toSun = clouds::raisedSun(context.light.direct.toSun);
+    const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (hull.cloudHeight / toSun.y);
+    const auto map = [&](SunOpticalDepthGrid& grid, double cellM, double radiusM, double sampleM) {
+      const double reach = std::min(radiusM, settings_.fadeDistance);
+      grid.update(context_, context.shaders, sunOpticalDepthGridLayout(hull, toSun, cellM, reach, middle),
+                  layers, settings_, textures_->meanDetail(), sampleM);
+      const std::array<glm::vec4, 3> rows = toSunOpticalDepthGrid(grid.layout(), eye);
+      return CloudShadowMap::Map{&grid.depths(), {rows[0], rows[1]}, reach};
+    };
+    const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadowRadiusM, kFineSampleM);
+    shadows = CloudShadowMap(sky, baseAndThickness, fine,
+                             map(*coarseShadowMap_, kCoarseShadowMapM, kCoarseShadowRadiusM, kCoarseSampleM));
+  }
+  shadows.setLayers(channels);
+  return shadows;
+}
+
 CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
+  prepare(context.frame);
+  if (weather_) return shadowMapOfLayers(context);
+  if (!shadowLayers_.empty()) {
+    shadowLayers_.clear();
+    fineShadowMap_->forget();
+    coarseShadowMap_->forget();
+  }
   const glm::dvec3 eye = eyeInField(context.frame);
   const clouds::SkyCover& skyCover = textures_->skyCover(kMarchedLayer);
   const glm::dvec2 periods = glm::dvec2(eye.x, eye.z) / skyCover.periodM();
@@ -179,6 +296,20 @@ LightShares CloudSystem::lightAt(const glm::dvec3& place, const FrameInput& fram
   const double reach = core::shared::f64::cloudFade(distance, settings_.fadeDistance);
   if (reach <= 0) return {};
   const glm::dvec3 at = inField(place, frame);
+  if (weather_) {
+    double depth = 0, sky = 1;
+    for (std::size_t i = 0; i < weather_->layers().size(); ++i) {
+      const DrawnLayer& drawn = weather_->layers()[i];
+      if (!drawn.isThere) continue;
+      const clouds::CloudLayerSettings& s = drawn.medium.layer;
+      depth += clouds::sunOpticalDepth(weather_->field(i), at, clouds::raisedSun(frame.toSun));
+      const double above = 1 - std::clamp((at.y - s.cloudHeight) / s.thickness, 0.0, 1.0);
+      sky *= 1 - (1 - drawn.skyShare({at.x, at.z})) * above;
+    }
+    const double sun = core::shared::f64::sunBelowLayers(depth, clouds::raisedSun(frame.toSun).y,
+                                                         overcastOf(weather_->layers()));
+    return {std::lerp(1.0, sun, reach), std::lerp(1.0, sky, reach)};
+  }
   const double depth =
       clouds::sunOpticalDepth(textures_->field(kMarchedLayer), at, clouds::raisedSun(frame.toSun));
   const double above = 1 - std::clamp((at.y - layer().cloudHeight) / layer().thickness, 0.0, 1.0);
@@ -210,7 +341,8 @@ void CloudSystem::marchMultiDispatch() {
 }
 
 void CloudSystem::draw(FrameContext& context) {
-  const std::vector<std::string> defines = marchDefines(context.defines, settings_, flatLoops_);
+  prepare(context.frame);
+  const std::vector<std::string> defines = definesOf(context);
   beginHistory(context);
   resize(context.frame.view);
   setUniforms(context);
@@ -233,7 +365,8 @@ bool CloudSystem::takeLandShade(FrameContext& context) {
     return false;
   }
   const auto* map = context.resources.find<LandShadowMap>();
-  if (!map || (map->shade() && map->shade()->topM() <= layer().cloudHeight)) return false;
+  const double baseM = weather_ ? hullOf(weather_->layers()).cloudHeight : layer().cloudHeight;
+  if (!map || (map->shade() && map->shade()->topM() <= baseM)) return false;
   landShade_.take(context.gl, *map);
   return true;
 }
@@ -268,6 +401,10 @@ void CloudSystem::beginHistory(const FrameContext& context) {
     history_.reset();
     return;
   }
+  // What the last frame saw of another weather is no past of this one.
+  auto weather = weather_ ? weather_->settings() : nullptr;
+  if (historyWeather_ != weather) history_.reset();
+  historyWeather_ = std::move(weather);
   if (!history_) history_ = std::make_unique<CloudHistory>();
   history_->begin(context, eyeInField(context.frame), settings_, rays_[0]);
 }
@@ -276,6 +413,20 @@ void CloudSystem::beginHistory(const FrameContext& context) {
 void CloudSystem::setUniforms(FrameContext& context) {
   const View& view = context.frame.view;
   textures_->bind(kMarchedLayer);
+  context.sceneDepth.bind(kSceneDepthUnit);
+  if (weather_) {
+    constexpr GLuint kOccupancyUnit = 3;
+    weather_->distances().bind(kOccupancyUnit);
+    CloudUnionUniforms all = unionUniforms(weather_->layers(), settings_.fadeDistance,
+                                           eyeInField(context.frame), textures_->meanDetail());
+    addLight(all, weather_->layers(), context.light);
+    addMarch(all, weather_->layers(), settings_, view, tileSideOf(settings_));
+    if (!unionUniforms_)
+      unionUniforms_ = gl::Buffer(context_, sizeof all, gl::Buffer::Use::write, "cloud layers");
+    unionUniforms_.writeValue(0, all);
+    unionUniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
+    return;
+  }
   CloudUniforms uniforms =
       fieldUniforms(layer(), settings_.fadeDistance, eyeInField(context.frame), textures_->meanDetail());
   addLight(uniforms, layer(), context.light);
@@ -284,7 +435,6 @@ void CloudSystem::setUniforms(FrameContext& context) {
   addMarch(uniforms, settings_, textures_->clearAir(kMarchedLayer), view, tileSideOf(settings_));
   uniforms_.writeValue(0, uniforms);
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
-  context.sceneDepth.bind(kSceneDepthUnit);
 }
 
 // Lists the tiles to be marched; all other rays see nothing.

@@ -35,8 +35,8 @@ int widestSpacing(const clouds::CloudSettings& settings);
 // between rays twice as far apart.
 int raysAcross(int pixels, int spacing, int widest);
 
-// Of all shaders of a frame's march; `ofFrame` are those of its features. flatLoops: as a software renderer is
-// fastest with (shaders/clouds/march.glsl); the picture is the same.
+// Of all shaders of a frame's march; `ofFrame` are those of its features. flatLoops: as a software renderer
+// is fastest with (shaders/clouds/march.glsl); the picture is the same.
 std::vector<std::string> marchDefines(std::span<const std::string> ofFrame,
                                       const clouds::CloudSettings& settings, bool flatLoops);
 std::vector<std::string> withSpacing(std::span<const std::string> defines, int spacing);

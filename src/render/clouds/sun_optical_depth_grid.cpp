@@ -74,10 +74,11 @@ void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders,
   // Asked for in every frame: a program that frames need now and then counts as used.
   gl::ComputeShader& shader = shaders.computeShader("clouds/sun_optical_depth_grid.comp", defines);
   if (layout == layout_) return;
-  if (!depths_ || layout.nodes != layout_.nodes) {
+  if (!depths_ || depths_.format() != GL_R32F || layout.nodes != layout_.nodes) {
     depths_ = gl::Texture::make3D(context, GL_R32F, layout.nodes.x, layout.nodes.y, 1, label_);
   }
-  if (!uniforms_) uniforms_ = gl::Buffer(context, sizeof(CloudUniforms), gl::Buffer::Use::write, label_);
+  if (uniforms_.size() != sizeof(CloudUniforms))
+    uniforms_ = gl::Buffer(context, sizeof(CloudUniforms), gl::Buffer::Use::write, label_);
   layout_ = layout;
   uniforms_.writeValue(0, fieldUniforms(layer, settings.fadeDistance, layout.foot, meanDetail));
   uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
@@ -88,6 +89,40 @@ void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders,
   shader.setIvec3("nodes", layout.nodes);
   shader.setInt("samplesALayer",
                 std::max(1, static_cast<int>(std::round(glm::length(layout.sunward) / kSampleM))));
+  shader.dispatch(static_cast<GLuint>(layout.nodes.x + 7) / 8, static_cast<GLuint>(layout.nodes.y + 7) / 8);
+  context.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void SunOpticalDepthGrid::update(gl::Context& context, gl::ShaderCache& shaders,
+                                 const SunOpticalDepthGridLayout& layout, std::span<const DrawnLayer> layers,
+                                 const clouds::CloudSettings& settings, double meanDetail, double sampleM) {
+  constexpr double kFewestSamples = 4, kMostSamples = 48;  // of a layer
+  std::vector<std::string> defines = {"LAYERS " + std::to_string(layers.size())};
+  if (settings.march.detail) defines.emplace_back("DETAIL");
+  gl::ComputeShader& shader = shaders.computeShader("clouds/sun_optical_depth_grid.comp", defines);
+  if (layout == layout_) return;
+  if (!depths_ || depths_.format() != GL_RGBA32F || layout.nodes != layout_.nodes) {
+    depths_ = gl::Texture::make3D(context, GL_RGBA32F, layout.nodes.x, layout.nodes.y, 1, label_);
+  }
+  if (uniforms_.size() != sizeof(CloudUnionUniforms))
+    uniforms_ = gl::Buffer(context, sizeof(CloudUnionUniforms), gl::Buffer::Use::write, label_);
+  layout_ = layout;
+  uniforms_.writeValue(0, unionUniforms(layers, settings.fadeDistance, layout.foot, meanDetail));
+  uniforms_.bindBase(GL_UNIFORM_BUFFER, kCloudUniformsBinding);
+  depths_.bindImage(0, GL_WRITE_ONLY);
+  glm::vec4 samples(0);
+  const double slope = glm::length(layout.sunward) / layout.sunward.y;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!layers[i].isThere) continue;
+    const double wayM = layers[i].medium.layer.thickness * slope;
+    samples[static_cast<int>(i)] =
+        static_cast<float>(std::clamp(std::ceil(wayM / sampleM), kFewestSamples, kMostSamples));
+  }
+  shader.setVec3("along", glm::vec3(layout.along));
+  shader.setVec3("across", glm::vec3(layout.across));
+  shader.setVec3("sunward", glm::vec3(layout.sunward));
+  shader.setIvec3("nodes", layout.nodes);
+  shader.setVec4("samplesOfLayers", samples);
   shader.dispatch(static_cast<GLuint>(layout.nodes.x + 7) / 8, static_cast<GLuint>(layout.nodes.y + 7) / 8);
   context.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }

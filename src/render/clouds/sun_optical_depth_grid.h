@@ -10,8 +10,10 @@
 #include <array>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <span>
 #include <string>
 
+#include "render/clouds/weather_layers.h"
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/gl/shader_cache.h"
@@ -48,6 +50,11 @@ class SunOpticalDepthGrid {
   void update(gl::Context& context, gl::ShaderCache& shaders, const SunOpticalDepthGridLayout& layout,
               const clouds::CloudLayerSettings& layer, const clouds::CloudSettings& settings,
               double meanDetail);
+  // The same of several layers, a channel each; `layout` is of their hull, and samples lie so far apart,
+  // about.
+  void update(gl::Context& context, gl::ShaderCache& shaders, const SunOpticalDepthGridLayout& layout,
+              std::span<const DrawnLayer> layers, const clouds::CloudSettings& settings, double meanDetail,
+              double sampleM);
   void forget() { layout_ = {}; }  // the medium changed
 
  private:

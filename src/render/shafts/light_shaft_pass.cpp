@@ -100,7 +100,7 @@ void LightShaftPass::draw(FrameContext& context) {
 void LightShaftPass::march(FrameContext& context, const Shade& shade) {
   std::vector<std::string> defines = withCloudTransmittance(context.defines, context.resources);
   if (shade.clouds) {
-    for (const std::string& define : CloudShadowMap::defines(true)) defines.push_back(define);
+    for (const std::string& define : shade.clouds->defines(true)) defines.push_back(define);
     defines.emplace_back("CLOUD_SHADE");
   }
   if (shade.land) defines.emplace_back("LAND_SHADE");

@@ -183,8 +183,7 @@ void TerrainPass::drawShadows(FrameContext& context, const CastShadows& shadows)
 void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap) {
   // Both are asked for, so that none is compiled when the sun rises or sets.
   const auto variant = [&](bool hasSun) -> gl::Shader& {
-    return context.shaders.shader("fullscreen.vert", "terrain/cloud_share.frag",
-                                  CloudShadowMap::defines(hasSun));
+    return context.shaders.shader("fullscreen.vert", "terrain/cloud_share.frag", shadowMap.defines(hasSun));
   };
   variant(!shadowMap.hasSun());
   gl::Shader& shader = variant(shadowMap.hasSun());

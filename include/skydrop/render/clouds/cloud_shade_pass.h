@@ -32,7 +32,7 @@ class CloudShadowPass final : public Pass {
 // Publishes LightAtPlaces, for models: works nothing out before it is asked. The system must outlive it.
 class CloudShadePass final : public Pass, private LightAtPlaces {
  public:
-  explicit CloudShadePass(const CloudSystem& system) : system_(system) {}
+  explicit CloudShadePass(CloudSystem& system) : system_(system) {}
 
   std::string_view name() const override { return "cloudShade"; }
   RenderStage stage() const override { return RenderStage::shadows; }
@@ -41,13 +41,14 @@ class CloudShadePass final : public Pass, private LightAtPlaces {
   }
   void draw(FrameContext& context) override {
     frame_ = &context.frame;
+    system_.prepare(context.frame);
     context.resources.publish<LightAtPlaces>(*this);
   }
 
  private:
   LightShares at(const glm::dvec3& place) const override { return system_.lightAt(place, *frame_); }
 
-  const CloudSystem& system_;
+  CloudSystem& system_;
   const FrameInput* frame_ = nullptr;  // of the frame being drawn
 };
 

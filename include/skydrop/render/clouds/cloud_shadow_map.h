@@ -32,6 +32,14 @@ class CloudShadowMap {
     glm::vec4 place{0};
   };
 
+  // Several layers, up to four: a channel of the maps each. Those that are not there shade nothing.
+  struct Layers {
+    int count = 0;
+    std::array<glm::vec4, 4> skyPlaces{};       // as Sky::place
+    glm::vec4 bases{0}, inverseThicknesses{0};  // m above the eye, 1/m
+    glm::vec2 overcast{0};  // how overcast the sky is, [0, 1]; sine of the sun's elevation
+  };
+
   // Nothing to bind.
   CloudShadowMap() = default;
   // baseAndThickness: of the layer, m, the base above the eye. Without maps of the sun while it is below the
@@ -44,9 +52,12 @@ class CloudShadowMap {
     coarse_ = coarse;
   }
 
+  // Of several layers; the hull's base and thickness as above.
+  void setLayers(const Layers& layers) { layers_ = layers; }
+
   // Of the programs that include shaders/clouds/shadow_map.glsl: with what the clouds leave of the sun, or
   // without.
-  static std::vector<std::string> defines(bool hasSun);
+  std::vector<std::string> defines(bool hasSun) const;
   bool hasSun() const { return fine_.depths != nullptr; }
 
   // Textures and uniforms for such a program of defines(hasSun()).
@@ -62,6 +73,7 @@ class CloudShadowMap {
   Sky sky_;
   Map fine_, coarse_;
   glm::vec2 layer_{0};
+  Layers layers_;
 };
 
 }  // namespace skydrop::render

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/clouds/cloud_settings.h"
@@ -19,15 +20,22 @@
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/shadows/land_shade_volume.h"
 
+namespace skydrop::weather {
+struct WeatherSettings;
+}
+
 namespace skydrop::render {
 
 class CloudHistory;
 class CloudTextures;
 class SunOpticalDepthGrid;
+class WeatherLayers;
 
-// Draws layer 0 of the settings (clouds::kCloudLayers). On the context's thread; it owns its textures and
-// grids; those with a texel a ray are made again when the view's size changes. Publishes CloudTransmittance
-// in frames in which it is not skipped; needs FrameContext::sceneDepth of all that may hide clouds.
+// Draws the layers of the weather around the eye (game::Snapshot::weather) that are volumes, all in one march
+// (docs/cloud-layers.md); without weather, layer 0 of the settings (clouds::kCloudLayers). On the context's
+// thread; it owns its textures and grids; those with a texel a ray are made again when the view's size
+// changes. Publishes CloudTransmittance in frames in which it is not skipped; needs FrameContext::sceneDepth
+// of all that may hide clouds.
 class CloudSystem final : public Pass {
  public:
   // `noise` is kept: not null, as clouds::packCloudNoise() makes it. Works out the occupancy of each layer.
@@ -43,6 +51,9 @@ class CloudSystem final : public Pass {
   // nothing.
   void apply(const clouds::CloudSettings& settings, const core::WindSettings& wind);
 
+  // Works the layers of a frame's weather out; draw() and shadowMap() do so themselves, lightAt() needs it.
+  void prepare(const FrameInput& frame);
+
   std::string_view name() const override { return "clouds"; }
   RenderStage stage() const override { return RenderStage::clouds; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
@@ -56,7 +67,8 @@ class CloudSystem final : public Pass {
   CloudShadowMap shadowMap(FrameContext& context);
   // Gives up what shadowMap() has made; it is made again when it is asked for.
   void forgetShadowMap();
-  // The same at a place in the world, worked out on the processor (clouds::sunOpticalDepth(): 28 us).
+  // The same at a place in the world, worked out on the processor (clouds::sunOpticalDepth(): 28 us a layer).
+  // After prepare() of the frame.
   LightShares lightAt(const glm::dvec3& place, const FrameInput& frame) const;
   std::optional<std::string> shadowSkipReason(const FrameInput& frame) const;
 
@@ -84,6 +96,10 @@ class CloudSystem final : public Pass {
  private:
   void update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
               const glm::dvec3& middle);
+  CloudShadowMap shadowMapOfLayers(FrameContext& context);
+  bool drawsWeather(const FrameInput& frame) const;
+  // The march's defines for the frame.
+  std::vector<std::string> definesOf(const FrameContext& context) const;
   void setUniforms(FrameContext& context);
   // What the wind has carried the field by is taken off.
   glm::dvec3 inField(const glm::dvec3& place, const FrameInput& frame) const;
@@ -113,9 +129,13 @@ class CloudSystem final : public Pass {
   core::WindSettings wind_;
   bool flatLoops_;
   std::unique_ptr<CloudTextures> textures_;
-  std::unique_ptr<CloudHistory> history_;  // null in frames that use none
+  std::shared_ptr<const clouds::PackedCloudNoise> noise_;
+  std::unique_ptr<WeatherLayers> weather_;         // null until a frame has weather
+  std::vector<clouds::LayerMedium> shadowLayers_;  // that the shadow maps are of; none without weather
+  std::unique_ptr<CloudHistory> history_;          // null in frames that use none
+  std::shared_ptr<const weather::WeatherSettings> historyWeather_;  // that it is of
   std::unique_ptr<SunOpticalDepthGrid> fineShadowMap_, coarseShadowMap_;
-  gl::Buffer uniforms_, tiles_, spans_;
+  gl::Buffer uniforms_, unionUniforms_, tiles_, spans_;
   std::array<CloudRays, 3> rays_;         // 1, 2 and 4 pixels apart
   std::array<gl::Buffer, 2> listedRays_;  // 1 and 2 pixels apart
   glm::ivec2 tileCount_{0};
