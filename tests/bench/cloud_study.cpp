@@ -113,6 +113,7 @@ void CloudStudy::drawFrame(const CloudView& view, bool plain) {
   renderer_.draw({.view = viewOf(view, size_),
                   .features = {.haze = true},
                   .simulatedSeconds = view.seconds,
+                  .game = snapshot_.weather ? &snapshot_ : nullptr,
                   .followsLast = view.followsLast});
   renderer_.finish();
 }

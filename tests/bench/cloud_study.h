@@ -14,6 +14,7 @@
 #include "app/types/size.h"
 #include "bench/plain_march.h"
 #include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/game/snapshot.h"
 #include "skydrop/render/clouds/cloud_system.h"
 #include "skydrop/render/frame/renderer.h"
 
@@ -66,6 +67,12 @@ class CloudStudy {
   // For the next frames.
   void use(const clouds::CloudSettings& settings);
 
+  // The clouds of the next frames are those of a weather; null: of the settings again.
+  void useWeather(std::shared_ptr<const weather::WeatherSettings> weather) {
+    snapshot_.weather = {std::move(weather), 1, 0};
+  }
+  void setWeatherSeconds(double seconds) { snapshot_.weather.seconds = seconds; }
+
   Cost draw(const CloudView& view);
   // Draws both and gives the time of the plain march. The frame warms up what draw() needs.
   Cost drawPlain(const CloudView& view);
@@ -83,6 +90,7 @@ class CloudStudy {
   std::uint64_t bytesWithoutClouds_ = 0;
   clouds::CloudSettings settings_;
   core::WindSettings wind_;
+  game::Snapshot snapshot_;
   Cost cloudCost_, plainCost_;
   render::CloudSystem* clouds_ = nullptr;  // the renderer's, as the next
   PlainMarch* plain_ = nullptr;
