@@ -58,6 +58,16 @@ std::vector<std::string> clouded(const std::string& scene, const std::string& po
   return words;
 }
 
+// A sky of one layer of the weather, from a pose, with the sun at an elevation and a compass azimuth.
+std::vector<std::string> ofGenus(const std::string& genus, double base, double top, double cover,
+                                 const std::string& pose, const std::string& elevation = "40",
+                                 const std::string& azimuth = "135") {
+  const std::string layer = "weather.sites.0.layers.0.";
+  return clouded("breeze", pose, elevation, azimuth,
+                 {"weather.variability=0", layer + "genus=" + genus, layer + "base=" + std::to_string(base),
+                  layer + "top=" + std::to_string(top), layer + "cover=" + std::to_string(cover)});
+}
+
 // A mood of the sky: all of the same lake and range.
 std::vector<std::string> inMood(const std::string& mood) {
   return withoutHud({"--scene", "fair", "--pose=7000,320,6400,-114,2,0", "--set", "sky.mood=" + mood, "--set",
@@ -205,6 +215,17 @@ const std::vector<Golden>& goldens() {
       {"eveningShower", clouded("coldFront", "5000,500,6000,300,5,0", "6", "200",
                                 {"weather.secondSite=false", "weather.sites.0.rain=6",
                                  "clouds.layers.0.coverage=0.5", "weather.sites.0.layers.0.cover=0.5"})},
+      {"stratusFromBelow", ofGenus("stratus", 400, 900, 1, "0,200,0,40,6,0")},
+      {"stratocumulusFromBelow", ofGenus("stratocumulus", 1200, 1900, 0.85, "0,300,0,40,10,0")},
+      {"cumulusOfTheWeather", ofGenus("cumulus", 1555, 3355, 0.45, "0,600,0,40,12,0")},
+      {"altostratusFromBelow", ofGenus("altostratus", 3500, 5500, 1, "0,300,0,40,20,0")},
+      {"altocumulusFromBelow", ofGenus("altocumulus", 3500, 4000, 0.6, "0,300,0,40,20,0")},
+      {"nimbostratusFromBelow", ofGenus("nimbostratus", 1000, 5500, 1, "0,300,0,40,8,0")},
+      {"cumulonimbusFromAfar", ofGenus("cumulonimbus", 1055, 11000, 0.42, "0,3000,0,200,6,0")},
+      {"skyBeforeAWarmFront", clouded("warmFront", "0,500,0,40,10,0", "40", "135")},
+      {"skyOfAFront", clouded("coldFront", "0,600,0,40,10,0", "40", "135")},
+      {"skyOfAThunderstorm", clouded("thunderstorm", "10000,700,3000,230,12,0", "40", "135")},
+      {"skyAfterTheRain", clouded("afterRain", "0,600,0,40,12,0", "40", "135")},
       {"moodDawn", inMood("dawn")},
       {"moodMorning", inMood("morning")},
       {"moodNoon", inMood("noon")},
