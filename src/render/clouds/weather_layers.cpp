@@ -85,7 +85,9 @@ double overcastOf(const std::vector<DrawnLayer>& layers) {
 WeatherLayers::WeatherLayers(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise)
     : context_(context), noise_(std::move(noise)) {}
 
-bool WeatherLayers::hasWeather(const FrameInput& frame) { return static_cast<bool>(frame.game->weather); }
+bool WeatherLayers::hasWeather(const FrameInput& frame) {
+  return frame.game->weather && weather::hasClouds(*frame.game->weather.settings);
+}
 
 std::vector<std::size_t> WeatherLayers::volumesOf(const weather::WeatherSettings& settings) {
   std::vector<std::size_t> volumes;

@@ -64,7 +64,7 @@ class WeatherLayers {
 
   WeatherLayers(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise);
 
-  // Whether there is a weather whose clouds are to be drawn, and layers of it that may ever be volumes.
+  // Whether there is a weather that has clouds, of whatever genus, and layers of it that may ever be volumes.
   static bool isWeather(const FrameInput& frame) { return frame.game != nullptr && hasWeather(frame); }
   static std::vector<std::size_t> volumesOf(const weather::WeatherSettings& settings);
   // The media of a moment around a place, without working anything out. As many as volumesOf().
