@@ -420,6 +420,8 @@ void CloudSystem::setUniforms(FrameContext& context) {
     CloudUnionUniforms all = unionUniforms(weather_->layers(), settings_.fadeDistance,
                                            eyeInField(context.frame), textures_->meanDetail());
     addLight(all, weather_->layers(), context.light);
+    if (const auto* ice = context.resources.find<IceShade>())
+      addIceShade(all, weather_->layers(), *ice, view.position);
     addMarch(all, weather_->layers(), settings_, view, tileSideOf(settings_));
     if (!unionUniforms_)
       unionUniforms_ = gl::Buffer(context_, sizeof all, gl::Buffer::Use::write, "cloud layers");

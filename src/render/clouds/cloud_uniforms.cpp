@@ -160,6 +160,16 @@ void addIceShade(CloudUniforms& u, const clouds::CloudLayerSettings& layer, cons
   u.skyLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sky)), 1);
 }
 
+void addIceShade(CloudUnionUniforms& u, std::span<const DrawnLayer> layers, const IceShade& ice,
+                 const glm::dvec3& eye) {
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const clouds::CloudLayerSettings& s = layers[i].medium.layer;
+    const LightShares shares = ice.below({eye.x, s.cloudHeight + 0.5 * s.thickness, eye.z});
+    u.layers[i].sunLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sun)), 1);
+    u.layers[i].skyLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sky)), 1);
+  }
+}
+
 void addMarch(CloudUniforms& u, const clouds::CloudSettings& settings, const clouds::ClearAir& clearAir,
               const View& view, int tilePixels) {
   const clouds::MarchSettings& march = settings.march;

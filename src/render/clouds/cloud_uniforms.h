@@ -69,6 +69,8 @@ void addLight(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer, 
 // What ice above leaves of it over the eye's place, after addLight().
 void addIceShade(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer, const IceShade& ice,
                  const glm::dvec3& eye);
+void addIceShade(CloudUnionUniforms& uniforms, std::span<const DrawnLayer> layers, const IceShade& ice,
+                 const glm::dvec3& eye);
 void addMarch(CloudUniforms& uniforms, const clouds::CloudSettings& settings,
               const clouds::ClearAir& clearAir, const View& view, int tilePixels);
 

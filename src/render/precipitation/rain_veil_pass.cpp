@@ -71,9 +71,9 @@ gl::Shader& RainVeilPass::shaderOf(FrameContext& context, const Variant& variant
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   if (variant.clouds) defines.emplace_back("CLOUD_TRANSMITTANCE");
   if (variant.map) defines.emplace_back(RainMap::kDefine);
-  if (context.resources.find<CloudShadowMap>()) {
+  if (const auto* shadowMap = context.resources.find<CloudShadowMap>()) {
     defines.emplace_back("CLOUD_SHADE");
-    for (const std::string& define : CloudShadowMap::defines(variant.sun)) defines.push_back(define);
+    for (const std::string& define : shadowMap->defines(variant.sun)) defines.push_back(define);
   }
   return context.shaders.shader("precipitation/veil.vert", "precipitation/veil.frag", defines);
 }
