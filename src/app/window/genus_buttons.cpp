@@ -25,7 +25,7 @@ std::vector<ui::GenusButton> genusButtons() {
     if (weather::usualPlace(genus) == 0) {
       Settings settings;
       const core::SettingsTable table(settings);
-      settings.clouds.layers[0] = game::cloudLayerOf(layer);
+      settings.clouds.layers[0] = game::cloudLayerOf(layer).layer;
       const std::string drawn = "clouds.layers.0.";
       for (const char* row :
            {"cloudHeight", "thickness", "coverage", "typeShift", "scale", "erosion", "extinction"}) {
