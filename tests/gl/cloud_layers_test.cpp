@@ -170,11 +170,12 @@ TEST_F(CloudLayersGLTest, bothFormsOfTheLoopsGiveTheSamePictureOfLayers) {
 }
 
 TEST_F(CloudLayersGLTest, W20_layersWithoutCoverAreNotThere) {
-  // None of both: no dispatch, and a reason. One of two: the picture of the other alone.
+  // None of both, under ice that is not drawn as a volume: no dispatch, and a reason. One of two: the picture
+  // of the other alone.
   addClouds(test::sharedNoise());
   weather::WeatherLayerSettings none = kCumulus, faint = kAltocumulus;
   none.cover = 0;
-  setWeather({none, none});
+  setWeather({none, none, {weather::Genus::cirrus, 9000, 10000, 0.5, 1}});
   sceneFrom(below());
   EXPECT_EQ(skipReasonOf(below()), "no cloud anywhere");
   setWeather({kCumulus});
