@@ -84,7 +84,7 @@ FlownAir::Sample FlownAir::sample(const glm::dvec3& position, double surface, do
   const weather::Air air = weather::airAt(position.y, state.temperatureC, state.pressurePa);
   temperatureC_ = air.temperatureK - 273.15;
 
-  const FlownClouds clouds(weather.noise, weather.drift, iceWindOf(settings));
+  const FlownClouds clouds(weather.noise, weather.drift, iceWindOf(settings, weather.forecast.get()));
   double rising = 0, cloudSigma2 = 0;
   cloudDensity_ = 0;
   for (const weather::Layer& layer : state.layers) {
@@ -165,8 +165,7 @@ glm::dvec3 FlownAir::windOnPackage(const glm::dvec3& position, const glm::dvec3&
   const WeatherSetup& air = *setup_->weather;
   const double share = air.settings.packageGusts;
   if (!(share > 0)) return meanWindOf(position, surface, seconds);
-  const weather::State state =
-      weather::stateAt(air.settings, setup_->seed, seconds, {position.x, position.z});
+  const weather::State state = air.at(setup_->seed, seconds, {position.x, position.z});
   const weather::WindProfile profile(state.wind);
   const double above = std::max(position.y - surface, 0.0);
   const glm::dvec3 mean = profile.at(position.y, position.y - surface);

@@ -30,7 +30,8 @@ std::optional<IceLook> lookOf(weather::Genus genus) {
 
 }  // namespace
 
-weather::Wind iceWindOf(const weather::WeatherSettings& settings) {
+weather::Wind iceWindOf(const weather::WeatherSettings& settings, const weather::Forecast* forecast) {
+  if (forecast) return forecast->near.states().front().state.wind;
   return weather::stateOf(settings.sites[0]).wind;
 }
 
@@ -60,7 +61,7 @@ std::optional<clouds::IceLayer> iceLayerOf(const weather::Layer& layer, const we
 std::vector<clouds::IceLayer> iceLayersAt(const weather::Moment& moment, const glm::dvec2& xz) {
   std::vector<clouds::IceLayer> layers;
   if (!moment) return layers;
-  const weather::Wind wind = iceWindOf(*moment.settings);
+  const weather::Wind wind = iceWindOf(*moment.settings, moment.forecast.get());
   for (const weather::Layer& layer : moment.at(xz).layers) {
     if (!(layer.cover > 0 && layer.density > 0)) continue;
     if (const auto ice = iceLayerOf(layer, wind)) layers.push_back(*ice);

@@ -127,7 +127,9 @@ std::vector<Flash> flashesBetween(const Moment& moment, const LightningSettings&
         constexpr double kPerFlashAMinute = kFlashSlotS / 60 / kInSight;
         if (drawn >= kPerFlashAMinute * kMostPerMinute) continue;
         const double slotS = slot * kFlashSlotS;
-        const State state = stateAt(*moment.settings, moment.seed, slotS, at);
+        Moment then = moment;
+        then.seconds = slotS;
+        const State state = then.at(at);
         if (drawn >= kPerFlashAMinute * state.lightningPerMinute) continue;
         const std::optional<Layer> cloud = stormCloud(state);
         if (!cloud) continue;

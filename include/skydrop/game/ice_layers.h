@@ -9,9 +9,11 @@
 
 namespace skydrop::game {
 
-// The wind whose shear forms the strands: that of the first site, without its wander. Strands that turned
-// with a wandering wind would sweep over the sky, the faster the farther from the origin.
-weather::Wind iceWindOf(const weather::WeatherSettings& settings);
+// The wind whose shear forms the strands: that of the first site, without its wander, or of the first hour
+// of a forecast. Strands that turned with a wandering wind would sweep over the sky, the faster the farther
+// from the origin.
+weather::Wind iceWindOf(const weather::WeatherSettings& settings,
+                        const weather::Forecast* forecast = nullptr);
 
 // Nothing for genera of water. Density 1 is the genus's usual optical depth: cirrus .15, cirrostratus .45,
 // cirrocumulus .25.

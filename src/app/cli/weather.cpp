@@ -87,7 +87,8 @@ int weather(const CommandLine& line) {
   const weather::Air air = settings.weather.standardAtmosphere
                                ? weather::airAt(at.y, state.temperatureC, state.pressurePa)
                                : weather::Air{};
-  const game::FlownClouds clouds(setup.noise, setup.drift, game::iceWindOf(settings.weather));
+  const game::FlownClouds clouds(setup.noise, setup.drift,
+                                 game::iceWindOf(settings.weather, setup.forecast.get()));
   const double density = clouds.density(state, at, line.timeS);
   double rising = 0, cloudSigma2 = 0;
   for (const weather::Layer& layer : state.layers) {

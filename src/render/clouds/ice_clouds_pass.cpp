@@ -109,6 +109,7 @@ void IceCloudsPass::draw(FrameContext& context) {
     if (context.frame.warmsUp) box = {0, 0, context.frame.view.width, context.frame.view.height};
     if (!box.empty()) drawLayer(context, field, box);
   }
+  if (context.frame.warmsUp) layer_->release();  // there may be no ice to draw for a long time
 }
 
 void IceCloudsPass::drawLayer(FrameContext& context, const clouds::IceField& field, const PixelBox& box) {

@@ -86,31 +86,46 @@ WeatherLayers::WeatherLayers(gl::Context& context, std::shared_ptr<const clouds:
     : context_(context), noise_(std::move(noise)) {}
 
 bool WeatherLayers::hasWeather(const FrameInput& frame) {
-  return frame.game->weather && weather::hasClouds(*frame.game->weather.settings);
+  const weather::Moment& moment = frame.game->weather;
+  return moment &&
+         (moment.forecast ? weather::hasClouds(*moment.forecast) : weather::hasClouds(*moment.settings));
 }
 
-std::vector<std::size_t> WeatherLayers::volumesOf(const weather::WeatherSettings& settings) {
+// The states that a weather is mixed from: those of its sites, or of all hours of a forecast.
+std::vector<weather::State> WeatherLayers::statesOf(const weather::Moment& moment) {
+  std::vector<weather::State> states;
+  if (moment.forecast) {
+    for (const weather::Timeline* site : {&moment.forecast->near, &moment.forecast->far})
+      for (const weather::TimedState& timed : site->states()) states.push_back(timed.state);
+  } else {
+    states.push_back(weather::stateOf(moment.settings->sites[0]));
+    if (moment.settings->secondSite) states.push_back(weather::stateOf(moment.settings->sites[1]));
+  }
+  return states;
+}
+
+std::vector<std::size_t> WeatherLayers::volumesOf(std::span<const weather::State> states) {
   std::vector<std::size_t> volumes;
   for (std::size_t i = 0; i < kMost; ++i) {
-    const auto isOf = [&](const weather::SiteSettings& site) {
-      return site.layers[i].cover > 0 && game::isVolume(site.layers[i].genus);
+    const auto isVolume = [&](const weather::State& state) {
+      return state.layers[i].cover > 0 && game::isVolume(state.layers[i].genus);
     };
-    if (isOf(settings.sites[0]) || (settings.secondSite && isOf(settings.sites[1]))) volumes.push_back(i);
+    if (std::ranges::any_of(states, isVolume)) volumes.push_back(i);
   }
   return volumes;
 }
 
-bool WeatherLayers::mayOverlap(const weather::WeatherSettings& settings) {
+bool WeatherLayers::mayOverlap(std::span<const weather::State> states) {
   struct Shell {
     double low, high;
   };
   std::vector<Shell> shells;
-  for (const std::size_t i : volumesOf(settings)) {
+  for (const std::size_t i : volumesOf(states)) {
     Shell shell{1e9, -1e9};
-    for (std::size_t site = 0; site < (settings.secondSite ? weather::kSites : 1); ++site) {
-      const weather::WeatherLayerSettings& layer = settings.sites[site].layers[i];
+    for (const weather::State& state : states) {
+      const weather::Layer& layer = state.layers[i];
       if (!(layer.cover > 0)) continue;
-      shell = {std::min(shell.low, layer.base), std::max(shell.high, layer.top)};
+      shell = {std::min(shell.low, layer.baseM), std::max(shell.high, layer.topM)};
     }
     const bool overlaps = std::ranges::any_of(
         shells, [&](const Shell& other) { return shell.low < other.high && other.low < shell.high; });
@@ -123,7 +138,7 @@ bool WeatherLayers::mayOverlap(const weather::WeatherSettings& settings) {
 std::vector<DrawnLayer> WeatherLayers::mediaOf(const weather::Moment& moment, const glm::dvec2& place) {
   const weather::State state = moment.at(place);
   std::vector<DrawnLayer> layers;
-  for (const std::size_t i : volumesOf(*moment.settings)) {
+  for (const std::size_t i : volumesOf(statesOf(moment))) {
     const weather::Layer& layer = state.layers[i];
     DrawnLayer drawn;
     drawn.medium = game::cloudLayerOf(layer);
@@ -138,10 +153,13 @@ void WeatherLayers::update(const FrameInput& frame) {
   const weather::Moment& moment = frame.game->weather;
   const glm::dvec2 place(frame.view.position.x, frame.view.position.z);
   const bool isSame = moment.settings == moment_.settings && moment.seed == moment_.seed &&
-                      moment.seconds == moment_.seconds && place == place_;
+                      moment.seconds == moment_.seconds && moment.forecast == moment_.forecast &&
+                      moment.clock == moment_.clock && place == place_;
   if (isSame) return;
+  const bool isOther = moment.settings != moment_.settings || moment.forecast != moment_.forecast;
   moment_ = moment;
   place_ = place;
+  if (isOther) mayOverlap_ = mayOverlap(statesOf(moment));
   const std::vector<DrawnLayer> before = std::exchange(layers_, mediaOf(moment, place));
   fields_.clear();
   for (DrawnLayer& layer : layers_) {

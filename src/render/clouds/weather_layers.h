@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "skydrop/clouds/clear_air.h"
@@ -66,8 +67,7 @@ class WeatherLayers {
 
   // Whether there is a weather that has clouds, of whatever genus, and layers of it that may ever be volumes.
   static bool isWeather(const FrameInput& frame) { return frame.game != nullptr && hasWeather(frame); }
-  static std::vector<std::size_t> volumesOf(const weather::WeatherSettings& settings);
-  // The media of a moment around a place, without working anything out. As many as volumesOf().
+  // The media of a moment around a place, without working anything out: of as many layers at any moment.
   static std::vector<DrawnLayer> mediaOf(const weather::Moment& moment, const glm::dvec2& place);
 
   // Those of the frame. Waits for what is not worked out yet. Frames that follow others prepare the next.
@@ -77,8 +77,7 @@ class WeatherLayers {
   // Of the last frame: another object is another weather.
   const std::shared_ptr<const weather::WeatherSettings>& settings() const { return moment_.settings; }
   // Whether shells may overlap in this weather, at some place or time.
-  static bool mayOverlap(const weather::WeatherSettings& settings);
-  bool mayOverlap() const { return mayOverlap(*moment_.settings); }
+  bool mayOverlap() const { return mayOverlap_; }
   const clouds::CloudField& field(std::size_t layer) const { return fields_[layer]; }
   // Those that are there, one after the other; units of shaders/clouds. R8UI, rows of all layers; RGBA32F, a
   // channel each.
@@ -87,6 +86,10 @@ class WeatherLayers {
 
  private:
   static bool hasWeather(const FrameInput& frame);
+  static std::vector<weather::State> statesOf(const weather::Moment& moment);
+  // Layers that may be volumes at some place or time.
+  static std::vector<std::size_t> volumesOf(std::span<const weather::State> states);
+  static bool mayOverlap(std::span<const weather::State> states);
   using Work = std::shared_ptr<const LayerWork>;
   Work find(const LayerRange& range) const;
   Work get(const LayerRange& range);
@@ -98,6 +101,7 @@ class WeatherLayers {
   std::shared_ptr<const clouds::PackedCloudNoise> noise_;
   weather::Moment moment_;
   glm::dvec2 place_{0};
+  bool mayOverlap_ = false;
   std::vector<DrawnLayer> layers_;
   std::vector<clouds::CloudField> fields_;
   std::vector<Work> kept_;  // the newest last
