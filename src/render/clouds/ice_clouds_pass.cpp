@@ -57,7 +57,10 @@ IceCloudsPass::~IceCloudsPass() = default;
 std::optional<std::string> IceCloudsPass::skipReason(const FrameInput& frame) const {
   if (frame.warmsUp) return std::nullopt;
   const std::vector<clouds::IceField> fields = layers_.of(frame);
-  if (fields.empty()) return "no layer of ice";
+  if (fields.empty()) {
+    layer_->release();  // the weather may bring none for a long time
+    return "no layer of ice";
+  }
   const bool isSeen = std::ranges::any_of(
       fields, [&](const auto& field) { return !pixelsOfIce(frame.view, field.layer()).empty(); });
   if (!isSeen) return "the layers are out of view";
@@ -109,7 +112,7 @@ void IceCloudsPass::draw(FrameContext& context) {
     if (context.frame.warmsUp) box = {0, 0, context.frame.view.width, context.frame.view.height};
     if (!box.empty()) drawLayer(context, field, box);
   }
-  if (context.frame.warmsUp) layer_->release();  // there may be no ice to draw for a long time
+  if (context.frame.warmsUp) layer_->release();
 }
 
 void IceCloudsPass::drawLayer(FrameContext& context, const clouds::IceField& field, const PixelBox& box) {

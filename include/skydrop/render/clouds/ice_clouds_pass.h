@@ -39,7 +39,7 @@ class IceCloudsPass final : public Pass {
 
   std::string_view name() const override { return "iceClouds"; }
   RenderStage stage() const override { return RenderStage::cloudSheets; }
-  // Without a layer, and where no ray of the picture meets one.
+  // Without a layer, whose texture is let go then, and where no ray of the picture meets one.
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
   // Throws core::DataError where a shader does not compile.
   void draw(FrameContext& context) override;
