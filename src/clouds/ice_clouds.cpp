@@ -72,7 +72,7 @@ void describe(core::SettingsVisitor& v, IceCloudSettings& s) {
             .max = 40,
             .help = "By how much the wind at the top exceeds that at the base: longer strands.",
             .slider = Range{0, 25},
-            .aliases = "wind, streaks, strands, mares' tails",
+            .aliases = "streaks, strands, mares' tails",
             .note = core::noteWhile(none, "Does nothing without a layer.")});
   v.number("shearDirection", s.shearDirection,
            {.unit = "deg",

@@ -33,8 +33,9 @@ class LightningGLTest : public test::GLTest {
     CommandLine line;
     line.verb = Verb::render;
     line.scene = "thunderstorm";
-    line.set = {"render.land.detail=plain", "streaming.viewDistanceM=8000", "effects.clouds=false",
-                "effects.sound=false",      "lightning.groundShare=1",      "render.sun.elevationDegrees=-9"};
+    line.set = {"render.land.detail=plain",      "streaming.viewDistanceM=8000", "effects.clouds=false",
+                "effects.precipitation=false",   "effects.sound=false",          "lightning.groundShare=1",
+                "render.sun.elevationDegrees=-9"};
     line.set.insert(line.set.end(), set.begin(), set.end());
     run_ = prepareRun(line);
     simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);

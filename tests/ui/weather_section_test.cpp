@@ -9,6 +9,7 @@
 #include "app/session/effect_table.h"
 #include "app/settings/settings.h"
 #include "app/window/genus_buttons.h"
+#include "skydrop/game/flown_clouds.h"
 #include "skydrop/ui/menu.h"
 #include "skydrop/weather/usual_layer.h"
 #include "ui/interface_driver.h"
@@ -103,7 +104,7 @@ TEST_P(WeatherClickTest, aPictureSetsItsLayerInOneStepAndAnotherClickTakesTheClo
     EXPECT_EQ(layer.cover, usual.cover);
     EXPECT_NO_THROW(weather::requireUsable(settings.weather)) << name;
     if (weather::usualPlace(genus) == 0) {
-      EXPECT_EQ(settings.clouds.layers[0].coverage, usual.cover);
+      EXPECT_EQ(settings.clouds.layers[0].coverage, game::cloudLayerOf(usual).layer.coverage);
     }
     clickOn("undo");
     EXPECT_EQ(layer.genus, before.genus) << name;

@@ -22,8 +22,7 @@ void addRainMap(SceneRenderer& sceneRenderer) {
   render::Renderer& renderer = sceneRenderer.renderer();
   const Settings& settings = sceneRenderer.settings();
   renderer.add(std::make_unique<render::RainMapPass>(
-      renderer.context(), *sceneRenderer.prepared().find<clouds::PackedCloudNoise>(), settings.clouds,
-      settings.wind));
+      renderer.context(), *sceneRenderer.prepared().find<clouds::PackedCloudNoise>(), settings.wind));
 }
 
 void addFallenWater(SceneRenderer& sceneRenderer) {
@@ -36,7 +35,7 @@ void addFallenWater(SceneRenderer& sceneRenderer) {
 void applyPrecipitation(SceneRenderer& sceneRenderer, const SettingsChange& change) {
   render::Renderer& renderer = sceneRenderer.renderer();
   const Settings& settings = sceneRenderer.settings();
-  if (auto* map = renderer.find<render::RainMapPass>()) map->apply(settings.clouds, settings.wind);
+  if (auto* map = renderer.find<render::RainMapPass>()) map->apply(settings.wind);
   if (!change.touches("precipitation")) return;
   renderer.find<render::RainVeilPass>()->apply(settings.precipitation);
   renderer.find<render::PrecipitationPass>()->apply(settings.precipitation);

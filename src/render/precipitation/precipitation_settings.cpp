@@ -25,7 +25,7 @@ void describe(core::SettingsVisitor& visitor, PrecipitationSettings& s) {
                   .max = 0.1,
                   .help = "How long the shutter is open: streaks are as long as drops pass by in it.",
                   .logarithmic = true,
-                  .aliases = "rain, streak, length, motion blur, exposure"});
+                  .aliases = "rain, streak, length, motion blur"});
   visitor.number("splashes", s.splashes,
                  {.unit = "1",
                   .min = 0,

@@ -8,6 +8,7 @@
 
 #include "render/precipitation/falling.h"
 #include "skydrop/core/shared_precipitation.h"
+#include "skydrop/game/flown_clouds.h"
 
 namespace skydrop::render {
 
@@ -40,10 +41,9 @@ RainMap::RainMap(gl::Context& context, const clouds::PackedCloudNoise& noise) {
   texture_.generateMipmaps();
 }
 
-void RainMap::place(const clouds::CloudLayerSettings& layer, double fadeDistance,
-                    const core::WindSettings& wind, double seconds) {
-  periodM_ = clouds::weatherPeriod(layer, fadeDistance);
-  coverage_ = layer.coverage;
+void RainMap::place(const clouds::LayerMedium& medium, const core::WindSettings& wind, double seconds) {
+  periodM_ = clouds::weatherPeriod(medium);
+  coverage_ = medium.layer.coverage;
   drift_ = core::windDrift(wind, seconds);
 }
 
@@ -77,7 +77,9 @@ std::optional<std::string> RainMapPass::skipReason(const FrameInput& frame) cons
 }
 
 void RainMapPass::draw(FrameContext& context) {
-  map_.place(clouds_.layers[0], clouds_.fadeDistance, wind_, context.frame.simulatedSeconds);
+  const std::optional<weather::State> state = weatherOf(context.frame);
+  const weather::Layer* feeding = state ? weather::feedingLayer(*state) : nullptr;
+  if (feeding) map_.place(game::cloudLayerOf(*feeding), wind_, context.frame.simulatedSeconds);
   context.resources.publish(map_);
 }
 

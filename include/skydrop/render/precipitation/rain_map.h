@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "skydrop/clouds/cloud_field.h"
-#include "skydrop/clouds/cloud_settings.h"
+#include "skydrop/clouds/layer_medium.h"
 #include "skydrop/core/wind.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/gl/texture.h"
@@ -25,9 +25,8 @@ class RainMap {
   // On the context's thread. Keeps the noise.
   RainMap(gl::Context& context, const clouds::PackedCloudNoise& noise);
 
-  // Of the layer that rains (of the settings), carried by the wind for so many seconds.
-  void place(const clouds::CloudLayerSettings& layer, double fadeDistance, const core::WindSettings& wind,
-             double seconds);
+  // Of the layer that rains, carried by the wind for so many seconds.
+  void place(const clouds::LayerMedium& medium, const core::WindSettings& wind, double seconds);
 
   // Share of the full rain below a place (x, z; m), [0, 1]: bilinear, as the shader has it.
   double shareAt(const glm::dvec2& xz) const;
@@ -47,15 +46,11 @@ class RainMap {
 // Publishes the map. Draws nothing.
 class RainMapPass final : public Pass {
  public:
-  RainMapPass(gl::Context& context, const clouds::PackedCloudNoise& noise,
-              const clouds::CloudSettings& clouds, const core::WindSettings& wind)
-      : map_(context, noise), clouds_(clouds), wind_(wind) {}
+  RainMapPass(gl::Context& context, const clouds::PackedCloudNoise& noise, const core::WindSettings& wind)
+      : map_(context, noise), wind_(wind) {}
 
   // For the next frame. Costs nothing.
-  void apply(const clouds::CloudSettings& clouds, const core::WindSettings& wind) {
-    clouds_ = clouds;
-    wind_ = wind;
-  }
+  void apply(const core::WindSettings& wind) { wind_ = wind; }
 
   std::string_view name() const override { return "rainMap"; }
   RenderStage stage() const override { return RenderStage::shadows; }
@@ -65,7 +60,6 @@ class RainMapPass final : public Pass {
 
  private:
   RainMap map_;
-  clouds::CloudSettings clouds_;
   core::WindSettings wind_;
 };
 
