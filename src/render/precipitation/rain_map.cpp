@@ -43,7 +43,7 @@ RainMap::RainMap(gl::Context& context, const clouds::PackedCloudNoise& noise) {
 
 void RainMap::place(const clouds::LayerMedium& medium, const core::WindSettings& wind, double seconds) {
   periodM_ = clouds::weatherPeriod(medium);
-  coverage_ = medium.layer.coverage;
+  coverage_ = std::min(medium.layer.coverage, 1.0);  // decks have more, without gaps
   drift_ = core::windDrift(wind, seconds);
 }
 
