@@ -215,6 +215,20 @@ LandShade::Limbs LandShade::at(int level, double along, double across) const {
   return {mean(of.umbra), mean(of.penumbra), of.ways.empty() ? 0 : mean(of.ways)};
 }
 
+double LandShade::clearanceAt(int level, const glm::dvec2& xz) const {
+  const auto& first = key_.first[static_cast<std::size_t>(level)];
+  const glm::dvec2 at = axes_.fromWorld(xz) / key_.layout.texelM(level);
+  const double along = at.x - static_cast<double>(first[0]), across = at.y - static_cast<double>(first[1]);
+  const int i = static_cast<int>(along), j = static_cast<int>(across);
+  const auto texel = [&](int a, int b) {
+    return levels_[level].clearances[static_cast<std::size_t>((i + a) * key_.layout.side + j + b)] / 65535.0 *
+               4 -
+           2;
+  };
+  const double u = along - i, v = across - j;
+  return (texel(0, 0) * (1 - v) + texel(0, 1) * v) * (1 - u) + (texel(1, 0) * (1 - v) + texel(1, 1) * v) * u;
+}
+
 double LandShade::sunShare(const glm::dvec3& place) const {
   const glm::dvec2 at = axes_.fromWorld({place.x, place.z});
   for (int level = 0; level < kShadeLevels; ++level) {

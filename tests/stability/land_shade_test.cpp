@@ -43,21 +43,6 @@ bool isInSun(const HeightSource& land, glm::dvec2 xz, const glm::dvec3& toSun, d
   return true;
 }
 
-// As the GPU filters it, -2 .. 2.
-double clearanceAt(const LandShade& shade, int level, glm::dvec2 xz) {
-  const ShadeLayout& layout = shade.key().layout;
-  const glm::dvec2 at = shade.axes().fromWorld(xz) / layout.texelM(level);
-  const auto& first = shade.key().first[static_cast<std::size_t>(level)];
-  const double along = at.x - static_cast<double>(first[0]), across = at.y - static_cast<double>(first[1]);
-  const int i = static_cast<int>(along), j = static_cast<int>(across);
-  const auto texel = [&](int a, int b) {
-    const auto index = static_cast<std::size_t>((i + a) * layout.side + j + b);
-    return shade.clearances(level)[index] / 65535.0 * 4 - 2;
-  };
-  const double u = along - i, v = across - j;
-  return (texel(0, 0) * (1 - v) + texel(0, 1) * v) * (1 - u) + (texel(1, 0) * (1 - v) + texel(1, 1) * v) * u;
-}
-
 struct Agreement {
   int places = 0, shaded = 0, differ = 0, farOff = 0;  // farOff: no such place within a texel
 };
@@ -77,7 +62,7 @@ Agreement compare(const HeightSource& land, const LandShade& shade, int level, g
   Agreement result;
   for (int n = 0; n < places; ++n) {
     const glm::dvec2 xz = eye + glm::dvec2(uniform(), uniform()) * reach;
-    const bool lit = clearanceAt(shade, level, xz) > 0;
+    const bool lit = shade.clearanceAt(level, xz) > 0;
     ++result.places;
     result.shaded += lit ? 0 : 1;
     if (isInSun(land, xz, shade.key().toSun, texel) == lit) continue;
@@ -255,7 +240,7 @@ TEST(LandShade, S25_anEdgeBeforeTheLowerLimbLeavesTheRestOfTheDisc) {
         const double edge = glm::degrees(std::atan((height - 40 - above) / away));
         const double expected = shareOfDisc((elevation - edge) / kRadiusDegrees);
         const double found = above > 0 ? shade.sunShare({-away, 40 + above, 13})
-                                       : shareOfDisc(clearanceAt(shade, 0, {-away, 13}));
+                                       : shareOfDisc(shade.clearanceAt(0, {-away, 13}));
         EXPECT_NEAR(found, expected, 0.02) << layout.side << ' ' << away << ' ' << above;
         partly += expected > 0.1 && expected < 0.9 ? 1 : 0;
       }
@@ -281,7 +266,7 @@ TEST(LandShade, aPlaceHasTheSameShadeWhereverTheEyeIs) {
   for (double eye = -500; eye <= 500; eye += 93) {
     const LandShade shade = shadeOf(land, {eye, 0.3 * eye}, toSun, {2, 512});
     std::vector<double> now;
-    for (double x = -1000; x <= 1000; x += 37) now.push_back(clearanceAt(shade, 0, {x, 0.7 * x}));
+    for (double x = -1000; x <= 1000; x += 37) now.push_back(shade.clearanceAt(0, {x, 0.7 * x}));
     if (!before.empty()) {
       for (std::size_t i = 0; i < now.size(); ++i) EXPECT_NEAR(now[i], before[i], 0.05) << eye << ' ' << i;
     }
@@ -295,7 +280,7 @@ TEST(LandShade, boxesHoldAllThatIsShaded) {
   int shaded = 0;
   for (double x = -1000; x <= 1000; x += 50) {
     for (double z = -1000; z <= 1000; z += 50) {
-      if (clearanceAt(shade, 0, {x, z}) >= 1) continue;
+      if (shade.clearanceAt(0, {x, z}) >= 1) continue;
       ++shaded;
       const glm::dvec3 place(x, heightOf(*land, {x, z}), z);
       EXPECT_TRUE(std::ranges::any_of(shade.shaded(),

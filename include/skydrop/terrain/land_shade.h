@@ -125,6 +125,8 @@ class LandShade {
   // texel to the next, where that is more), 0 in its middle: shareOfDisc of it is the share of the sun that
   // is left.
   const std::vector<std::uint16_t>& clearances(int level) const { return levels_[level].clearances; }
+  // That of a place (x, z) within the level, -2 .. 2, as the GPU filters it.
+  double clearanceAt(int level, const glm::dvec2& xz) const;
 
   // side * side heights of a level, m, indexed alike, from which and below which air has none of the sun
   // (umbra; where none is so dark, below the land or the sea) and less than all of it (penumbra, at least the

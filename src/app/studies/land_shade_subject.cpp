@@ -60,7 +60,7 @@ class LandShadeSubject final : public TableSubject<LandShadeParameters> {
       observe([&](glm::dvec2 xz) { return shareByRay(xz, toSun, axes, p.rayStepM); });
     } else {
       const terrain::LandShade shade = sweep(p);
-      observe([&](glm::dvec2 xz) { return shareBySweep(xz, shade); });
+      observe([&](glm::dvec2 xz) { return terrain::shareOfDisc(shade.clearanceAt(0, xz)); });
     }
     return observation;
   }
@@ -75,21 +75,6 @@ class LandShadeSubject final : public TableSubject<LandShadeParameters> {
     const glm::dvec3 toSun = sky::directionToSun(p.sunElevationDegrees, p.sunAzimuthDegrees);
     terrain::ShadeHeights& heights = heights_[static_cast<std::size_t>(p.swept.detail)];
     return terrain::LandShade::make(heights, terrain::shadeKey(shadeLayout(p.swept), kEye, toSun));
-  }
-
-  // As the GPU filters the finest level (shaders/shadow/land_shadow_map.glsl).
-  static double shareBySweep(glm::dvec2 xz, const terrain::LandShade& shade) {
-    const terrain::ShadeLayout& layout = shade.key().layout;
-    const auto& first = shade.key().first[0];
-    const glm::dvec2 at = shade.axes().fromWorld(xz) / layout.texelM(0);
-    const double along = at.x - static_cast<double>(first[0]), across = at.y - static_cast<double>(first[1]);
-    const int i = static_cast<int>(along), j = static_cast<int>(across);
-    const auto texel = [&](int a, int b) {
-      return shade.clearances(0)[static_cast<std::size_t>((i + a) * layout.side + j + b)] / 65535.0 * 4 - 2;
-    };
-    const double near = std::lerp(texel(0, 0), texel(0, 1), across - j),
-                 far = std::lerp(texel(1, 0), texel(1, 1), across - j);
-    return terrain::shareOfDisc(std::lerp(near, far, along - i));
   }
 
   // By the steepest way from the surface to land on the ray: the edge that cuts the disc.
