@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/cli/command_line_parser.h"
+#include "app/cli/frame_path.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/message.h"
 #include "support/refusal.h"
@@ -158,7 +159,7 @@ TEST(CommandLine, weatherFilesAreFlownInAndChecked) {
       parse({"weather", "check", "a", "-", "--json", "--utc", "2026-06-21"}).commandLine;
   EXPECT_EQ(checked.weather.verb, WeatherVerb::check);
   EXPECT_EQ(checked.weather.files, (std::vector<std::filesystem::path>{"a", "-"}));
-  EXPECT_TRUE(checked.weather.json && checked.weather.utc);
+  EXPECT_TRUE(checked.asJson && checked.weather.utc);
   EXPECT_EQ(refusalOf({"--weather-far", "a.json"}),
             "--weather-far needs --weather, the weather of the first site");
   EXPECT_EQ(refusalOf({"--weather", ""}), "--weather: the path is empty");

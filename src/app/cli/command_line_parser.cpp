@@ -6,8 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "app/cli/flag_options.h"
 #include "app/cli/flag_values.h"
-#include "app/cli/noise_words.h"
+#include "app/cli/frame_path.h"
+#include "app/cli/noise_flags.h"
+#include "app/cli/weather_flags.h"
 #include "app/types/version.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
@@ -25,23 +28,6 @@ constexpr double kLongestWeatherS = 1e9;
 constexpr const char* kExitCodes =
     "Exit codes: 0 ok, 1 failed, 2 usage, 3 no OpenGL 4.5 or no display, "
     "141 nobody reads standard output.";
-
-// Where the file's name begins in a path.
-std::size_t nameAt(const std::string& path) { return path.rfind('/') + 1; }
-
-// Judges the name of a picture; returns whether it counts frames.
-bool countsFrames(const std::string& pattern) {
-  bool counts = false;
-  for (std::size_t i = pattern.find('%', nameAt(pattern)); i < pattern.size(); i = pattern.find('%', i + 2)) {
-    const char what = i + 1 < pattern.size() ? pattern[i + 1] : 0;
-    if (what != 'd' && what != '%') {
-      throw UsageError("--out: '" + pattern +
-                       "': in a name % is followed by d (the frame's number) or % (a percent sign)");
-    }
-    counts = counts || what == 'd';
-  }
-  return counts;
-}
 
 // CLI11 only splits words and writes the help; values arrive as text and are read above, so that every
 // refusal has the same form.
@@ -75,7 +61,9 @@ class Parser {
     addRender(*render);
     addCommon(*simulate);
     addSimulate(*simulate);
-    addNoise(*noise);
+    addSeed(*noise, "the noise's seed (0); its lower 32 bits");
+    noiseFlags_.add(*noise, line_);
+    addSize(*noise);
     addSky(*sky);
     addWeather(*weather);
     for (CLI::App* verb : {render, simulate, accuracy, noise}) {
@@ -83,8 +71,8 @@ class Parser {
                      "tell how far it is, each second, where there is no terminal");
     }
     addAccuracy(*accuracy);
-    text(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
-         [this](const std::string& t) { line_.backend = parseBackend(t); });
+    addText(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
+            [this](const std::string& t) { line_.backend = parseBackend(t); });
     addCompare(*compare);
     addSettings(*settings);
     app_.require_subcommand(0, 1);
@@ -110,7 +98,7 @@ class Parser {
     }
     if (version_) return {line_, std::string("skydrop ") + kVersion + "\n", {}};
     if (listScenes_) return sceneList();
-    finishNoise();
+    noiseFlags_.finish(line_);
     check();
     checkCamera();
     if (camera_) line_.pose = poseOfCamera();
@@ -124,28 +112,13 @@ class Parser {
   }
 
  private:
-  static void text(CLI::App& verb, const std::string& flag, const std::string& form, const std::string& help,
-                   std::function<void(const std::string&)> read) {
-    verb.add_option_function<std::string>(flag, std::move(read), help)
-        ->type_name(form)
-        ->allow_extra_args(false);
-  }
-
-  void path(CLI::App& verb, const std::string& flag, const std::string& form, const std::string& help,
-            std::optional<std::filesystem::path>& target) {
-    text(verb, flag, form, help, [flag, &target](const std::string& t) {
-      if (t.empty()) throw UsageError(flag + ": the path is empty");
-      target = t;
-    });
-  }
-
   void addScene(CLI::App& verb) {
-    text(verb, "--scene", "NAME|FILE|-",
-         std::string("the scene (") + kDefaultScene + "); - is standard input, here and below",
-         [this](const std::string& t) {
-           if (t.empty()) throw UsageError("--scene: the name is empty");
-           line_.scene = t;
-         });
+    addText(verb, "--scene", "NAME|FILE|-",
+            std::string("the scene (") + kDefaultScene + "); - is standard input, here and below",
+            [this](const std::string& t) {
+              if (t.empty()) throw UsageError("--scene: the name is empty");
+              line_.scene = t;
+            });
   }
 
   void addSet(CLI::App& verb) {
@@ -162,47 +135,39 @@ class Parser {
 
   void addCommon(CLI::App& verb) {
     addScene(verb);
-    text(verb, "--preset", "NAME|FILE|-", "a preset that the menu saved, for this run; --set comes after it",
-         [this](const std::string& t) {
-           if (t.empty()) throw UsageError("--preset: the name is empty");
-           line_.preset = t;
-         });
+    addText(verb, "--preset", "NAME|FILE|-",
+            "a preset that the menu saved, for this run; --set comes after it", [this](const std::string& t) {
+              if (t.empty()) throw UsageError("--preset: the name is empty");
+              line_.preset = t;
+            });
     addSet(verb);
     addEffect(verb, "--effect", true,
               "switch an effect on that the scene does not call for (effects.NAME=true)");
     addEffect(verb, "--no-effect", false, "switch an effect off (effects.NAME=false)");
     addSeed(verb, "the world's seed instead of the scene's");
-    text(verb, "--workers", "N", "threads that make terrain (cores - 1)",
-         [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
+    addText(verb, "--workers", "N", "threads that make terrain (cores - 1)",
+            [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
     addWeatherFiles(verb);
-    path(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
-    path(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
-    path(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
-    path(verb, "--record", "FILE|-", "record the flight as an input log; FILE must be new or empty",
-         line_.record);
-    text(verb, "--frame-budget", "MS",
-         "most milliseconds of a frame, 1 to 1000: chooses the settings with the least error within it, of "
-         "flights in a window alone (view.frameBudgetMs=MS)",
-         [this](const std::string& t) {
-           number("--frame-budget", t, 1, 1000);
-           frameBudget_ = t;
-         });
+    addPath(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
+    addPath(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
+    addPath(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
+    addPath(verb, "--record", "FILE|-", "record the flight as an input log; FILE must be new or empty",
+            line_.record);
+    addText(
+        verb, "--frame-budget", "MS",
+        "most milliseconds of a frame, 1 to 1000: chooses the settings with the least error within it, of "
+        "flights in a window alone (view.frameBudgetMs=MS)",
+        [this](const std::string& t) {
+          number("--frame-budget", t, 1, 1000);
+          frameBudget_ = t;
+        });
     verb.add_flag("--autopilot", line_.autopilot, "let the autopilot fly");
   }
 
   void addWeatherFiles(CLI::App& verb) {
     const auto files = [&](const std::string& flag, std::vector<std::filesystem::path>& target,
                            const std::string& help) {
-      verb.add_option_function<std::vector<std::string>>(
-              flag,
-              [flag, &target](const std::vector<std::string>& all) {
-                if (std::ranges::find(all, "") != all.end()) throw UsageError(flag + ": the path is empty");
-                target.assign(all.begin(), all.end());
-              },
-              help)
-          ->type_name("FILE|-")
-          ->allow_extra_args(false)
-          ->expected(1, 100);
+      addFiles(verb, flag, flag, help, target)->allow_extra_args(false)->expected(1, 100);
     };
     files(
         "--weather", line_.weatherFiles,
@@ -230,7 +195,7 @@ class Parser {
   }
 
   void addSeed(CLI::App& verb, const std::string& help) {
-    text(verb, "--seed", "N", help, [this](const std::string& t) {
+    addText(verb, "--seed", "N", help, [this](const std::string& t) {
       line_.seed = wholeText<std::uint64_t>(t);
       if (const auto negative = wholeText<std::int64_t>(t); !line_.seed && negative) {
         line_.seed = static_cast<std::uint64_t>(*negative);
@@ -239,139 +204,26 @@ class Parser {
     });
   }
 
-  void addNoise(CLI::App& verb) {
-    addSeed(verb, "the noise's seed (0); its lower 32 bits");
-    verb.add_flag("--check", line_.noise.check,
-                  "make all by processor and by shader, compare them, look for seams");
-    verb.add_option_function<std::vector<std::string>>(
-            "--noise",
-            [this](const std::vector<std::string>& all) {
-              if (std::ranges::find(all, "") != all.end()) throw UsageError("--noise: the path is empty");
-              line_.noise.files.assign(all.begin(), all.end());
-            },
-            "read these DDS files (-: standard input) instead of making; may stand several times")
-        ->type_name("FILE|-")
-        ->allow_extra_args(false)
-        ->expected(1, 1000);
-    path(verb, "--out", "DIR|FILE",
-         "export to this folder; with --generate the file, .dds or .png (-: standard output)",
-         line_.noise.folder);
-    addNoiseTexture(verb);
-    text(verb, "--format", "dds|dx10|png",
-         "of the export (dx10): DDS with legacy or DX10 header, slices as PNG",
-         [this](const std::string& t) { line_.noise.format = parseNoiseFormat(t); });
-    text(verb, "--backend", "egl|osmesa|window",
-         "what runs the shader of --check, and draws the picture of --tool",
-         [this](const std::string& t) { line_.backend = parseBackend(t); });
-  }
-
-  void addNoiseTexture(CLI::App& verb) {
-    NoiseWords& words = noiseWords_;
-    verb.add_flag("--tool", line_.noise.tool,
-                  "open the tool that makes such noise, with these settings or the file of --noise; with "
-                  "--out FILE.png "
-                  "a picture of it, without a window");
-    addSize(verb);
-    text(verb, "--generate", "2d|3d", "make a texture or a volume of gradient noise (docs/noise.md) instead",
-         [&words](const std::string& t) {
-           if (t != "2d" && t != "3d") throw UsageError("--generate: '" + t + "' is not one of 2d 3d");
-           words.volume = t == "3d";
-         });
-    const auto whole = [&](const std::string& flag, std::optional<int>& target, const std::string& help) {
-      text(verb, flag, "N", help, [flag, &target, &words](const std::string& t) {
-        constexpr int kMost = std::numeric_limits<int>::max();
-        target = integer(flag, t, -kMost, kMost);
-        words.flags.push_back(flag);
-      });
-    };
-    const auto real = [&](const std::string& flag, std::optional<double>& target, const std::string& help) {
-      text(verb, flag, "X", help, [flag, &target, &words](const std::string& t) {
-        constexpr double kMost = std::numeric_limits<double>::max();
-        target = number(flag, t, -kMost, kMost);
-        words.flags.push_back(flag);
-      });
-    };
-    whole("--octaves", words.octaves, "1 to 16 (6)");
-    whole("--frequency", words.frequency, "lattice cells to a period in the first octave, 1 to 512 (6)");
-    real("--amplitude", words.amplitude, "weight of the first octave, 0 to 4 (0.7)");
-    real("--persistence", words.persistence, "weight of an octave over the one before, 0 to 1 (0.5)");
-    whole("--width", words.width, "texels, a power of two (512; 128 of a volume)");
-    whole("--height", words.height, "texels, a power of two (the width)");
-    whole("--slices", words.slices, "layers of a volume, a power of two (the width)");
-    real("--cutoff", words.cutoff,
-         "cut to clouds: values up to this one are 0 (not cut; 0.5 with --density)");
-    real("--density", words.density,
-         "cut to clouds: 1 - density^(255 (value - cutoff)) above (0.96 with --cutoff)");
-    whole("--bits", words.bits, "of a texel: 8, 16, or 32 for floats (8)");
-    text(verb, "--channel", "alpha|luminance", "what the texels are (alpha; luminance with 16 and 32 bits)",
-         [&words](const std::string& t) {
-           if (t != "alpha" && t != "luminance")
-             throw UsageError("--channel: '" + t + "' is not one of alpha luminance");
-           words.alpha = t == "alpha";
-           words.flags.emplace_back("--channel");
-         });
-  }
-
-  // What --generate and --tool ask for; a file takes the place of the folder.
-  void finishNoise() {
-    NoiseRequest& request = line_.noise;
-    if (request.tool) return finishTool();
-    if (line_.verb == Verb::noise && line_.size)
-      throw UsageError("--size belongs to --tool, which is not given");
-    if (!noiseWords_.volume) {
-      if (!noiseWords_.flags.empty())
-        throw UsageError(noiseWords_.flags.front() + " belongs to --generate or --tool, which are not given");
-      return;
-    }
-    if (request.check || !request.files.empty()) throw UsageError("--generate excludes --check and --noise");
-    request.texture = noiseTexture(noiseWords_, line_.seed.value_or(0));
-    if (!request.folder) throw UsageError("--generate needs --out FILE");
-    const bool png = request.format == NoiseFormat::png;
-    if (png && core::texelBytes(request.texture->texels) != 1) throw UsageError("--format png holds 8 bits");
-    takeNoiseFile(png ? ".png" : ".dds", !png || !request.texture->size.isVolume());
-  }
-
-  void finishTool() {
-    NoiseRequest& request = line_.noise;
-    if (request.check) throw UsageError("--tool and --check exclude each other");
-    if (request.files.size() > 1) throw UsageError("--tool opens one file of --noise");
-    for (const std::string& flag : noiseWords_.flags) {
-      if (flag == "--width" || flag == "--height" || flag == "--slices" || flag == "--bits" ||
-          flag == "--channel")
-        throw UsageError(flag + " does not go with --tool, which has it among its rows");
-    }
-    request.texture = noiseTexture(noiseWords_, line_.seed.value_or(0));
-    if (request.folder) takeNoiseFile(".png", true);
-  }
-
-  void takeNoiseFile(const std::string& ending, bool mayBeStream) {
-    NoiseRequest& request = line_.noise;
-    request.file = request.folder->string();
-    request.folder.reset();
-    if (!(mayBeStream && request.file == "-") && !request.file.ends_with(ending))
-      throw UsageError("--out: '" + request.file + "' does not end in " + ending);
-  }
-
   void addSize(CLI::App& verb) {
-    text(verb, "--size", "WxH", "pixels", [this](const std::string& t) { line_.size = parseSize(t); });
+    addText(verb, "--size", "WxH", "pixels", [this](const std::string& t) { line_.size = parseSize(t); });
   }
 
   void addView(CLI::App& verb) {
     addSize(verb);
-    text(verb, "--camera", "X,Y,Z", "a camera in the world: metres, +X east, Y up, -Z north",
-         [this](const std::string& t) { camera_ = parseCamera(t); });
+    addText(verb, "--camera", "X,Y,Z", "a camera in the world: metres, +X east, Y up, -Z north",
+            [this](const std::string& t) { camera_ = parseCamera(t); });
     const auto angle = [&](const std::string& flag, std::optional<double>& target, double most,
                            const std::string& help) {
-      text(verb, flag, "DEGREES", help,
+      addText(verb, flag, "DEGREES", help,
            [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
     };
     angle("--heading", heading_, 360, "of --camera by the compass: 0 north, 90 east (0)");
     angle("--pitch", pitch_, 90, "of --camera, up (0)");
     angle("--roll", roll_, 360, "of --camera, right side down (0)");
     verb.add_flag("--above-ground", aboveGround_, "Y of --camera is counted from the surface, land or sea");
-    text(verb, "--pose", "X,Y,Z,YAW,PITCH,ROLL",
-         "the same in one word; YAW 0 looks east, 90 south: the compass heading less 90",
-         [this](const std::string& t) { line_.pose = parsePose(t); });
+    addText(verb, "--pose", "X,Y,Z,YAW,PITCH,ROLL",
+            "the same in one word; YAW 0 looks east, 90 south: the compass heading less 90",
+            [this](const std::string& t) { line_.pose = parsePose(t); });
     verb.add_flag("--hud", hud_,
                   "with the HUD, which a camera in the world leaves out of pictures (view.hud=true)");
     verb.add_flag("--no-hud", noHud_, "without the HUD (view.hud=false)");
@@ -383,29 +235,29 @@ class Parser {
   }
 
   void addRender(CLI::App& verb) {
-    text(verb, "--backend", "egl|osmesa|window", "what gives the OpenGL context",
-         [this](const std::string& t) { line_.backend = parseBackend(t); });
+    addText(verb, "--backend", "egl|osmesa|window", "what gives the OpenGL context",
+            [this](const std::string& t) { line_.backend = parseBackend(t); });
     addView(verb);
-    text(verb, "--out", "FILE.png|-",
-         "the picture; in its name %d is the frame's number and %% a percent sign",
-         [this](const std::string& t) { line_.out = t; });
-    text(verb, "--frames", "N|A..B",
-         "how many (1), or the first and the last of those that are drawn, from 0 on",
-         [this](const std::string& t) { parseFrames(t); });
-    text(verb, "--fps", "N", "simulated frames a second (60)",
-         [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
-    text(verb, "--time", "S", "simulated seconds before the first frame (0)",
-         [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
+    addText(verb, "--out", "FILE.png|-",
+            "the picture; in its name %d is the frame's number and %% a percent sign",
+            [this](const std::string& t) { line_.out = t; });
+    addText(verb, "--frames", "N|A..B",
+            "how many (1), or the first and the last of those that are drawn, from 0 on",
+            [this](const std::string& t) { parseFrames(t); });
+    addText(verb, "--fps", "N", "simulated frames a second (60)",
+            [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
+    addText(verb, "--time", "S", "simulated seconds before the first frame (0)",
+            [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
     verb.add_flag("--menu", line_.menu, "with the menu open");
     addSplit(verb);
   }
 
   // --heat and --divider are shorter words for --set.
   void addSplit(CLI::App& verb) {
-    text(verb, "--split", "SUBJECT=REFERENCE",
-         "the picture left of a divider, that of a reference right of it, and the error between them: "
-         "clouds=reference (or any tier), land=reference, sky=reference",
-         [this](const std::string& t) { line_.split = t; });
+    addText(verb, "--split", "SUBJECT=REFERENCE",
+            "the picture left of a divider, that of a reference right of it, and the error between them: "
+            "clouds=reference (or any tier), land=reference, sky=reference",
+            [this](const std::string& t) { line_.split = t; });
     verb.add_flag_callback(
         "--heat",
         [this] {
@@ -413,11 +265,11 @@ class Parser {
           line_.set.emplace_back("view.split.heat=true");
         },
         "of --split: right of the divider how visible the error is (view.split.heat=true)");
-    text(verb, "--divider", "X", "of --split: where it is, 0 to 1 of the width (view.split.divider=X)",
-         [this](const std::string& t) {
-           splitWords_.emplace_back("--divider");
-           line_.set.push_back("view.split.divider=" + std::to_string(number("--divider", t, 0, 1)));
-         });
+    addText(verb, "--divider", "X", "of --split: where it is, 0 to 1 of the width (view.split.divider=X)",
+            [this](const std::string& t) {
+              splitWords_.emplace_back("--divider");
+              line_.set.push_back("view.split.divider=" + std::to_string(number("--divider", t, 0, 1)));
+            });
   }
 
   void addAccuracy(CLI::App& verb) {
@@ -440,17 +292,18 @@ class Parser {
         ->expected(1, 1000);
     verb.add_flag("--quick", line_.quick, "small pictures (160x90) and three repeats instead of five");
     addSize(verb);
-    text(verb, "--out", "DIR|FILE|-",
-         "the folder of results and report (accuracy); of cost a file (accuracy.md) or - for standard output",
-         [this](const std::string& t) {
-           if (t.empty()) throw UsageError("--out: the path is empty");
-           line_.out = t;
-         });
-    text(verb, "--format", "markdown|json|csv", "of the report of cost (markdown)",
-         [this](const std::string& t) { line_.reportFormat = parseReportFormat(t); });
+    addText(
+        verb, "--out", "DIR|FILE|-",
+        "the folder of results and report (accuracy); of cost a file (accuracy.md) or - for standard output",
+        [this](const std::string& t) {
+          if (t.empty()) throw UsageError("--out: the path is empty");
+          line_.out = t;
+        });
+    addText(verb, "--format", "markdown|json|csv", "of the report of cost (markdown)",
+            [this](const std::string& t) { line_.reportFormat = parseReportFormat(t); });
     verb.add_flag("--resume", line_.resume, "go on with the results in the folder");
-    text(verb, "--part", "K/N", "measure every Nth case, beginning with the Kth",
-         [this](const std::string& t) { parsePart(t); });
+    addText(verb, "--part", "K/N", "measure every Nth case, beginning with the Kth",
+            [this](const std::string& t) { parsePart(t); });
     verb.add_option_function<std::vector<std::string>>(
             "--merge",
             [this](const std::vector<std::string>& all) { line_.merge.assign(all.begin(), all.end()); },
@@ -481,72 +334,47 @@ class Parser {
   }
 
   void addSimulate(CLI::App& verb) {
-    path(verb, "--trace", "FILE.csv|-", "write every step of the flight as a row of numbers", line_.trace);
-    text(verb, "--seconds", "S", "how long (60; a replay to its end)",
-         [this](const std::string& t) { line_.seconds = number("--seconds", t, 0, kMaxSeconds); });
-    text(verb, "--fps", "N", "the drawing rate that is imitated (60)",
-         [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
+    addPath(verb, "--trace", "FILE.csv|-", "write every step of the flight as a row of numbers", line_.trace);
+    addText(verb, "--seconds", "S", "how long (60; a replay to its end)",
+            [this](const std::string& t) { line_.seconds = number("--seconds", t, 0, kMaxSeconds); });
+    addText(verb, "--fps", "N", "the drawing rate that is imitated (60)",
+            [this](const std::string& t) { line_.fps = number("--fps", t, 1e-3, 1000); });
   }
 
   void addSky(CLI::App& verb) {
-    text(verb, "--utc", "TIME", "ISO 8601, such as 2026-06-21T12:00:00Z, in the years 1000 to 3000",
-         [this](const std::string& t) { line_.utc = parseUtc(t); });
-    text(verb, "--lat", "DEGREES", "latitude, north, -90 to 90",
-         [this](const std::string& t) { line_.place.latitudeDegrees = number("--lat", t, -90, 90); });
-    text(verb, "--lon", "DEGREES", "longitude, east, -360 to 360",
-         [this](const std::string& t) { line_.place.longitudeDegrees = number("--lon", t, -360, 360); });
+    addText(verb, "--utc", "TIME", "ISO 8601, such as 2026-06-21T12:00:00Z, in the years 1000 to 3000",
+            [this](const std::string& t) { line_.utc = parseUtc(t); });
+    addText(verb, "--lat", "DEGREES", "latitude, north, -90 to 90",
+            [this](const std::string& t) { line_.place.latitudeDegrees = number("--lat", t, -90, 90); });
+    addText(verb, "--lon", "DEGREES", "longitude, east, -360 to 360",
+            [this](const std::string& t) { line_.place.longitudeDegrees = number("--lon", t, -360, 360); });
     for (const char* flag : {"--utc", "--lat", "--lon"}) verb.get_option(flag)->required();
   }
 
   void addWeather(CLI::App& verb) {
-    verb.add_option_function<std::string>(
-            "WHAT",
-            [this](const std::string& t) {
-              const auto what = std::ranges::find(kWeatherVerbs, t);
-              if (what == kWeatherVerbs.end())
-                throw UsageError("weather: '" + t + "' is not one of state check fetch");
-              line_.weather.verb = static_cast<WeatherVerb>(what - kWeatherVerbs.begin());
-            },
-            "state: the whole state, with wind, turbulence and cloud at the point; check: what weather files "
-            "say, hour by hour, and what they lack; fetch: ask a service, and keep its answer in the cache "
-            "folder")
-        ->required();
-    verb.add_option_function<std::vector<std::string>>(
-            "FILE",
-            [this](const std::vector<std::string>& all) {
-              if (std::ranges::find(all, "") != all.end()) throw UsageError("weather: the path is empty");
-              line_.weather.files.assign(all.begin(), all.end());
-            },
-            "of check: several answers about one place count as one")
-        ->type_name("FILE|-")
-        ->expected(0, 100);
-    verb.add_flag("--json", line_.weather.json, "of check: as JSON");
-    addFetch(verb);
-    text(verb, "--utc", "TIME",
-         "of check: about when METARs were made, which name no month (the file's time)",
-         [this](const std::string& t) { line_.weather.utc = parseUtc(t); });
+    weatherFlags_.add(verb, line_);
     addScene(verb);
     addSet(verb);
     addWeatherFiles(verb);
     addSeed(verb, "the world's seed instead of the scene's");
-    text(verb, "--time", "S", "simulated seconds (0)",
-         [this](const std::string& t) { line_.timeS = number("--time", t, 0, kLongestWeatherS); });
-    text(verb, "--at", "X,Y,Z", "where: metres, +X east, Y above the sea, -Z north (0,500,0)",
-         [this](const std::string& t) { line_.weatherAt = parseAt(t); });
+    addText(verb, "--time", "S", "simulated seconds (0)",
+            [this](const std::string& t) { line_.timeS = number("--time", t, 0, kLongestWeatherS); });
+    addText(verb, "--at", "X,Y,Z", "where: metres, +X east, Y above the sea, -Z north (0,500,0)",
+            [this](const std::string& t) { line_.weatherAt = parseAt(t); });
   }
 
   void addCompare(CLI::App& verb) {
     verb.add_option("PICTURE REFERENCE", line_.comparison.files, "two PNG files of one size")
         ->required()
         ->expected(2);
-    text(verb, "--max", "N", "most that any channel may differ by, 0 to 255",
-         [this](const std::string& t) { line_.comparison.most = integer("--max", t, 0, 255); });
-    text(verb, "--mean", "M", "most that channels may differ by in the mean, 0 to 255",
-         [this](const std::string& t) { line_.comparison.mean = number("--mean", t, 0, 255); });
-    text(verb, "--flip", "F", "largest mean FLIP error, 0 to 1",
-         [this](const std::string& t) { line_.comparison.flip = number("--flip", t, 0, 1); });
-    path(verb, "--out", "DIR", "for difference.png and flip.png, a map of FLIP errors",
-         line_.comparison.folder);
+    addText(verb, "--max", "N", "most that any channel may differ by, 0 to 255",
+            [this](const std::string& t) { line_.comparison.most = integer("--max", t, 0, 255); });
+    addText(verb, "--mean", "M", "most that channels may differ by in the mean, 0 to 255",
+            [this](const std::string& t) { line_.comparison.mean = number("--mean", t, 0, 255); });
+    addText(verb, "--flip", "F", "largest mean FLIP error, 0 to 1",
+            [this](const std::string& t) { line_.comparison.flip = number("--flip", t, 0, 1); });
+    addPath(verb, "--out", "DIR", "for difference.png and flip.png, a map of FLIP errors",
+            line_.comparison.folder);
     verb.add_flag("--json", line_.asJson, "print the figures as JSON");
   }
 
@@ -609,76 +437,6 @@ class Parser {
     }
   }
 
-  void addFetch(CLI::App& verb) {
-    forecast::FetchRequest& request = line_.weather.fetch;
-    const auto of = [&](const std::string& flag, const std::string& form, const std::string& help,
-                        std::function<void(const std::string&)> read) {
-      text(verb, flag, form, "of fetch: " + help, [this, flag, read](const std::string& t) {
-        fetchWords_.push_back(flag);
-        read(t);
-      });
-    };
-    of("--provider", "meteoblue|open-meteo|metar", "the service", [&request](const std::string& t) {
-      constexpr std::array<std::string_view, 3> kWords = {"meteoblue", "open-meteo", "metar"};
-      const auto word = std::ranges::find(kWords, t);
-      if (word == kWords.end())
-        throw UsageError("--provider: '" + t + "' is not one of meteoblue open-meteo metar");
-      request.provider = static_cast<forecast::Provider>(word - kWords.begin());
-    });
-    of("--lat", "DEGREES", "latitude, north, -90 to 90",
-       [&request](const std::string& t) { request.latitudeDegrees = number("--lat", t, -90, 90); });
-    of("--lon", "DEGREES", "longitude, east, -180 to 180",
-       [&request](const std::string& t) { request.longitudeDegrees = number("--lon", t, -180, 180); });
-    of("--station", "ICAO", "whose METARs, such as LSZB",
-       [&request](const std::string& t) { request.station = t; });
-    of("--url", "URL", "another server, without ?...: https, or http of this machine",
-       [&request](const std::string& t) {
-         if (t.empty()) throw UsageError("--url: the address is empty");
-         request.url = t;
-       });
-    const auto pathOf = [&](const std::string& flag, const std::string& form, const std::string& help,
-                            std::optional<std::filesystem::path>& target) {
-      of(flag, form, help, [flag, &target](const std::string& t) {
-        if (t.empty()) throw UsageError(flag + ": the path is empty");
-        target = t;
-      });
-    };
-    pathOf("--key-file", "FILE", "the service's key, in a file of yours alone ($SKYDROP_METEOBLUE_KEY)",
-           line_.weather.keyFile);
-    pathOf("--out", "FILE|-", "write the answer there too", line_.weather.out);
-  }
-
-  void checkFetch() const {
-    const auto isGiven = [&](const char* flag) {
-      return std::ranges::find(fetchWords_, flag) != fetchWords_.end();
-    };
-    if (line_.weather.verb != WeatherVerb::fetch) {
-      if (!fetchWords_.empty()) throw UsageError(fetchWords_.front() + " belongs to weather fetch");
-      return;
-    }
-    if (!isGiven("--provider")) throw UsageError("weather fetch: --provider is required");
-    if (line_.weather.fetch.provider == forecast::Provider::metar) {
-      if (!isGiven("--station")) throw UsageError("weather fetch: a METAR needs --station");
-    } else if (!isGiven("--lat") || !isGiven("--lon")) {
-      throw UsageError("weather fetch: --lat and --lon are required");
-    }
-  }
-
-  void checkWeather() const {
-    if (!line_.farWeatherFiles.empty() && line_.weatherFiles.empty())
-      throw UsageError("--weather-far needs --weather, the weather of the first site");
-    const WeatherRequest& request = line_.weather;
-    if (line_.verb != Verb::weather) return;
-    checkFetch();
-    if (request.verb == WeatherVerb::fetch && !request.files.empty())
-      throw UsageError("weather fetch takes no files");
-    if (request.verb == WeatherVerb::check && request.files.empty())
-      throw UsageError("weather check: there is no file to check");
-    if (request.verb == WeatherVerb::state && (!request.files.empty() || request.json || request.utc))
-      throw UsageError(
-          "weather state: files, --json and --utc belong to weather check; --weather FILE is flown in");
-  }
-
   void check() const {
     checkFiles();
     if (frameBudget_ && line_.verb != Verb::fly)
@@ -687,7 +445,7 @@ class Parser {
     if (line_.replay && (line_.scene || line_.seed)) {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
     }
-    checkWeather();
+    weatherFlags_.check(line_);
     checkOutputs();
     if (line_.noise.check && !line_.noise.files.empty())
       throw UsageError("--check and --noise exclude each other");
@@ -720,8 +478,8 @@ class Parser {
   std::optional<glm::dvec3> camera_;
   std::optional<double> heading_, pitch_, roll_;
   std::optional<std::string> frameBudget_;
-  NoiseWords noiseWords_;
-  std::vector<std::string> fetchWords_;  // flags that belong to weather fetch
+  NoiseFlags noiseFlags_;
+  WeatherFlags weatherFlags_;
   std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};
@@ -732,25 +490,6 @@ class Parser {
 ParsedCommandLine parseCommandLine(int argc, const char* const* argv) {
   Parser parser;
   return parser.parse(argc, argv);
-}
-
-std::string noiseExportName(const std::filesystem::path& file) {
-  return core::isStandardInput(file) ? "stdin" : file.stem().string();
-}
-
-std::string framePath(const std::string& pattern, int frame) {
-  const std::size_t name = nameAt(pattern);
-  std::string path = pattern.substr(0, name);
-  for (std::size_t i = name; i < pattern.size(); ++i) {
-    if (pattern[i] != '%') {
-      path += pattern[i];
-    } else if (pattern[++i] == 'd') {
-      path += std::to_string(frame);
-    } else {
-      path += '%';
-    }
-  }
-  return path;
 }
 
 }  // namespace skydrop::app

@@ -20,11 +20,4 @@ struct ParsedCommandLine {
 
 ParsedCommandLine parseCommandLine(int argc, const char* const* argv);
 
-// What the export of a DDS file is called, without its ending.
-std::string noiseExportName(const std::filesystem::path& file);
-
-// In the name of the pattern's file, not of its folders, "%d" becomes the frame's number and "%%" a percent
-// sign; any other use of % was refused by parseCommandLine().
-std::string framePath(const std::string& pattern, int frame);
-
 }  // namespace skydrop::app

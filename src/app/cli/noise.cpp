@@ -4,8 +4,8 @@
 #include <set>
 #include <system_error>
 
-#include "app/cli/command_line_parser.h"
 #include "app/cli/noise_picture.h"
+#include "app/cli/noise_words.h"
 #include "app/cli/verbs.h"
 #include "app/console/message.h"
 #include "app/console/progress.h"

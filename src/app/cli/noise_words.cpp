@@ -1,6 +1,7 @@
 #include "app/cli/noise_words.h"
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
 #include "skydrop/noise/noise_generator.h"
 
 namespace skydrop::app {
@@ -57,6 +58,10 @@ NoiseTextureRequest noiseTexture(const NoiseWords& words, std::uint64_t seed) {
     throw UsageError(std::string("--") + refusal.what());
   }
   return request;
+}
+
+std::string noiseExportName(const std::filesystem::path& file) {
+  return core::isStandardInput(file) ? "stdin" : file.stem().string();
 }
 
 }  // namespace skydrop::app

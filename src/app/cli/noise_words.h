@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,5 +24,8 @@ struct NoiseWords {
 // Settings, size and texels, with the defaults of what was not given: 512 x 512, or 128 x 128 x 128; sides
 // that follow the width. Throws core::UsageError.
 NoiseTextureRequest noiseTexture(const NoiseWords& words, std::uint64_t seed);
+
+// What the export of a DDS file is called, without its ending.
+std::string noiseExportName(const std::filesystem::path& file);
 
 }  // namespace skydrop::app

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "app/cli/command_line_parser.h"
+#include "app/cli/frame_path.h"
 #include "app/cli/verbs.h"
 #include "app/console/message.h"
 #include "app/console/progress.h"

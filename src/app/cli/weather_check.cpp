@@ -163,7 +163,7 @@ int checkWeather(const CommandLine& line) {
   const Report report = forecast::merged(std::move(reports));
   Report filled = report;
   forecast::fillGaps(filled);
-  if (line.weather.json)
+  if (line.asJson)
     print("%s\n", reportJson(report, filled).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
   else
     printText(report, filled);

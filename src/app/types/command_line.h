@@ -59,7 +59,6 @@ inline constexpr std::array<std::string_view, 3> kWeatherVerbs = {"state", "chec
 struct WeatherRequest {
   WeatherVerb verb = WeatherVerb::state;
   std::vector<std::filesystem::path> files;  // to check
-  bool json = false;                         // of check, instead of text
   std::optional<sky::Instant> utc;           // about when reports were made, which name no month
   forecast::FetchRequest fetch;              // without its key
   std::optional<std::filesystem::path> keyFile, out;
@@ -129,7 +128,7 @@ struct CommandLine {
   // settings
   std::string settingsPath;  // of a setting or a group; empty: all of them
 
-  // compare and settings
+  // compare, settings, and weather check
   bool asJson = false;
 };
 
