@@ -42,6 +42,14 @@ double farBegin(const clouds::MarchSettings& march) {
   return std::max(1.0, std::round(march.farStartM / turn)) * turn;
 }
 
+// By what ice leaves of the light at the layer's middle over the eye's place.
+template <class Uniforms>
+void dim(Uniforms& u, const clouds::CloudLayerSettings& layer, const IceShade& ice, const glm::dvec3& eye) {
+  const LightShares shares = ice.below({eye.x, layer.cloudHeight + 0.5 * layer.thickness, eye.z});
+  u.sunLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sun)), 1);
+  u.skyLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sky)), 1);
+}
+
 }  // namespace
 
 CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& s, double fadeDistance, const glm::dvec3& place,
@@ -154,20 +162,12 @@ void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const S
 
 void addIceShade(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const IceShade& ice,
                  const glm::dvec3& eye) {
-  const double middle = layer.cloudHeight + 0.5 * layer.thickness;
-  const LightShares shares = ice.below({eye.x, middle, eye.z});
-  u.sunLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sun)), 1);
-  u.skyLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sky)), 1);
+  dim(u, layer, ice, eye);
 }
 
 void addIceShade(CloudUnionUniforms& u, std::span<const DrawnLayer> layers, const IceShade& ice,
                  const glm::dvec3& eye) {
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const clouds::CloudLayerSettings& s = layers[i].medium.layer;
-    const LightShares shares = ice.below({eye.x, s.cloudHeight + 0.5 * s.thickness, eye.z});
-    u.layers[i].sunLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sun)), 1);
-    u.layers[i].skyLight *= glm::vec4(glm::vec3(static_cast<float>(shares.sky)), 1);
-  }
+  for (std::size_t i = 0; i < layers.size(); ++i) dim(u.layers[i], layers[i].medium.layer, ice, eye);
 }
 
 void addMarch(CloudUniforms& u, const clouds::CloudSettings& settings, const clouds::ClearAir& clearAir,

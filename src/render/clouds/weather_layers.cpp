@@ -91,42 +91,45 @@ bool WeatherLayers::hasWeather(const FrameInput& frame) {
          (moment.forecast ? weather::hasClouds(*moment.forecast) : weather::hasClouds(*moment.settings));
 }
 
+namespace {
+
 // The states that a weather is mixed from: those of its sites, or of all hours of a forecast.
-std::vector<weather::State> WeatherLayers::statesOf(const weather::Moment& moment) {
-  std::vector<weather::State> states;
+template <class Visit>
+void forEachState(const weather::Moment& moment, const Visit& visit) {
   if (moment.forecast) {
     for (const weather::Timeline* site : {&moment.forecast->near, &moment.forecast->far})
-      for (const weather::TimedState& timed : site->states()) states.push_back(timed.state);
+      for (const weather::TimedState& timed : site->states()) visit(timed.state);
   } else {
-    states.push_back(weather::stateOf(moment.settings->sites[0]));
-    if (moment.settings->secondSite) states.push_back(weather::stateOf(moment.settings->sites[1]));
+    visit(weather::stateOf(moment.settings->sites[0]));
+    if (moment.settings->secondSite) visit(weather::stateOf(moment.settings->sites[1]));
   }
-  return states;
 }
 
-std::vector<std::size_t> WeatherLayers::volumesOf(std::span<const weather::State> states) {
+// Layers that may be volumes at some place or time.
+std::vector<std::size_t> volumesOf(const weather::Moment& moment) {
+  std::array<bool, WeatherLayers::kMost> isVolume{};
+  forEachState(moment, [&](const weather::State& state) {
+    for (std::size_t i = 0; i < isVolume.size(); ++i)
+      isVolume[i] = isVolume[i] || (state.layers[i].cover > 0 && game::isVolume(state.layers[i].genus));
+  });
   std::vector<std::size_t> volumes;
-  for (std::size_t i = 0; i < kMost; ++i) {
-    const auto isVolume = [&](const weather::State& state) {
-      return state.layers[i].cover > 0 && game::isVolume(state.layers[i].genus);
-    };
-    if (std::ranges::any_of(states, isVolume)) volumes.push_back(i);
+  for (std::size_t i = 0; i < isVolume.size(); ++i) {
+    if (isVolume[i]) volumes.push_back(i);
   }
   return volumes;
 }
 
-bool WeatherLayers::mayOverlap(std::span<const weather::State> states) {
+bool shellsMayOverlap(const weather::Moment& moment) {
   struct Shell {
     double low, high;
   };
   std::vector<Shell> shells;
-  for (const std::size_t i : volumesOf(states)) {
+  for (const std::size_t i : volumesOf(moment)) {
     Shell shell{1e9, -1e9};
-    for (const weather::State& state : states) {
+    forEachState(moment, [&](const weather::State& state) {
       const weather::Layer& layer = state.layers[i];
-      if (!(layer.cover > 0)) continue;
-      shell = {std::min(shell.low, layer.baseM), std::max(shell.high, layer.topM)};
-    }
+      if (layer.cover > 0) shell = {std::min(shell.low, layer.baseM), std::max(shell.high, layer.topM)};
+    });
     const bool overlaps = std::ranges::any_of(
         shells, [&](const Shell& other) { return shell.low < other.high && other.low < shell.high; });
     if (overlaps) return true;
@@ -135,10 +138,12 @@ bool WeatherLayers::mayOverlap(std::span<const weather::State> states) {
   return false;
 }
 
+}  // namespace
+
 std::vector<DrawnLayer> WeatherLayers::mediaOf(const weather::Moment& moment, const glm::dvec2& place) {
   const weather::State state = moment.at(place);
   std::vector<DrawnLayer> layers;
-  for (const std::size_t i : volumesOf(statesOf(moment))) {
+  for (const std::size_t i : volumesOf(moment)) {
     const weather::Layer& layer = state.layers[i];
     DrawnLayer drawn;
     drawn.medium = game::cloudLayerOf(layer);
@@ -159,7 +164,7 @@ void WeatherLayers::update(const FrameInput& frame) {
   const bool isOther = moment.settings != moment_.settings || moment.forecast != moment_.forecast;
   moment_ = moment;
   place_ = place;
-  if (isOther) mayOverlap_ = mayOverlap(statesOf(moment));
+  if (isOther) mayOverlap_ = shellsMayOverlap(moment);
   const std::vector<DrawnLayer> before = std::exchange(layers_, mediaOf(moment, place));
   fields_.clear();
   for (DrawnLayer& layer : layers_) {

@@ -86,10 +86,6 @@ class WeatherLayers {
 
  private:
   static bool hasWeather(const FrameInput& frame);
-  static std::vector<weather::State> statesOf(const weather::Moment& moment);
-  // Layers that may be volumes at some place or time.
-  static std::vector<std::size_t> volumesOf(std::span<const weather::State> states);
-  static bool mayOverlap(std::span<const weather::State> states);
   using Work = std::shared_ptr<const LayerWork>;
   Work find(const LayerRange& range) const;
   Work get(const LayerRange& range);
