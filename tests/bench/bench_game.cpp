@@ -81,4 +81,12 @@ void BenchGame::settle(const app::Pose& pose) {
   } while (!land().isSettled());
 }
 
+double BenchGame::medianMs(std::string_view pass, std::size_t frames) const {
+  core::FrameStatistics statistics;
+  sceneRenderer_.writeTo(statistics, frames);
+  for (const auto& [name, row] : statistics.passes)
+    if (name == pass) return row.ms;
+  return 0;
+}
+
 }  // namespace skydrop::bench

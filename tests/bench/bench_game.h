@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/session/run_config.h"
@@ -36,6 +37,9 @@ class BenchGame {
 
   // One frame from there, in ms. Metres; degrees as in app::Pose.
   double draw(const app::Pose& pose);
+
+  // Median of a pass over so many of the newest frames, ms; 0 where it is not measured.
+  double medianMs(std::string_view pass, std::size_t frames) const;
 
   // Begins to switch to these effects. From then on continueSwitch() is called before each draw() until
   // isSwitching() is false; the time that it takes belongs to the frame.

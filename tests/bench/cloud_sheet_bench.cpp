@@ -16,15 +16,6 @@ namespace {
 
 constexpr int kFrames = 60;
 
-// Median of a pass, ms, over the newest frames.
-double medianMs(BenchGame& game, const char* pass) {
-  core::FrameStatistics statistics;
-  game.sceneRenderer().writeTo(statistics, kFrames);
-  for (const auto& [name, row] : statistics.passes)
-    if (name == pass) return row.ms;
-  return 0;
-}
-
 // Frames of four games of quality low take turns: one plane, three, the dome, volumes. Up at 20 degrees,
 // where all of them fill most of the picture.
 void cloudSheetsAgainstVolumes(benchmark::State& state) {
@@ -45,8 +36,10 @@ void cloudSheetsAgainstVolumes(benchmark::State& state) {
   for (auto _ : state) {
     for (int frame = 0; frame < kFrames; ++frame)
       for (BenchGame* game : games) game->draw(pose);
-    const double planeMs = medianMs(plane, "cloudPlanes"), planesMs = medianMs(planes, "cloudPlanes"),
-                 domeMs = medianMs(dome, "cloudDome"), volumesMs = medianMs(volumes, "clouds");
+    const double planeMs = plane.medianMs("cloudPlanes", kFrames),
+                 planesMs = planes.medianMs("cloudPlanes", kFrames),
+                 domeMs = dome.medianMs("cloudDome", kFrames),
+                 volumesMs = volumes.medianMs("clouds", kFrames);
     std::printf("one plane %.2f ms, three %.2f ms, dome %.2f ms, volumes of the tier low %.2f ms\n", planeMs,
                 planesMs, domeMs, volumesMs);
     state.counters["planeRatio"] = planeMs / volumesMs;

@@ -13,14 +13,6 @@ namespace {
 
 constexpr int kFrames = 60;
 
-double medianMs(BenchGame& game, const char* pass) {
-  core::FrameStatistics statistics;
-  game.sceneRenderer().writeTo(statistics, kFrames);
-  for (const auto& [name, row] : statistics.passes)
-    if (name == pass) return row.ms;
-  return 0;
-}
-
 // One layer each, by hand, quality low at 640 x 360, up at 20 degrees: its pass, and its shade on the land.
 void iceClouds(benchmark::State& state) {
   const char* const genera[] = {"cirrus", "cirrostratus", "cirrocumulus"};
@@ -35,7 +27,7 @@ void iceClouds(benchmark::State& state) {
       pose.pitchDegrees = 20;
       game.settle(pose);
       for (int frame = 0; frame < kFrames; ++frame) game.draw(pose);
-      const double ms = medianMs(game, "iceClouds"), shadeMs = medianMs(game, "iceShade");
+      const double ms = game.medianMs("iceClouds", kFrames), shadeMs = game.medianMs("iceShade", kFrames);
       std::printf("%s %.2f ms, its shade %.2f ms\n", genus, ms, shadeMs);
       state.counters[genus] = ms;
       expect(ms > 0, "the pass was not drawn");

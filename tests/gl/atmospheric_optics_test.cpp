@@ -13,12 +13,8 @@
 #include "skydrop/render/frame/light_shares.h"
 #include "skydrop/render/sky/halo_pass.h"
 #include "skydrop/render/sky/rainbow_pass.h"
-#include "skydrop/render/sky/sky_pass.h"
-#include "support/frame_test.h"
-#include "support/light_probe.h"
-#include "support/plains_pass.h"
+#include "support/plains_test.h"
 #include "support/row_steps.h"
-#include "support/temporary_folder.h"
 
 namespace skydrop::render {
 namespace {
@@ -28,19 +24,13 @@ namespace shared = core::shared::f64;
 
 constexpr int kWidth = 96, kHeight = 54;
 
-class AtmosphericOpticsGLTest : public test::FrameTest {
+class AtmosphericOpticsGLTest : public test::PlainsTest {
  protected:
   void SetUp() override {
-    FrameTest::SetUp();
+    PlainsTest::SetUp();
     if (IsSkipped()) return;
-    renderer().add(std::make_unique<test::LightProbe>(light_));
-    renderer().add(std::make_unique<SkyPass>(context()));
-    renderer().add(std::make_unique<test::PlainsPass>(context(), folder_, plains_));
-    auto halo = std::make_unique<HaloPass>(context(), halo_);
-    auto rainbow = std::make_unique<RainbowPass>(context(), rainbow_);
-    haloPass_ = halo.get(), rainbowPass_ = rainbow.get();
-    renderer().add(std::move(halo));
-    renderer().add(std::move(rainbow));
+    haloPass_ = add<HaloPass>(halo_);
+    rainbowPass_ = add<RainbowPass>(rainbow_);
     settings_.sun.azimuthDegrees = 90;  // towards yaw 0
     settings_.sun.elevationDegrees = 20;
   }
@@ -101,13 +91,10 @@ class AtmosphericOpticsGLTest : public test::FrameTest {
     return best;
   }
 
-  test::TemporaryFolder folder_;
-  std::vector<test::Plain> plains_;
   HaloSettings halo_{.plates = 0};
   RainbowSettings rainbow_;
   HaloPass* haloPass_ = nullptr;
   RainbowPass* rainbowPass_ = nullptr;
-  Light light_;
 };
 
 TEST_F(AtmosphericOpticsGLTest, ringsInThePictureHaveTheirRadii) {

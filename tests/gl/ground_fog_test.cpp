@@ -11,12 +11,8 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
 #include "skydrop/render/fog/ground_fog_pass.h"
-#include "skydrop/render/sky/sky_pass.h"
-#include "support/frame_test.h"
-#include "support/light_probe.h"
-#include "support/plains_pass.h"
+#include "support/plains_test.h"
 #include "support/row_steps.h"
-#include "support/temporary_folder.h"
 
 namespace skydrop::render {
 namespace {
@@ -26,18 +22,12 @@ namespace shared = core::shared::f64;
 
 constexpr int kWidth = 64, kHeight = 36;
 
-class GroundFogGLTest : public test::FrameTest {
+class GroundFogGLTest : public test::PlainsTest {
  protected:
   void SetUp() override {
-    FrameTest::SetUp();
+    PlainsTest::SetUp();
     if (IsSkipped()) return;
-    renderer().add(std::make_unique<test::LightProbe>(light_));
-    renderer().add(std::make_unique<SkyPass>(context()));
-    renderer().add(std::make_unique<test::PlainsPass>(context(), folder_, plains_));
-    auto pass = std::make_unique<GroundFogPass>(context(), fog_);
-    pass_ = pass.get();
-    renderer().add(std::move(pass));
-    settings_.sun.elevationDegrees = 40;
+    pass_ = add<GroundFogPass>(fog_);
   }
   View small(double height, double yaw, double pitch) const {
     return pose({0, height, 0}, yaw, pitch, 0, kWidth, kHeight);
@@ -59,11 +49,8 @@ class GroundFogGLTest : public test::FrameTest {
     return glm::dvec3(texel) / skyLight(settings_, 100).exposure;
   }
 
-  test::TemporaryFolder folder_;
-  std::vector<test::Plain> plains_;
   GroundFogSettings fog_;
   GroundFogPass* pass_ = nullptr;
-  Light light_;
 };
 
 TEST_F(GroundFogGLTest, transmittanceIsThatOfTheFormulaInDouble) {

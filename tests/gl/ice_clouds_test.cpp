@@ -13,12 +13,8 @@
 #include "skydrop/render/clouds/ice_clouds_pass.h"
 #include "skydrop/render/clouds/ice_shade_pass.h"
 #include "skydrop/render/frame/cloud_transmittance.h"
-#include "skydrop/render/sky/sky_pass.h"
-#include "support/frame_test.h"
-#include "support/light_probe.h"
-#include "support/plains_pass.h"
+#include "support/plains_test.h"
 #include "support/row_steps.h"
-#include "support/temporary_folder.h"
 
 namespace skydrop::render {
 namespace {
@@ -59,18 +55,12 @@ class EvenClouds final : public Pass {
   CloudTransmittance published_;
 };
 
-class IceCloudsGLTest : public test::FrameTest {
+class IceCloudsGLTest : public test::PlainsTest {
  protected:
   void SetUp() override {
-    FrameTest::SetUp();
+    PlainsTest::SetUp();
     if (IsSkipped()) return;
-    renderer().add(std::make_unique<test::LightProbe>(light_));
-    renderer().add(std::make_unique<SkyPass>(context()));
-    renderer().add(std::make_unique<test::PlainsPass>(context(), folder_, plains_));
-    auto pass = std::make_unique<IceCloudsPass>(context(), ice_, wind_);
-    pass_ = pass.get();
-    renderer().add(std::move(pass));
-    settings_.sun.elevationDegrees = 40;
+    pass_ = add<IceCloudsPass>(ice_, wind_);
     features_.haze = false;
     ice_.cover = 0.9;
     ice_.opticalDepth = 0.5;
@@ -94,12 +84,9 @@ class IceCloudsGLTest : public test::FrameTest {
     return pass_->skipReason(gameFrame(snapshot_, view, features_));
   }
 
-  test::TemporaryFolder folder_;
-  std::vector<test::Plain> plains_;
   clouds::IceCloudSettings ice_;
   core::WindSettings wind_;
   IceCloudsPass* pass_ = nullptr;
-  Light light_;
 };
 
 TEST_F(IceCloudsGLTest, transmittanceIsThatOfTheSumInDouble) {

@@ -21,13 +21,9 @@
 #include "skydrop/render/precipitation/splash_pass.h"
 #include "skydrop/render/precipitation/wet_ground_pass.h"
 #include "skydrop/render/sky/rainbow_pass.h"
-#include "skydrop/render/sky/sky_pass.h"
 #include "skydrop/weather/fall.h"
-#include "support/frame_test.h"
-#include "support/light_probe.h"
-#include "support/plains_pass.h"
+#include "support/plains_test.h"
 #include "support/row_steps.h"
-#include "support/temporary_folder.h"
 
 namespace skydrop::render {
 namespace {
@@ -37,28 +33,17 @@ namespace shared = core::shared::f64;
 
 constexpr int kWidth = 96, kHeight = 54;
 
-class PrecipitationGLTest : public test::FrameTest {
+class PrecipitationGLTest : public test::PlainsTest {
  protected:
   void SetUp() override {
-    FrameTest::SetUp();
+    PlainsTest::SetUp();
     if (IsSkipped()) return;
-    renderer().add(std::make_unique<test::LightProbe>(light_));
-    renderer().add(std::make_unique<SkyPass>(context()));
-    renderer().add(std::make_unique<test::PlainsPass>(context(), folder_, plains_));
-    veil_ = add<RainVeilPass>();
-    drops_ = add<PrecipitationPass>();
-    splashes_ = add<SplashPass>();
-    settings_.sun.elevationDegrees = 40;
+    veil_ = add<RainVeilPass>(rows_);
+    drops_ = add<PrecipitationPass>(rows_);
+    splashes_ = add<SplashPass>(rows_);
     site().layers[0] = {.genus = weather::Genus::nimbostratus, .base = 1500, .top = 4000, .cover = 1};
     weather_.variability = 0;
     snapshot_.simulatedSeconds = 100;
-  }
-  template <class Pass>
-  Pass* add() {
-    auto pass = std::make_unique<Pass>(context(), rows_);
-    Pass* raw = pass.get();
-    renderer().add(std::move(pass));
-    return raw;
   }
   weather::SiteSettings& site() { return weather_.sites[0]; }
   View small(double height, double yaw, double pitch) const {
@@ -132,15 +117,12 @@ class PrecipitationGLTest : public test::FrameTest {
     }
   }
 
-  test::TemporaryFolder folder_;
-  std::vector<test::Plain> plains_;
   PrecipitationSettings rows_;
   weather::WeatherSettings weather_;
   glm::dvec3 eyeVelocity_{0};
   RainVeilPass* veil_ = nullptr;
   PrecipitationPass* drops_ = nullptr;
   SplashPass* splashes_ = nullptr;
-  Light light_;
 };
 
 TEST_F(PrecipitationGLTest, W43_W45_nothingIsDrawnWhereNothingFalls) {

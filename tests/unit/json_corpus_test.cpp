@@ -19,6 +19,7 @@
 #include "skydrop/core/settings_table.h"
 #include "skydrop/game/input_log.h"
 #include "skydrop/scene/scene.h"
+#include "support/mutant.h"
 #include "support/paths.h"
 #include "support/temporary_folder.h"
 
@@ -163,26 +164,7 @@ TEST(JsonCorpus, mutantsAreAcceptedOrRefusedInOneLine) {
       15);
   for (const CorpusFile& file : corpus()) {
     for (int round = 0; round < 60 && !file.text.empty(); ++round) {
-      std::string text = file.text;
-      const auto place = [&] { return random() % text.size(); };
-      const char c =
-          random() % 2 ? kInteresting[random() % kInteresting.size()] : static_cast<char>(random() % 256);
-      switch (random() % 4) {
-        case 0:
-          text.resize(place());
-          break;
-        case 1:
-          text[place()] = c;
-          break;
-        case 2:
-          text.insert(place(), 1 + random() % 3, c);
-          break;
-        case 3: {
-          const std::size_t from = place();
-          const std::string part = text.substr(from, random() % 40);
-          text.insert(from, part);
-        }
-      }
+      const std::string text = test::mutantOf(file.text, random, kInteresting);
       for (const Reader& reader : readers()) refusalBy(reader, text);
     }
   }

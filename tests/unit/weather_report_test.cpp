@@ -14,6 +14,7 @@
 #include "skydrop/forecast/forecast_of.h"
 #include "skydrop/forecast/read_report.h"
 #include "support/instrumented.h"
+#include "support/mutant.h"
 #include "support/paths.h"
 #include "support/refusal.h"
 #include "support/weather_answer.h"
@@ -277,43 +278,25 @@ TEST(WeatherCorpus, everyFileIsReadOrRefusedAsItsNameSays) {
     EXPECT_EQ(refusalOf(file.text).empty(), file.name.starts_with("good")) << file.name;
 }
 
+std::string withAnotherNumber(std::string text, std::mt19937& random) {
+  const char* const kNumbers[] = {"1e308", "-1e308", "-0.0",   "99999999999999999999",
+                                  "null",  "true",   "\"NW\"", "[]"};
+  const std::size_t from = text.find_first_of("0123456789", random() % text.size());
+  if (from == std::string::npos) return text;
+  const std::size_t end = text.find_first_not_of("0123456789.", from);
+  return text.replace(from, end == std::string::npos ? 1 : end - from,
+                      kNumbers[random() % std::size(kNumbers)]);
+}
+
 TEST(WeatherCorpus, mutantsAreReadOrRefusedInOneLine) {
   // Truncations, flipped, inserted and repeated bytes, numbers in the place of others; the sanitizers watch.
   std::mt19937 random(11);
   constexpr std::string_view kInteresting("\0\"[]{},:\\\xff\x1b-0e9./=", 19);
-  const char* const kNumbers[] = {"1e308", "-1e308", "-0.0",   "99999999999999999999",
-                                  "null",  "true",   "\"NW\"", "[]"};
   int accepted = 0, refused = 0;
   for (const CorpusFile& file : corpus()) {
     for (int round = 0; round < test::repetitions(100); ++round) {
-      std::string text = file.text;
-      const auto place = [&] { return random() % text.size(); };
-      const char c =
-          random() % 2 ? kInteresting[random() % kInteresting.size()] : static_cast<char>(random() % 256);
-      switch (random() % 5) {
-        case 0:
-          text.resize(place());
-          break;
-        case 1:
-          text[place()] = c;
-          break;
-        case 2:
-          text.insert(place(), 1 + random() % 3, c);
-          break;
-        case 3: {
-          const std::size_t from = place();
-          const std::string part = text.substr(from, random() % 40);
-          text.insert(from, part);
-          break;
-        }
-        case 4: {
-          const std::size_t from = text.find_first_of("0123456789", place());
-          if (from == std::string::npos) break;
-          const std::size_t end = text.find_first_not_of("0123456789.", from);
-          text.replace(from, end == std::string::npos ? 1 : end - from,
-                       kNumbers[random() % std::size(kNumbers)]);
-        }
-      }
+      const std::string text = random() % 5 == 0 ? withAnotherNumber(file.text, random)
+                                                 : test::mutantOf(file.text, random, kInteresting);
       (refusalOf(text).empty() ? accepted : refused)++;
     }
   }
