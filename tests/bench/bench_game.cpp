@@ -81,7 +81,7 @@ void BenchGame::settle(const app::Pose& pose) {
   } while (!land().isSettled());
 }
 
-double BenchGame::medianMs(std::string_view pass, std::size_t frames) const {
+double BenchGame::medianMs(std::string_view pass, std::size_t frames) {
   core::FrameStatistics statistics;
   sceneRenderer_.writeTo(statistics, frames);
   for (const auto& [name, row] : statistics.passes)

@@ -39,7 +39,7 @@ class BenchGame {
   double draw(const app::Pose& pose);
 
   // Median of a pass over so many of the newest frames, ms; 0 where it is not measured.
-  double medianMs(std::string_view pass, std::size_t frames) const;
+  double medianMs(std::string_view pass, std::size_t frames);
 
   // Begins to switch to these effects. From then on continueSwitch() is called before each draw() until
   // isSwitching() is false; the time that it takes belongs to the frame.

@@ -20,12 +20,14 @@ inline std::string mutantOf(const std::string& original, std::mt19937& random, s
     case 1:
       text[place()] = c;
       break;
-    case 2:
-      text.insert(place(), 1 + random() % 3, c);
+    case 2: {
+      const std::size_t at = place();
+      text.insert(at, 1 + random() % 3, c);
       break;
+    }
     case 3: {
-      const std::size_t from = place();
-      const std::string part = text.substr(from, random() % 40);
+      const std::size_t from = place(), length = random() % 40;
+      const std::string part = text.substr(from, length);
       text.insert(from, part);
     }
   }

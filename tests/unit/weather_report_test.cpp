@@ -300,8 +300,9 @@ TEST(WeatherCorpus, mutantsAreReadOrRefusedInOneLine) {
       (refusalOf(text).empty() ? accepted : refused)++;
     }
   }
-  EXPECT_GT(accepted, 20);
-  EXPECT_GT(refused, 20);
+  // Shares, for the instrumented builds try fewer.
+  EXPECT_GT(accepted, (accepted + refused) / 50);
+  EXPECT_GT(refused, (accepted + refused) / 2);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ void describe(core::SettingsVisitor& visitor, PrecipitationSettings& s) {
   visitor.number("veilSteps", s.veilSteps,
                  {.unit = "1",
                   .min = 4,
-                  .max = 256,
+                  .max = 384,
                   .help = "Steps of a ray through rain far away.",
                   .slider = Range{4, 64},
                   .aliases = "rain, shafts, curtains, march"});

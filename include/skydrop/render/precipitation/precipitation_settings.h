@@ -11,7 +11,7 @@ struct PrecipitationSettings {
   double shutterS = 0.033;    // how long a streak is exposed, s, [0.001, 0.1]
   double splashes = 600;      // on water near the eye, at most, [0, 4000]
   double veilColumns = 80;    // of the grid by which rain far away is worked out, whole, [8, 320]
-  double veilSteps = 48;      // of a ray through it, whole, [4, 256]
+  double veilSteps = 48;      // of a ray through it, whole, [4, 384]
   double veilRangeM = 40000;  // how far rain is seen, m, [2000, 60000]
   bool wetGround = true;      // land is darker in rain, white in snow
 
