@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,8 +15,12 @@ namespace f64 = core::shared::f64;
 enum class MarchMethod { analytic, sum };
 constexpr std::array<std::string_view, 2> kMethodNames = {"analytic", "sum"};
 
+enum class MarchView { below, inside, above, far };
+constexpr std::array<std::string_view, 4> kViewNames = {"below", "inside", "above", "far"};
+
 struct MarchParameters {
   MarchMethod method = MarchMethod::analytic;
+  MarchView view = MarchView::below;
   std::int64_t steps = 64, sunSamples = 64;
 };
 
@@ -23,6 +28,7 @@ void describe(core::SettingsVisitor& visitor, MarchParameters& p) {
   visitor.choice(
       "method", p.method, kMethodNames,
       {.help = "The analytic integral over each step, or density x step x transmittance x light."});
+  visitor.choice("view", p.view, kViewNames, {.help = "Where the rays begin; far is low and almost level."});
   visitor.integer("steps", p.steps, {.unit = "1", .min = 2, .max = 16384, .help = "Through the layer."});
   visitor.integer("sunSamples", p.sunSamples, {.unit = "1", .min = 1, .max = 4096, .help = "To the sun."});
 }
@@ -46,19 +52,33 @@ clouds::MarchMedium billows() {
   return medium;
 }
 
-clouds::MarchRay rayOf(int index) {
-  const double elevation = glm::radians(12.0 + 3 * index), azimuth = glm::radians(15.0 * index);
-  return {{0, 400, 0},
-          {std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
-           std::cos(elevation) * std::sin(azimuth)}};
+clouds::MarchRay rayOf(MarchView view, int index) {
+  const auto ray = [&](double heightM, double elevationDegrees) -> clouds::MarchRay {
+    const double elevation = glm::radians(elevationDegrees), azimuth = glm::radians(15.0 * index);
+    return {{0, heightM, 0},
+            {std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
+             std::cos(elevation) * std::sin(azimuth)}};
+  };
+  switch (view) {
+    case MarchView::inside:
+      return ray(2100, -57.5 + 5 * index);
+    case MarchView::above:
+      return ray(3800, -12.0 - 3 * index);
+    case MarchView::far:
+      return ray(400, 4 + 0.2 * index);
+    case MarchView::below:
+      break;
+  }
+  return ray(400, 12.0 + 3 * index);
 }
 
 // The form that games use: each sample's light is weakened by what lies before it, itself not counted.
 clouds::MarchResult plainSum(const clouds::MarchMedium& medium, const clouds::MarchRay& ray,
                              const MarchParameters& p) {
   clouds::MarchResult result;
-  const double begin = (medium.baseM - ray.origin.y) / ray.direction.y;
-  const double end = (medium.topM - ray.origin.y) / ray.direction.y;
+  const double toBase = (medium.baseM - ray.origin.y) / ray.direction.y;
+  const double toTop = (medium.topM - ray.origin.y) / ray.direction.y;
+  const double begin = std::max(0.0, std::min(toBase, toTop)), end = std::max(toBase, toTop);
   const double step = (end - begin) / static_cast<double>(p.steps);
   const f64::Vec4 phases =
       f64::cloudPhases(glm::dot(ray.direction, kLight.toSun), kLight.anisotropy, kLight.forwardShare);
@@ -76,8 +96,8 @@ clouds::MarchResult plainSum(const clouds::MarchMedium& medium, const clouds::Ma
 
 class MarchSubject final : public TableSubject<MarchParameters> {
   clouds::MarchResult march(const MarchParameters& p, int ray) const {
-    if (p.method == MarchMethod::sum) return plainSum(medium_, rayOf(ray), p);
-    return clouds::referenceMarch(medium_, kLight, rayOf(ray),
+    if (p.method == MarchMethod::sum) return plainSum(medium_, rayOf(p.view, ray), p);
+    return clouds::referenceMarch(medium_, kLight, rayOf(p.view, ray),
                                   {static_cast<int>(p.steps), static_cast<int>(p.sunSamples)});
   }
   accuracy::Observation compute(const MarchParameters& p) override {
