@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <memory>
 
@@ -22,6 +23,7 @@ struct LandShadeParameters {
   ShadeMethod method = ShadeMethod::swept;
   render::LandShadowSettings swept;
   double rayStepM = 2;
+  double aboveM = 0;
   double sunElevationDegrees = 6, sunAzimuthDegrees = 265;
 };
 
@@ -32,6 +34,11 @@ void describe(core::SettingsVisitor& visitor, LandShadeParameters& p) {
   visitor.number(
       "rayStepM", p.rayStepM,
       {.unit = "m", .min = 0.1, .max = 100, .help = "First step of a ray; they grow with the way."});
+  visitor.number("aboveM", p.aboveM,
+                 {.unit = "m",
+                  .min = 0,
+                  .max = 4000,
+                  .help = "Of the places over the land: 0 is its surface, more is air or cloud."});
   visitor.number("sunElevationDegrees", p.sunElevationDegrees,
                  {.unit = "degree", .min = 0.5, .max = 90, .help = "Above the horizon."});
   visitor.number("sunAzimuthDegrees", p.sunAzimuthDegrees,
@@ -41,9 +48,10 @@ void describe(core::SettingsVisitor& visitor, LandShadeParameters& p) {
 constexpr int kPlaces = 500;
 constexpr double kReachM = 2000;  // of them along either axis, within the finest level of every detail
 constexpr glm::dvec2 kEye{2500, -1200};
+constexpr double kBlockM = 100;  // of a ray's way, at least, is skipped at once where its land is low enough
 constexpr std::uint64_t kSeed = 1;
 
-// The share of the sun's disc that is left at places on the shipped land.
+// The share of the sun's disc that is left at places on the shipped land, or in the air over it.
 class LandShadeSubject final : public TableSubject<LandShadeParameters> {
   accuracy::Observation compute(const LandShadeParameters& p) override {
     const glm::dvec3 toSun = sky::directionToSun(p.sunElevationDegrees, p.sunAzimuthDegrees);
@@ -57,10 +65,13 @@ class LandShadeSubject final : public TableSubject<LandShadeParameters> {
       }
     };
     if (p.method == ShadeMethod::rays) {
-      observe([&](glm::dvec2 xz) { return shareByRay(xz, toSun, axes, p.rayStepM); });
+      observe([&](glm::dvec2 xz) { return shareByRay(xz, p.aboveM, toSun, axes, p.rayStepM); });
     } else {
       const terrain::LandShade shade = sweep(p);
-      observe([&](glm::dvec2 xz) { return terrain::shareOfDisc(shade.clearanceAt(0, xz)); });
+      observe([&](glm::dvec2 xz) {
+        return p.aboveM == 0 ? terrain::shareOfDisc(shade.clearanceAt(0, xz))
+                             : shade.sunShare({xz.x, landAt(xz) + p.aboveM, xz.y});
+      });
     }
     return observation;
   }
@@ -77,15 +88,26 @@ class LandShadeSubject final : public TableSubject<LandShadeParameters> {
     return terrain::LandShade::make(heights, terrain::shadeKey(shadeLayout(p.swept), kEye, toSun));
   }
 
-  // By the steepest way from the surface to land on the ray: the edge that cuts the disc.
-  double shareByRay(glm::dvec2 xz, const glm::dvec3& toSun, const terrain::ShadeAxes& axes,
+  double landAt(glm::dvec2 xz) const { return std::max(land_->height(xz), 0.0); }
+
+  // By the steepest way from the place to land on the ray: the edge that cuts the disc.
+  double shareByRay(glm::dvec2 xz, double aboveM, const glm::dvec3& toSun, const terrain::ShadeAxes& axes,
                     double stepM) const {
-    const auto heightAt = [&](glm::dvec2 at) { return std::max(land_->height(at), 0.0); };
     const glm::dvec2 way = glm::normalize(glm::dvec2(toSun.x, toSun.z));
-    const double from = heightAt(xz), top = land_->range().highest;
-    double edge = 0;  // tangent of its elevation
-    for (double t = stepM; from + axes.tanLowerLimb * t <= top; t += stepM + t * stepM / 2000)
-      edge = std::max(edge, (heightAt(xz + way * t) - from) / t);
+    const double from = landAt(xz) + aboveM, top = land_->range().highest;
+    double edge = axes.tanLowerLimb;  // tangent of its elevation; what is below the disc hides nothing of it
+    double blockEnd = 0;
+    bool isClear = false;  // in the block no land can stand above the edge
+    for (double t = stepM; from + edge * t <= top && edge < axes.tanUpperLimb;
+         t += stepM + t * stepM / 2000) {
+      if (t >= blockEnd) {
+        blockEnd = t + kBlockM + t / 10;
+        const glm::dvec2 near = xz + way * t, far = xz + way * blockEnd;
+        const double highest = land_->bounds(glm::min(near, far), glm::max(near, far)).highest;
+        isClear = highest - from <= edge * t;
+      }
+      if (!isClear) edge = std::max(edge, (landAt(xz + way * t) - from) / t);
+    }
     return terrain::shareOfDisc((axes.tanUpperLimb + axes.tanLowerLimb - 2 * edge) /
                                 (axes.tanUpperLimb - axes.tanLowerLimb));
   }
