@@ -94,19 +94,23 @@ Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
   return image;
 }
 
-std::vector<std::byte> encodePng(const Image& image) {
+std::vector<std::byte> encodePng(const Image& image, std::span<const PictureText> texts) {
   std::vector<std::byte> bytes;
   if (!stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, 4, image.rgba.data(),
                               image.width * 4)) {
     throw std::bad_alloc();  // the encoder's only failure
   }
-  return bytes;
+  return texts.empty() ? bytes : withTexts(bytes, texts);
+}
+
+std::vector<PictureText> readPngTexts(std::span<const std::byte> bytes, std::string_view name) {
+  return checkPng(bytes, name).texts;
 }
 
 Image readPng(const std::filesystem::path& path) { return decodePng(readFile(path), path.string()); }
 
-void writePng(const std::filesystem::path& path, const Image& image) {
-  writeFileAtomically(path, encodePng(image));
+void writePng(const std::filesystem::path& path, const Image& image, std::span<const PictureText> texts) {
+  writeFileAtomically(path, encodePng(image, texts));
 }
 
 }  // namespace skydrop::core

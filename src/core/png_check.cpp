@@ -98,6 +98,7 @@ class ChunkReader {
         if (content.compressed.empty()) content.head = file_.first(before);
         content.compressed.insert(content.compressed.end(), chunk.data.begin(), chunk.data.end());
       }
+      if (chunk.type == "tEXt" || chunk.type == "iTXt") readText(chunk, content);
       if (chunk.type == "IEND") break;
     }
     if (content.compressed.empty()) fail("chunk IDAT", "is missing");
@@ -134,6 +135,26 @@ class ChunkReader {
     const auto field = [&](std::size_t i) { return std::to_integer<int>(data[i]); };
     const auto bits = static_cast<std::uint64_t>(field(8) * channels(field(9)));
     content.rowBytes = rowBytes(content.width, content.height, bits, field(12) != 0);
+  }
+
+  // A keyword, and behind a null the text; in iTXt there are two bytes, a language and a translated keyword
+  // between. Texts are beside the picture: one that is malformed is left out.
+  static void readText(const Chunk& chunk, PngContent& content) {
+    std::string_view text(reinterpret_cast<const char*>(chunk.data.data()), chunk.data.size());
+    const auto upToNull = [&text] {
+      const std::string_view part = text.substr(0, text.find('\0'));
+      text.remove_prefix(std::min(part.size() + 1, text.size()));
+      return part;
+    };
+    if (text.find('\0') == std::string_view::npos) return;
+    const std::string_view keyword = upToNull();
+    if (chunk.type == "iTXt") {
+      if (text.size() < 2 || text[0] != 0) return;
+      text.remove_prefix(2);
+      upToNull();
+      upToNull();
+    }
+    content.texts.push_back({std::string(keyword), std::string(text)});
   }
 
   std::span<const std::byte> file_, rest_;
@@ -186,6 +207,25 @@ std::vector<std::byte> withStoredRows(const PngContent& content, std::span<const
   file.resize(file.size() + 2 * kNoChecksum + 4);  // of stream and chunk; then the length of the end chunk
   putName("IEND");
   put({0, 0, 0, 0});
+  return file;
+}
+
+std::vector<std::byte> withTexts(std::span<const std::byte> png, std::span<const PictureText> texts) {
+  constexpr std::size_t kBegin = kSignature.size() + 12 + kHeaderBytes;  // behind the header's chunk
+  std::vector<std::byte> file(png.begin(), png.begin() + kBegin);
+  const auto putNumber = [&file](std::uint32_t value) {
+    for (int shift = 24; shift >= 0; shift -= 8)
+      file.push_back(static_cast<std::byte>(value >> shift & 0xff));
+  };
+  for (const PictureText& text : texts) {
+    // Behind the keyword: not compressed, no language, no translated keyword.
+    const std::string content = "iTXt" + text.keyword + std::string(5, '\0') + text.text;
+    const auto bytes = std::as_bytes(std::span(content));
+    putNumber(static_cast<std::uint32_t>(bytes.size() - 4));
+    file.insert(file.end(), bytes.begin(), bytes.end());
+    putNumber(crc32(bytes));
+  }
+  file.insert(file.end(), png.begin() + kBegin, png.end());
   return file;
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "skydrop/core/image.h"
+
 namespace skydrop::core {
 
 struct PngContent {
@@ -15,6 +17,7 @@ struct PngContent {
   std::uint64_t rowBytes = 0;         // of all rows, filter bytes included, once inflated
   std::span<const std::byte> head;    // of the file: all before its first IDAT chunk
   std::vector<std::byte> compressed;  // the zlib stream of all IDAT chunks
+  std::vector<PictureText> texts;     // of tEXt chunks and of iTXt chunks that are not compressed
 };
 
 // Signature, order, lengths and checksums of the chunks up to IEND; what follows is not looked at. Throws
@@ -26,5 +29,8 @@ bool matchesChecksum(std::span<const std::byte> rows, std::span<const std::byte>
 
 // The same picture with its rows stored as they are, for a reader that compares no checksums: there are none.
 std::vector<std::byte> withStoredRows(const PngContent& content, std::span<const std::byte> rows);
+
+// The file with `texts` as iTXt chunks behind its header. `png` is one that stb_image wrote.
+std::vector<std::byte> withTexts(std::span<const std::byte> png, std::span<const PictureText> texts);
 
 }  // namespace skydrop::core

@@ -187,6 +187,34 @@ std::vector<std::byte> pngOf(std::initializer_list<std::pair<std::string, std::s
   return {bytes.begin(), bytes.end()};
 }
 
+TEST_F(FileTest, pngsKeepWhatIsSaidAboutThem) {
+  using namespace std::string_literals;
+  Image image(3, 2);
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = static_cast<std::uint8_t>(i * 11);
+  const std::vector<PictureText> texts = {
+      {"Software", "skydrop"}, {"Title", "a line\nand \xc3\xa9"}, {"Empty", ""}};
+  const std::vector<std::byte> file = encodePng(image, texts);
+  EXPECT_EQ(readPngTexts(file, "a.png"), texts);
+  EXPECT_EQ(decodePng(file, "a.png").rgba, image.rgba);
+  EXPECT_TRUE(readPngTexts(encodePng(image), "a.png").empty());
+  // Those of other programs; what is compressed or malformed is left out, and the picture is still one.
+  const std::string header = "\0\0\0\1\0\0\0\1\x08\0\0\0\0"s;
+  const std::string pixels = "\x78\x01\x01\x02\0\xfd\xff\0\x40\0\x42\0\x41"s;
+  const std::vector<std::byte> foreign = pngOf({{"IHDR", header},
+                                                {"tEXt", "Author\0somebody"s},
+                                                {"iTXt", "Title\0\0\0en\0Titel\0of two"s},
+                                                {"iTXt", "Packed\0\1\0\0\0xyz"s},
+                                                {"tEXt", "no null"s},
+                                                {"iTXt", "Cut\0"s},
+                                                {"iTXt", ""s},
+                                                {"IDAT", pixels},
+                                                {"tEXt", "Late\0behind"s},
+                                                {"IEND", ""}});
+  const std::vector<PictureText> expected = {{"Author", "somebody"}, {"Title", "of two"}, {"Late", "behind"}};
+  EXPECT_EQ(readPngTexts(foreign, "b.png"), expected);
+  EXPECT_EQ(int{decodePng(foreign, "b.png").pixel(0, 0)[0]}, 0x40);
+}
+
 TEST_F(FileTest, pngsWhosePixelsAreNotWhatTheyShouldBeAreRefused) {
   // The chunks are sound here: what is inside them is not.
   using namespace std::string_literals;

@@ -2,12 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "app/settings/settings.h"
+#include "skydrop/core/file.h"
 #include "skydrop/core/image.h"
 #include "skydrop/core/settings_table.h"
 #include "support/process.h"
@@ -53,6 +57,43 @@ TEST_F(ToolsProgram, compareTellsHowFarPicturesDiffer) {
   EXPECT_EQ(int{difference.pixel(5, 2)[0]}, 255);
   EXPECT_EQ(int{difference.pixel(4, 2)[0]}, 0);
   EXPECT_EQ(core::readPng(out + "/flip.png").width, 8);
+}
+
+TEST_F(ToolsProgram, aPictureSaysHowItIsMadeAgain) {
+  const std::string a = (folder_.path() / "a.png").string(), b = (folder_.path() / "b.png").string();
+  const std::vector<std::string> flight = {"render",      "--scene", "duskPlanes", "--seed", "7",
+                                           "--autopilot", "--time",  "3",          "--size", "160x90"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = flight;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const ProcessResult first =
+      runSkydrop(with({"--set", "cloudPlanes.count=2", "--set", "render.sun.elevationDegrees=4", "--set",
+                       "quality=low", "--out", a}));
+  ASSERT_EQ(first.exitCode, 0) << first.err;
+  const ProcessResult info = runSkydrop({"info", a});
+  ASSERT_EQ(info.exitCode, 0) << info.err;
+  std::map<std::string, std::string> texts;
+  std::istringstream lines(info.out);
+  for (std::string line; std::getline(lines, line);)
+    texts[line.substr(0, line.find(' '))] = line.substr(line.find(' ') + 1);
+  EXPECT_EQ(texts.at("Scene"), "duskPlanes");
+  EXPECT_EQ(texts.at("Seed"), "7");
+  EXPECT_EQ(texts.at("Time"), "3 s");
+  EXPECT_EQ(texts.at("Software").find("skydrop "), 0u);
+
+  const std::filesystem::path preset = folder_.path() / "made.json";
+  core::writeFileAtomically(preset, texts.at("Settings"));
+  const ProcessResult again =
+      runSkydrop(with({"--preset", preset.string(), texts.at("Pose"), "--set", "view.hud=true", "--out", b}));
+  ASSERT_EQ(again.exitCode, 0) << again.err;
+  EXPECT_EQ(runSkydrop({"compare", a, b, "--max", "0"}).exitCode, 0);
+
+  const ProcessResult plain = runSkydrop({"info", picture("plain.png", 1, 2)});
+  EXPECT_EQ(plain.exitCode, 1);
+  EXPECT_NE(plain.err.find("plain.png: texts: the file says nothing about its picture"), std::string::npos)
+      << plain.err;
 }
 
 TEST_F(ToolsProgram, compareEndsWithOneBeyondALimit) {

@@ -48,7 +48,8 @@ class Parser {
     CLI::App* sky = app_.add_subcommand("sky", "where sun and moon stand at a place and time, as JSON");
     CLI::App* weather =
         app_.add_subcommand("weather", "the state of a scene's air at a place and time, as JSON");
-    CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
+    CLI::App* info =
+        app_.add_subcommand("info", "versions, OpenGL renderer, limits; or how a picture was made");
     CLI::App* compare =
         app_.add_subcommand("compare", "how far two pictures differ; exit code 1 where it is too far");
     CLI::App* settings =
@@ -73,6 +74,7 @@ class Parser {
     addAccuracy(*accuracy);
     addText(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
             [this](const std::string& t) { line_.backend = parseBackend(t); });
+    info->add_option("PICTURE", line_.picture, "a PNG file: print what it says about how it was made");
     addCompare(*compare);
     addSettings(*settings);
     app_.require_subcommand(0, 1);
@@ -215,7 +217,7 @@ class Parser {
     const auto angle = [&](const std::string& flag, std::optional<double>& target, double most,
                            const std::string& help) {
       addText(verb, flag, "DEGREES", help,
-           [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
+              [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
     };
     angle("--heading", heading_, 360, "of --camera by the compass: 0 north, 90 east (0)");
     angle("--pitch", pitch_, 90, "of --camera, up (0)");

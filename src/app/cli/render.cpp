@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <span>
 #include <string>
 
 #include "app/cli/frame_path.h"
@@ -14,6 +15,7 @@
 #include "app/measure/stopwatch.h"
 #include "app/session/end_flight.h"
 #include "app/session/open_context.h"
+#include "app/session/picture_texts.h"
 #include "app/session/preparations.h"
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
@@ -58,10 +60,10 @@ class FrameFiles {
     }
   }
 
-  void write(int frame, const core::Image& image) {
+  void write(int frame, const core::Image& image, std::span<const core::PictureText> texts) {
     const auto stream = streams_.find(frame);
-    if (stream == streams_.end()) return core::writePng(path(frame), image);
-    stream->second.write(core::encodePng(image));
+    if (stream == streams_.end()) return core::writePng(path(frame), image, texts);
+    stream->second.write(core::encodePng(image, texts));
   }
   std::string path(int frame) const { return framePath(pattern_, frame); }
 
@@ -188,7 +190,7 @@ int render(const CommandLine& line) {
     const core::Image image = sceneRenderer.renderer().readBack();
     statistics.other["readBack"] += reading.ms();
     const Stopwatch writing;
-    files.write(frame, image);
+    files.write(frame, image, pictureTexts(*run, now, sceneRenderer.view(now, size)));
     statistics.other["png"] += writing.ms();
     if (overlay && overlay->showsCosts()) {
       shown = {};

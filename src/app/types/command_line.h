@@ -122,6 +122,9 @@ struct CommandLine {
   std::vector<std::filesystem::path> merge;  // folders of shares to make one report of
   ReportFormat reportFormat = ReportFormat::markdown;
 
+  // info
+  std::optional<std::filesystem::path> picture;  // what its file says, instead of the machine
+
   // compare
   PictureComparison comparison;
 

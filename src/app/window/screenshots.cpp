@@ -20,11 +20,11 @@ std::string timeStamp() {
 
 Screenshots::Screenshots(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-std::filesystem::path Screenshots::save(const core::Image& image) {
+std::filesystem::path Screenshots::save(const core::Image& image, std::span<const core::PictureText> texts) {
   const std::filesystem::path file =
       folder_ / ("skydrop-" + timeStamp() + "-" + std::to_string(count_ + 1) + ".png");
   core::makeFolder(folder_);
-  core::writePng(file, image);
+  core::writePng(file, image, texts);
   ++count_;
   return file;
 }

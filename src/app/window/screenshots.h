@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "skydrop/core/image.h"
 
@@ -12,8 +13,9 @@ class Screenshots {
   // The folder is made by the first one.
   explicit Screenshots(std::filesystem::path folder);
 
-  // Writes skydrop-DATE-TIME-NUMBER.png and returns its whole name. Throws core::DataError.
-  std::filesystem::path save(const core::Image& image);
+  // Writes skydrop-DATE-TIME-NUMBER.png with `texts` in it and returns its whole name. Throws
+  // core::DataError.
+  std::filesystem::path save(const core::Image& image, std::span<const core::PictureText> texts);
   int count() const { return count_; }
 
  private:

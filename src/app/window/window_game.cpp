@@ -420,7 +420,7 @@ void WindowGame::drawFrame(double seconds) {
   const OverlayResult result = buildInterface(snapshot, seconds);
   if (budget_) drawingSince_ = Clock::now();
   drawScene(snapshot, size);
-  if (screenshotWanted_) saveScreenshot();
+  if (screenshotWanted_) saveScreenshot(snapshot);
   sceneRenderer_->renderer().present(size.width, size.height);
   serve(result);  // what the player did in this frame takes effect after it was drawn
 }

@@ -118,7 +118,7 @@ class WindowGame {
   void announce(const std::string& line, const std::string& notice);
   void tellOfRefusals(const std::vector<std::string>& reasons);
   void keepRecording();
-  void saveScreenshot();
+  void saveScreenshot(const game::Snapshot& drawn);
   void measureIfAsked();
   void renewCosts();
   void report();

@@ -9,6 +9,7 @@
 #include "app/console/message.h"
 #include "app/measure/bill.h"
 #include "app/measure/statistics_json.h"
+#include "app/session/picture_texts.h"
 #include "app/settings/user_settings.h"
 #include "app/window/fault_parts.h"
 #include "app/window/window_game.h"
@@ -58,10 +59,12 @@ void WindowGame::keepRecording() {
     announce(*reason, "The recording has ended, the flight goes on");
 }
 
-void WindowGame::saveScreenshot() {
+void WindowGame::saveScreenshot(const game::Snapshot& drawn) {
   screenshotWanted_ = false;
   try {
-    notices_.add("Saved " + screenshots_.save(sceneRenderer_->renderer().readBack()).string());
+    const std::vector<core::PictureText> texts =
+        pictureTexts(*run_, drawn, sceneRenderer_->view(drawn, window_.size()));
+    notices_.add("Saved " + screenshots_.save(sceneRenderer_->renderer().readBack(), texts).string());
     faults_.clear(part::kScreenshot);
   } catch (const std::exception& refusal) {
     tell(part::kScreenshot, refusal.what());
