@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "support/process.h"
+#include "support/stats_schema.h"
 #include "support/temporary_folder.h"
 #include "window/flown_game.h"
 
@@ -37,6 +38,8 @@ TEST(FrameBudgetWindow, aWideBudgetTakesTheBestRungAndStays) {
   EXPECT_EQ(budget.at("rung").get<int>() + 1, budget.at("rungs").get<int>()) << budget.dump();
   EXPECT_TRUE(budget.at("holds").get<bool>());
   EXPECT_EQ(budget.at("changes"), 0);
+  if (!canCheckStatistics()) GTEST_SKIP() << "no python3 with jsonschema";
+  EXPECT_EQ(faultsOfStatistics(flown.statisticsFile()), "");
 }
 
 TEST(FrameBudgetWindow, aRowThatIsSetByHandIsThePlayersUntilTheBudgetIsSetAnew) {

@@ -15,6 +15,7 @@
 #include "skydrop/core/image.h"
 #include "skydrop/core/settings_table.h"
 #include "support/process.h"
+#include "support/stats_schema.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::test {
@@ -94,6 +95,28 @@ TEST_F(ToolsProgram, aPictureSaysHowItIsMadeAgain) {
   EXPECT_EQ(plain.exitCode, 1);
   EXPECT_NE(plain.err.find("plain.png: texts: the file says nothing about its picture"), std::string::npos)
       << plain.err;
+}
+
+TEST_F(ToolsProgram, statisticsAreWhatTheirSchemaSays) {
+  if (!canCheckStatistics()) GTEST_SKIP() << "no python3 with jsonschema";
+  const std::string stats = (folder_.path() / "stats.json").string();
+  const std::string picture = (folder_.path() / "a.png").string();
+  for (const std::vector<std::string>& run :
+       {std::vector<std::string>{"simulate", "--seconds", "1"},
+        {"render", "--scene", "fair", "--size", "64x36", "--out", picture},
+        {"render", "--scene", "fair", "--size", "64x36", "--split", "clouds=low", "--out", picture}}) {
+    std::vector<std::string> words = run;
+    words.insert(words.end(), {"--stats", stats});
+    const ProcessResult result = runSkydrop(words);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(faultsOfStatistics(stats), "") << run[0];
+  }
+  auto json = nlohmann::json::parse(core::readTextFile(stats));
+  json["gl"].erase("errors");
+  json["unknown"] = 1;
+  core::writeFileAtomically(stats, json.dump());
+  EXPECT_NE(faultsOfStatistics(stats).find("'errors' is a required property"), std::string::npos);
+  EXPECT_NE(faultsOfStatistics(stats).find("'unknown' was unexpected"), std::string::npos);
 }
 
 TEST_F(ToolsProgram, compareEndsWithOneBeyondALimit) {
