@@ -8,7 +8,7 @@ libraries=(libglfw3-dev libglm-dev libimgui-dev libstb-dev libassimp-dev zlib1g-
            libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri nlohmann-json3-dev libcli11-dev
            libcurl4-openssl-dev)
 tests=(libgtest-dev libgmock-dev libbenchmark-dev libosmesa6 xvfb xauth xdotool x11-utils glslang-tools
-       python3 python3-numpy python3-jsonschema chromium snakemake)
+       python3 python3-numpy python3-jsonschema appstream chromium snakemake)
 
 wanted=("${build[@]}" "${libraries[@]}")
 [ "${1:-}" = "--play" ] || wanted+=("${tests[@]}")

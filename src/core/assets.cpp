@@ -22,10 +22,13 @@ std::filesystem::path findDataFolder() {
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", ignored);
   for (std::filesystem::path folder = executable.parent_path(); !folder.empty();
        folder = folder.parent_path()) {
-    if (isDataFolder(folder)) return folder;
+    for (const std::filesystem::path& place : {folder, folder / "share/skydrop"})
+      if (isDataFolder(place)) return place;
     if (folder == folder.root_path()) break;
   }
+#ifdef SKYDROP_SOURCE_DATA_DIR
   if (isDataFolder(SKYDROP_SOURCE_DATA_DIR)) return SKYDROP_SOURCE_DATA_DIR;
+#endif
   throw DataError(executable.string(), "data folder",
                   "no shaders/ and assets/ beside the program or above it; set SKYDROP_DATA_DIR");
 }

@@ -12,6 +12,10 @@
 namespace skydrop {
 namespace {
 
+const char* folderOf(const std::string& name) {
+  return name.ends_with(".wav") ? "audio" : name.ends_with(".svg") ? "desktop" : "models";
+}
+
 class AssetScripts : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
@@ -27,7 +31,7 @@ TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     const std::string name = entry.path().filename().string();
-    const std::filesystem::path kept = assets / (name.ends_with(".wav") ? "audio" : "models") / name;
+    const std::filesystem::path kept = assets / folderOf(name) / name;
     ASSERT_TRUE(std::filesystem::exists(kept)) << name;
     EXPECT_TRUE(core::readFile(kept) == core::readFile(entry.path())) << name << " differs";
     ++files;
@@ -36,7 +40,8 @@ TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, AssetScripts,
-                         ::testing::Values("make_airplane.py", "make_package.py", "make_sounds.py"),
+                         ::testing::Values("make_airplane.py", "make_icon.py", "make_package.py",
+                                           "make_sounds.py"),
                          [](const auto& script) {
                            const std::string name(script.param);
                            return name.substr(0, name.find('.'));
