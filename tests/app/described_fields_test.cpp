@@ -14,6 +14,7 @@
 #include "app/settings/settings.h"
 #include "app/window/noise_tool_settings.h"
 #include "app/window/window_memory.h"
+#include "skydrop/lab/knobs.h"
 #include "skydrop/noise/noise_settings.h"
 #include "support/paths.h"
 #include "support/struct_fields.h"
@@ -105,6 +106,12 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using flight::PackageSettings;
   using game::AutopilotSettings;
   using game::GameSettings;
+  using lab::BlendKnobs;
+  using lab::MarchKnobs;
+  using lab::OcclusionKnobs;
+  using lab::OrbitKnobs;
+  using lab::ShadowKnobs;
+  using lab::ShapeKnobs;
   using noise::NoiseSettings;
   using noise::PostProcess;
   using render::AircraftLightsSettings;
@@ -141,6 +148,9 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(InputSettings),        SKYDROP_STRUCT(Settings),
       SKYDROP_STRUCT(WindowMemory),         SKYDROP_STRUCT(WindSettings),
       SKYDROP_STRUCT(EffectSwitches),       SKYDROP_STRUCT(NoiseSettings),
+      SKYDROP_STRUCT(BlendKnobs),           SKYDROP_STRUCT(MarchKnobs),
+      SKYDROP_STRUCT(OcclusionKnobs),       SKYDROP_STRUCT(OrbitKnobs),
+      SKYDROP_STRUCT(ShadowKnobs),          SKYDROP_STRUCT(ShapeKnobs),
       SKYDROP_STRUCT(PostProcess),          SKYDROP_STRUCT(NoiseToolSettings),
       SKYDROP_STRUCT(CloudPlaneSettings),   SKYDROP_STRUCT(CloudPlanesSettings),
       SKYDROP_STRUCT(CloudDomeSettings),    SKYDROP_STRUCT(GroundFogSettings),
