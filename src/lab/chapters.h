@@ -12,6 +12,8 @@ namespace skydrop::lab {
 
 std::vector<Page> marchPages();
 std::vector<Page> distancePages();
+std::vector<Page> noisePages();
+std::vector<Page> cloudPages();
 
 // Gives a page its knobs and what takes them.
 template <class Settings>

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<Page> allPages() {
   std::vector<Page> all;
-  for (auto* chapter : {marchPages, distancePages}) {
+  for (auto* chapter : {marchPages, distancePages, noisePages, cloudPages}) {
     std::vector<Page> some = chapter();
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }

@@ -6,6 +6,7 @@
 
 #include "skydrop/lab/distance_measure.h"
 #include "skydrop/lab/march_measure.h"
+#include "skydrop/lab/noise_measure.h"
 #include "skydrop/lab/shared.h"
 
 namespace skydrop::lab {
@@ -96,6 +97,50 @@ TEST(Stability, L06_nestedDifferencesCutEverythingAtMostOnce) {
   EXPECT_LE(nested, 0.3 + 1e-12);
   // Without itself nothing is left: nowhere inside.
   for (const double d : {-1.0, -0.0, 0.0, 2.0}) EXPECT_GE(f64::differenceOf(d, d), 0);
+}
+
+TEST(Stability, L07_hashesAreTheSameInFloatAndDoubleWhereSinesAreNot) {
+  // A million cells away: nearly every sine-made number is another one, of the hashes none.
+  const RandomError away = randomError(1e6);
+  EXPECT_GT(away.sineApart, 0.9);
+  EXPECT_LT(away.sineDistinct, 0.5);
+  for (const double from : {0.0, 1e3, 1e6, 1e7, 4e9}) {
+    const RandomError error = randomError(from);
+    EXPECT_EQ(error.hashApart, 0) << from;
+    EXPECT_GT(error.hashDistinct, 0.999) << from;
+  }
+}
+
+TEST(Stability, L08_periodsOfOneAndTwoTile) {
+  for (const int period : {1, 2}) {
+    const VoronoiKnobs knobs{.period = period};
+    EXPECT_EQ(tileError(knobs, true), 0) << period;
+    const auto cells = static_cast<std::uint32_t>(period);
+    for (int i = 0; i < 64; ++i) {
+      const float y = static_cast<float>(i) / 64;
+      // Both borders of the period have the same nodes: within rounding of each other.
+      EXPECT_NEAR(f32::perlinPlane({0, y}, cells, 7), f32::perlinPlane({0.999999f, y}, cells, 7), 2e-5);
+      EXPECT_NEAR(f32::nearVoronoi({0, y}, cells, 7), f32::nearVoronoi({0.999999f, y}, cells, 7), 2e-5);
+      EXPECT_TRUE(std::isfinite(f32::perlinSpace({0.3f, y, 0.9f}, cells, 7)));
+    }
+  }
+}
+
+TEST(Stability, L09_negativeCellsTileBitForBit) {
+  // Floored remainders; truncated ones tear.
+  for (const std::int64_t period : {1, 2, 3, 7}) {
+    const VoronoiKnobs knobs{.period = period};
+    EXPECT_EQ(tileError(knobs, true), 0) << period;
+    if (period > 1) {
+      EXPECT_GT(tileError(knobs, false), 0.1) << period;
+    }
+    for (int cell = -20; cell <= 20; ++cell) {
+      const int left = f32::flooredRemainder(cell, static_cast<int>(period));
+      EXPECT_GE(left, 0);
+      EXPECT_LT(left, period);
+      EXPECT_EQ((cell - left) % period, 0);
+    }
+  }
 }
 
 }  // namespace

@@ -52,6 +52,12 @@ inline constexpr std::size_t kPlotPlaces = 24;
 using Curve = std::array<float, kPlotPlaces>;
 inline constexpr std::size_t kMostCurves = 4;
 
+// A cube of pairs of values that a page's picture samples, x the fastest; repeats in each direction.
+struct Volume {
+  int side = 0;
+  std::vector<float> pairs;  // 2 side^3
+};
+
 struct Page {
   std::string_view name;          // of --page: "sphere-tracing"
   std::string_view title;         // "Sphere tracing"
@@ -63,6 +69,7 @@ struct Page {
   // Take the knobs that this page made. A fraction of a second; any thread.
   std::function<Figures(const Knobs&)> measure = {};
   std::function<std::vector<Curve>(const Knobs&)> plot = {};  // may be empty: nothing to plot
+  std::function<Volume(const Knobs&)> volume = {};            // may be empty: no volume to sample
 };
 
 // All pages, in the order of the list.

@@ -17,6 +17,8 @@ using glm::fract, glm::sin, glm::cos;
 #include "shared/lab/march.glsl"
 #include "shared/lab/light.glsl"
 #include "shared/lab/orbit.glsl"
+#include "shared/lab/noise.glsl"
+#include "shared/lab/cloud.glsl"
 // clang-format on
 }  // namespace skydrop::core::shared::f32
 
@@ -28,6 +30,8 @@ using glm::fract, glm::sin, glm::cos;
 #include "shared/lab/march.glsl"
 #include "shared/lab/light.glsl"
 #include "shared/lab/orbit.glsl"
+#include "shared/lab/noise.glsl"
+#include "shared/lab/cloud.glsl"
 // clang-format on
 }  // namespace skydrop::core::shared::f64
 

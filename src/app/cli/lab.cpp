@@ -29,6 +29,7 @@ Drawn drawPage(render::gl::Context& context, const lab::Page& page, const lab::K
                bool timed) {
   const std::vector<lab::Curve> curves = page.plot ? page.plot(knobs) : std::vector<lab::Curve>();
   render::PagePicture picture(context, page, knobs.table(), size.width, size.height);
+  if (page.volume) picture.setVolume(page.volume(knobs));
   Drawn drawn;
   picture.draw(curves);
   drawn.picture = picture.read();

@@ -9,6 +9,7 @@ namespace skydrop::render {
 namespace {
 
 constexpr std::size_t kMostKnobs = 32;  // as in shaders/lab/frame.glsl
+constexpr GLuint kVolumeUnit = 0;       // as in shaders/lab/cloud.glsl
 
 gl::FrameBufferFormat eightBits() { return {.color = GL_RGBA8, .depth = 0}; }
 
@@ -66,10 +67,20 @@ void PagePicture::draw(std::span<const lab::Curve> curves) {
   shader_.setFloats("knobs", values);
   shader_.setFloats("curves", places);
   shader_.setInt("curveCount", static_cast<int>(curves.size()));
+  if (volume_) volume_.bind(kVolumeUnit);
   nothing_.bind();
   context_.drawArrays(GL_TRIANGLES, 0, 3);
   target.unBind();
   if (small_) small_->drawTo(target_);
+}
+
+void PagePicture::setVolume(const lab::Volume& volume) {
+  assert(volume.side > 0);
+  if (!volume_ || volume_.width() != volume.side) {
+    volume_ = gl::Texture::make3D(context_, GL_RG16F, volume.side, volume.side, volume.side, "lab volume");
+    volume_.setWrap(GL_REPEAT);
+  }
+  volume_.upload(GL_RG, GL_FLOAT, std::as_bytes(std::span(volume.pairs)));
 }
 
 core::Image PagePicture::read() const {

@@ -26,6 +26,8 @@ class PagePicture {
   void resize(int width, int height);
   // By the knobs as they are now. `curves` of the page's plot, at most lab::kMostCurves.
   void draw(std::span<const lab::Curve> curves);
+  // Of a page with a volume, before the first draw() and when it has changed.
+  void setVolume(const lab::Volume& volume);
 
   // sRGB-encoded; v = 0 is the lowest row.
   const gl::Texture& texture() const { return target_.colorTexture(); }
@@ -37,6 +39,7 @@ class PagePicture {
   const core::SettingsTable& knobs_;
   gl::Shader shader_;
   gl::VertexArray nothing_;
+  gl::Texture volume_;
   gl::FrameBuffer target_;
   std::optional<gl::FrameBuffer> small_;  // of a page that is drawn at half the size
 };
