@@ -129,6 +129,19 @@ LightError lightError(const CloudKnobs& knobs, int steps, int lightSamples) {
   return error;
 }
 
+std::vector<double> lightErrors(const CloudKnobs& knobs, int steps, int most) {
+  std::vector<double> errors(static_cast<std::size_t>(most), 0.0);
+  const int rays = forRays(
+      knobs, 6, 4, [&](const f64::Orbit& eye, const dvec3& ray, const f64::RaySpan& span, const glm::dvec2&) {
+        const double finest = sunAlong(knobs, eye.place, ray, span, steps, kFinestLight);
+        for (std::size_t i = 0; i < errors.size(); ++i)
+          errors[i] +=
+              std::abs(sunAlong(knobs, eye.place, ray, span, steps, static_cast<int>(i) + 1) - finest);
+      });
+  for (double& error : errors) error /= rays;
+  return errors;
+}
+
 ForwardError forwardError(const CloudKnobs& knobs) {
   ForwardError error;
   int dense = 0;

@@ -80,13 +80,10 @@ Figures measureLight(const CloudKnobs& knobs) {
 
 std::vector<Curve> plotLight(const CloudKnobs& knobs) {
   // Over 1 to 24 light samples, four decades down from 1.
+  constexpr int kSteps = 8;
+  const std::vector<double> errors = lightErrors(knobs, kSteps, static_cast<int>(kPlotPlaces));
   std::vector<Curve> curves(1);
-  for (std::size_t i = 0; i < kPlotPlaces; i += 1) {
-    const double error =
-        lightError(knobs, static_cast<int>(std::min<std::int64_t>(knobs.steps, 8)), static_cast<int>(i) + 1)
-            .meanError;
-    curves[0][i] = logPlace(error, 1e-4, 1);
-  }
+  for (std::size_t i = 0; i < kPlotPlaces; ++i) curves[0][i] = logPlace(errors[i], 1e-4, 1);
   return curves;
 }
 

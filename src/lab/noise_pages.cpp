@@ -149,7 +149,7 @@ std::vector<Page> noisePages() {
                                   "function, squeezed until it looks "
                                   "random. Move `from` to 1e6 and it falls into steps."),
                              {}, measureRandom),
-      withKnobs<RandomKnobs>(page("random", "Random numbers by sines and by hashes", "PAGE_RANDOM",
+      withKnobs<RandomKnobs>(page("random", "Random numbers: sines, hashes", "PAGE_RANDOM",
                                   "Numbers of a plane above, of a slice of space below: by sines at the "
                                   "origin, by sines far away, by "
                                   "integer hashes at the origin, by hashes far away. The sine is only as "

@@ -25,6 +25,9 @@ struct LightError {
 };
 LightError lightError(const CloudKnobs& knobs, int steps, int lightSamples);
 
+// The mean errors with 1 to `most` light samples, the finest march computed once.
+std::vector<double> lightErrors(const CloudKnobs& knobs, int steps, int most);
+
 // Sunlight that is forwarded by distance on the screen, where the cloud is dense (transmittance below a
 // hundredth), in shares of the sun: plain, and times the transmittance.
 struct ForwardError {

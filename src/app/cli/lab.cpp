@@ -6,6 +6,7 @@
 #include "app/console/standard_output.h"
 #include "app/measure/stopwatch.h"
 #include "app/session/open_context.h"
+#include "app/window/laboratory_run.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/output_file.h"
@@ -101,7 +102,7 @@ int lab(const CommandLine& line) {
     else if (line.lab.out)
       drawOne(line);
     else
-      throw core::UsageError("give --page NAME --out FILE.png, --all --out DIR, or --list");
+      runLaboratory(line);
   } catch (const core::RangeError& refusal) {
     throw core::UsageError(refusal.what());
   }
