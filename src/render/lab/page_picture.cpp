@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <glm/vec2.hpp>
 #include <string>
 
 namespace skydrop::render {
