@@ -12,7 +12,10 @@ struct Entry {
 };
 
 constexpr Entry kEntries[] = {
-    {"Resume", EscapeAction::resume}, {"Help", EscapeAction::help}, {"Quit", EscapeAction::quit}};
+    {"Resume", EscapeAction::resume},
+    {"Help", EscapeAction::help},
+    {"Laboratory", EscapeAction::laboratory},
+    {"Quit", EscapeAction::quit}};
 constexpr int kEntryCount = static_cast<int>(std::size(kEntries));
 constexpr float kButtonWidth = 12;  // lines of text
 

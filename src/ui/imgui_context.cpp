@@ -102,8 +102,10 @@ void Interface::rebuildFonts(int linePixels) {
   setStyle(ImGui::GetStyle(), text_.pixels);
 }
 
+void Interface::makeCurrent() const { ImGui::SetCurrentContext(context_.get()); }
+
 bool Interface::beginFrame(int width, int height, double seconds, const InterfaceScale& scale) {
-  ImGui::SetCurrentContext(context_.get());
+  makeCurrent();
   width_ = std::max(width, 1);
   height_ = std::max(height, 1);
   const int line = linePixels(width_, height_, scale);

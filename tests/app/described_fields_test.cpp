@@ -14,6 +14,7 @@
 #include "app/settings/settings.h"
 #include "app/window/noise_tool_settings.h"
 #include "app/window/window_memory.h"
+#include "skydrop/lab/knobs.h"
 #include "skydrop/noise/noise_settings.h"
 #include "support/paths.h"
 #include "support/struct_fields.h"
@@ -105,6 +106,17 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using flight::PackageSettings;
   using game::AutopilotSettings;
   using game::GameSettings;
+  using lab::BlendKnobs;
+  using lab::CloudKnobs;
+  using lab::FractalKnobs;
+  using lab::MarchKnobs;
+  using lab::OcclusionKnobs;
+  using lab::OrbitKnobs;
+  using lab::PerlinKnobs;
+  using lab::RandomKnobs;
+  using lab::ShadowKnobs;
+  using lab::ShapeKnobs;
+  using lab::VoronoiKnobs;
   using noise::NoiseSettings;
   using noise::PostProcess;
   using render::AircraftLightsSettings;
@@ -130,28 +142,61 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using weather::WeatherSettings;
   using weather::WindLevelSettings;
   const std::map<std::string, void (*)(const char*)> structs = {
-      SKYDROP_STRUCT(AirplaneSettings),     SKYDROP_STRUCT(PackageSettings),
-      SKYDROP_STRUCT(GameSettings),         SKYDROP_STRUCT(AutopilotSettings),
-      SKYDROP_STRUCT(TerrainSettings),      SKYDROP_STRUCT(TerrainStreamingSettings),
-      SKYDROP_STRUCT(CameraSettings),       SKYDROP_STRUCT(SunSettings),
-      SKYDROP_STRUCT(AtmosphereSettings),   SKYDROP_STRUCT(RenderSettings),
-      SKYDROP_STRUCT(SplitSettings),        SKYDROP_STRUCT(MarchSettings),
-      SKYDROP_STRUCT(CloudSettings),        SKYDROP_STRUCT(AudioSettings),
-      SKYDROP_STRUCT(ViewSettings),         SKYDROP_STRUCT(GamepadSettings),
-      SKYDROP_STRUCT(InputSettings),        SKYDROP_STRUCT(Settings),
-      SKYDROP_STRUCT(WindowMemory),         SKYDROP_STRUCT(WindSettings),
-      SKYDROP_STRUCT(EffectSwitches),       SKYDROP_STRUCT(NoiseSettings),
-      SKYDROP_STRUCT(PostProcess),          SKYDROP_STRUCT(NoiseToolSettings),
-      SKYDROP_STRUCT(CloudPlaneSettings),   SKYDROP_STRUCT(CloudPlanesSettings),
-      SKYDROP_STRUCT(CloudDomeSettings),    SKYDROP_STRUCT(GroundFogSettings),
-      SKYDROP_STRUCT(StarsSettings),        SKYDROP_STRUCT(LandShadowSettings),
-      SKYDROP_STRUCT(SkySettings),          SKYDROP_STRUCT(HaloSettings),
-      SKYDROP_STRUCT(RainbowSettings),      SKYDROP_STRUCT(WindLevelSettings),
-      SKYDROP_STRUCT(WeatherLayerSettings), SKYDROP_STRUCT(SiteSettings),
-      SKYDROP_STRUCT(WeatherSettings),      SKYDROP_STRUCT(LightShaftSettings),
-      SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
-      SKYDROP_STRUCT(MoodSettings),         SKYDROP_STRUCT(ForecastClock),
-      SKYDROP_STRUCT(IceCloudSettings),     SKYDROP_STRUCT(PrecipitationSettings),
+      SKYDROP_STRUCT(AirplaneSettings),
+      SKYDROP_STRUCT(PackageSettings),
+      SKYDROP_STRUCT(GameSettings),
+      SKYDROP_STRUCT(AutopilotSettings),
+      SKYDROP_STRUCT(TerrainSettings),
+      SKYDROP_STRUCT(TerrainStreamingSettings),
+      SKYDROP_STRUCT(CameraSettings),
+      SKYDROP_STRUCT(SunSettings),
+      SKYDROP_STRUCT(AtmosphereSettings),
+      SKYDROP_STRUCT(RenderSettings),
+      SKYDROP_STRUCT(SplitSettings),
+      SKYDROP_STRUCT(MarchSettings),
+      SKYDROP_STRUCT(CloudSettings),
+      SKYDROP_STRUCT(AudioSettings),
+      SKYDROP_STRUCT(ViewSettings),
+      SKYDROP_STRUCT(GamepadSettings),
+      SKYDROP_STRUCT(InputSettings),
+      SKYDROP_STRUCT(Settings),
+      SKYDROP_STRUCT(WindowMemory),
+      SKYDROP_STRUCT(WindSettings),
+      SKYDROP_STRUCT(EffectSwitches),
+      SKYDROP_STRUCT(NoiseSettings),
+      SKYDROP_STRUCT(CloudKnobs),
+      SKYDROP_STRUCT(FractalKnobs),
+      SKYDROP_STRUCT(PerlinKnobs),
+      SKYDROP_STRUCT(RandomKnobs),
+      SKYDROP_STRUCT(VoronoiKnobs),
+      SKYDROP_STRUCT(BlendKnobs),
+      SKYDROP_STRUCT(MarchKnobs),
+      SKYDROP_STRUCT(OcclusionKnobs),
+      SKYDROP_STRUCT(OrbitKnobs),
+      SKYDROP_STRUCT(ShadowKnobs),
+      SKYDROP_STRUCT(ShapeKnobs),
+      SKYDROP_STRUCT(PostProcess),
+      SKYDROP_STRUCT(NoiseToolSettings),
+      SKYDROP_STRUCT(CloudPlaneSettings),
+      SKYDROP_STRUCT(CloudPlanesSettings),
+      SKYDROP_STRUCT(CloudDomeSettings),
+      SKYDROP_STRUCT(GroundFogSettings),
+      SKYDROP_STRUCT(StarsSettings),
+      SKYDROP_STRUCT(LandShadowSettings),
+      SKYDROP_STRUCT(SkySettings),
+      SKYDROP_STRUCT(HaloSettings),
+      SKYDROP_STRUCT(RainbowSettings),
+      SKYDROP_STRUCT(WindLevelSettings),
+      SKYDROP_STRUCT(WeatherLayerSettings),
+      SKYDROP_STRUCT(SiteSettings),
+      SKYDROP_STRUCT(WeatherSettings),
+      SKYDROP_STRUCT(LightShaftSettings),
+      SKYDROP_STRUCT(LandingLightSettings),
+      SKYDROP_STRUCT(AircraftLightsSettings),
+      SKYDROP_STRUCT(MoodSettings),
+      SKYDROP_STRUCT(ForecastClock),
+      SKYDROP_STRUCT(IceCloudSettings),
+      SKYDROP_STRUCT(PrecipitationSettings),
       SKYDROP_STRUCT(LightningSettings),
   };
   std::set<std::string> tested;

@@ -13,7 +13,9 @@
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
 #include "skydrop/core/assets.h"
+#include "skydrop/lab/page.h"
 #include "skydrop/render/gl/shader_source.h"
+#include "skydrop/render/lab/page_picture.h"
 #include "support/gl_test.h"
 #include "support/process.h"
 #include "support/shared_noise.h"
@@ -83,6 +85,8 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("cirrus", {"effects.clouds=true", "effects.halo=true"});
   draw("cirrus", {"iceClouds.resolution=quarter", "effects.haze=false"});
   for (const char* entry : kOfTools) note(entry, {});
+  for (const lab::Page& page : lab::pages())
+    note(render::shaderOf(page), render::definesOf(page, page.makeKnobs()->table()));
   for (const auto& file : std::filesystem::recursive_directory_iterator(core::shaderPath(""))) {
     const std::string name = std::filesystem::relative(file.path(), core::shaderPath("")).generic_string();
     if (file.is_regular_file() && file.path().extension() != ".glsl" &&

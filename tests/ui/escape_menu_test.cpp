@@ -29,6 +29,9 @@ TEST_F(EscapeMenuTest, arrowsSelectAndEnterChooses) {
   driver.tap(app::key::kEnter);
   EXPECT_EQ(taken(), EscapeAction::help);
   driver.tap(app::key::kDown);
+  driver.tap(app::key::kEnter);
+  EXPECT_EQ(taken(), EscapeAction::laboratory);
+  driver.tap(app::key::kDown);
   driver.tap(app::key::kKeypadEnter);
   EXPECT_EQ(taken(), EscapeAction::quit);
   driver.tap(app::key::kDown);
@@ -41,9 +44,10 @@ TEST_F(EscapeMenuTest, arrowsSelectAndEnterChooses) {
 }
 
 TEST_F(EscapeMenuTest, theMouseChooses) {
-  constexpr EscapeAction kActions[] = {EscapeAction::resume, EscapeAction::help, EscapeAction::quit};
-  ASSERT_EQ(menu.places().size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) {
+  constexpr EscapeAction kActions[] = {EscapeAction::resume, EscapeAction::help, EscapeAction::laboratory,
+                                       EscapeAction::quit};
+  ASSERT_EQ(menu.places().size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
     driver.click(ScreenRect(menu.places()[i]));
     EXPECT_EQ(taken(), kActions[i]);
   }

@@ -28,11 +28,14 @@ std::map<std::string, Names> allowedIncludes() {
   Names outer = game;
   outer.insert("game");
   Names app = outer;
-  app.insert({"render", "audio", "ui", "accuracy", "forecast"});
+  app.insert({"render", "audio", "ui", "accuracy", "forecast", "lab"});
+  Names render = outer;
+  render.insert("lab");
   const Names forecast = {"core", "sky", "weather"};
   return {{"core", {}},      {"terrain", core}, {"noise", core},   {"clouds", core}, {"accuracy", core},
+          {"lab", core},
           {"flight", core},  {"sky", core},     {"weather", core}, {"scene", scene}, {"game", game},
-          {"render", outer}, {"audio", outer},  {"ui", outer},     {"app", app},     {"forecast", forecast}};
+          {"render", render}, {"audio", outer},  {"ui", outer},     {"app", app},     {"forecast", forecast}};
 }
 
 // The same for rooms, the folders of a module.
@@ -71,6 +74,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"frame", {"gl"}},
             {"sky", effect},
             {"noise", {"gl"}},
+            {"lab", {"gl"}},
             {"clouds", clouds},
             {"fog", effect},
             {"models", effect},

@@ -45,6 +45,10 @@ class Interface {
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
 
+  // The Dear ImGui context that input goes to, again: after another interface has been there, which must be
+  // gone.
+  void makeCurrent() const;
+
   // Starts a frame. `seconds` since the last one: 0 (pause, single frames) is allowed; it is clamped to
   // [1e-6, 0.25]. True if the font atlas changed because of the size: render::ImGuiPass::uploadFonts() is due
   // before the frame is drawn.

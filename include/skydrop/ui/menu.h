@@ -144,7 +144,7 @@ class ConfigurationMenu {
   std::unique_ptr<Parts> parts_;
 };
 
-enum class EscapeAction { none, resume, help, quit };
+enum class EscapeAction { none, resume, help, laboratory, quit };
 
 // The small menu on Escape: by mouse, or up, down and Enter. Opening and closing it on Escape is the
 // caller's.
@@ -155,7 +155,7 @@ class EscapeMenu {
   EscapeAction draw(const Interface& context);
 
   int selected() const { return selected_; }
-  // Where the entries were drawn in the last frame: resume, help, quit.
+  // Where the entries were drawn in the last frame: resume, help, laboratory, quit.
   std::span<const ScreenRect> places() const { return places_; }
 
  private:

@@ -9,6 +9,7 @@
 #include "app/cli/flag_options.h"
 #include "app/cli/flag_values.h"
 #include "app/cli/frame_path.h"
+#include "app/cli/lab_flags.h"
 #include "app/cli/noise_flags.h"
 #include "app/cli/weather_flags.h"
 #include "app/types/version.h"
@@ -50,13 +51,15 @@ class Parser {
         app_.add_subcommand("weather", "the state of a scene's air at a place and time, as JSON");
     CLI::App* info =
         app_.add_subcommand("info", "versions, OpenGL renderer, limits; or how a picture was made");
+    CLI::App* lab = app_.add_subcommand(
+        "lab", "the laboratory: what clouds are made of, page by page, with cost and error");
     CLI::App* compare =
         app_.add_subcommand("compare", "how far two pictures differ; exit code 1 where it is too far");
     CLI::App* settings =
         app_.add_subcommand("settings", "every setting with default, range and what it does");
-    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, weather, info, compare, settings})
+    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, weather, lab, info, compare, settings})
       verb->set_help_flag("--help", "print this help");
-    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, weather, info, compare, settings})
+    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, weather, lab, info, compare, settings})
       verb->footer(kExitCodes);
     addCommon(*render);
     addRender(*render);
@@ -67,6 +70,9 @@ class Parser {
     addSize(*noise);
     addSky(*sky);
     addWeather(*weather);
+    addLabFlags(*lab, line_);
+    addSet(*lab);
+    addSize(*lab);
     for (CLI::App* verb : {render, simulate, accuracy, noise}) {
       verb->add_flag("--progress", line_.progress,
                      "tell how far it is, each second, where there is no terminal");
@@ -84,6 +90,7 @@ class Parser {
     noise->callback([this] { line_.verb = Verb::noise; });
     sky->callback([this] { line_.verb = Verb::sky; });
     weather->callback([this] { line_.verb = Verb::weather; });
+    lab->callback([this] { line_.verb = Verb::lab; });
     info->callback([this] { line_.verb = Verb::info; });
     compare->callback([this] { line_.verb = Verb::compare; });
     settings->callback([this] { line_.verb = Verb::settings; });
@@ -449,6 +456,7 @@ class Parser {
     }
     weatherFlags_.check(line_);
     checkOutputs();
+    if (line_.verb == Verb::lab) checkLab(line_);
     if (line_.noise.check && !line_.noise.files.empty())
       throw UsageError("--check and --noise exclude each other");
     if (line_.verb != Verb::render) return;

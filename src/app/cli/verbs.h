@@ -16,6 +16,7 @@ int sky(const CommandLine& line);
 int weather(const CommandLine& line);
 int checkWeather(const CommandLine& line);  // weather check
 int fetchWeather(const CommandLine& line);  // weather fetch
+int lab(const CommandLine& line);
 int info(const CommandLine& line);
 int compare(const CommandLine& line);
 int listSettings(const CommandLine& line);  // settings

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/types/lab_request.h"
 #include "app/types/pose.h"
 #include "app/types/report_format.h"
 #include "app/types/size.h"
@@ -21,7 +22,7 @@
 
 namespace skydrop::app {
 
-enum class Verb { fly, render, simulate, accuracy, noise, sky, weather, info, compare, settings };
+enum class Verb { fly, render, simulate, accuracy, noise, sky, weather, lab, info, compare, settings };
 
 inline constexpr const char* kDefaultScene = "fair";
 
@@ -112,6 +113,8 @@ struct CommandLine {
   // weather
   WeatherRequest weather;
   glm::dvec3 weatherAt{0, 500, 0};  // m; its time is timeS
+
+  LabRequest lab;
 
   // accuracy
   std::vector<std::string> studies;

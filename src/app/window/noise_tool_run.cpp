@@ -14,6 +14,7 @@
 #include "app/window/game_window.h"
 #include "app/window/noise_sky.h"
 #include "app/window/noise_tool.h"
+#include "app/window/window_clipboard.h"
 #include "app/window/window_game.h"
 #include "skydrop/core/error.h"
 
@@ -24,16 +25,6 @@ using render::gl::WindowEvent;
 
 constexpr Size kUsualSize{1280, 720};
 constexpr double kFramesASecond = 60;
-
-class WindowClipboard final : public Clipboard {
- public:
-  explicit WindowClipboard(render::gl::WindowContext& window) : window_(window) {}
-  std::string text() override { return window_.clipboardText(); }
-  void setText(const std::string& text) override { window_.setClipboardText(text); }
-
- private:
-  render::gl::WindowContext& window_;
-};
 
 // What is to be seen in the sky.
 struct SkyRequest {

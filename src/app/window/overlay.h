@@ -52,6 +52,8 @@ class Overlay {
           const ui::InterfaceScale& scale = {});
 
   ui::ConfigurationMenu& menu() { return menu_; }
+  // After the interface of another window (ui::Interface::makeCurrent).
+  void makeCurrent() const { interface_.makeCurrent(); }
   // Somebody looks at what the passes cost.
   bool showsCosts() const { return menuOpen && menu_.showsCosts(); }
 

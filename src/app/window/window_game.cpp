@@ -13,7 +13,9 @@
 #include "app/settings/quality_preset.h"
 #include "app/settings/user_settings.h"
 #include "app/window/fault_parts.h"
+#include "app/window/laboratory_run.h"
 #include "app/window/split_texts.h"
+#include "app/window/window_clipboard.h"
 #include "skydrop/core/error.h"
 #include "skydrop/render/frame/sky_clock.h"
 #include "skydrop/sky/instant.h"
@@ -50,16 +52,6 @@ std::optional<std::string> folderRefusal(const RunConfig& run) {
     return refusal.what();
   }
 }
-
-class WindowClipboard final : public Clipboard {
- public:
-  explicit WindowClipboard(render::gl::WindowContext& window) : window_(window) {}
-  std::string text() override { return window_.clipboardText(); }
-  void setText(const std::string& text) override { window_.setClipboardText(text); }
-
- private:
-  render::gl::WindowContext& window_;
-};
 
 std::filesystem::path gamepadMappings(const RunConfig& run) {
   return run.userFolder ? *run.userFolder / "gamecontrollerdb.txt" : std::filesystem::path();
@@ -233,6 +225,7 @@ void WindowGame::fly() {
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - std::exchange(lastFrame_, now)).count();
     handleEvents();
+    if (std::exchange(laboratoryWanted_, false)) visitLaboratory();
     watchFiles();
     if (saveChoicesPending_ && !changeNotDrawn_) {
       saveChoicesPending_ = false;
@@ -254,6 +247,19 @@ void WindowGame::fly() {
     report();
     keepRecording();
   }
+}
+
+void WindowGame::visitLaboratory() {
+  try {
+    runLaboratory({});
+  } catch (const core::GraphicsUnavailable& refusal) {
+    announce(refusal.what(), "The laboratory does not open");
+  } catch (const core::DataError& refusal) {
+    announce(refusal.what(), "The laboratory does not open");
+  }
+  window_.context().makeCurrent();
+  overlay_->makeCurrent();
+  lastFrame_ = Clock::now();  // no time has passed here
 }
 
 bool WindowGame::wasAskedToEnd() { return endRequested != 0; }
@@ -500,6 +506,9 @@ void WindowGame::serve(const OverlayResult& result) {
       break;
     case ui::EscapeAction::help:
       overlay_->escapeOpen = false, overlay_->helpOpen = true;
+      break;
+    case ui::EscapeAction::laboratory:
+      laboratoryWanted_ = true;  // between two frames
       break;
     case ui::EscapeAction::quit:
       window_.context().setShouldClose(true);

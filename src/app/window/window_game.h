@@ -79,6 +79,7 @@ class WindowGame {
   void showControls();
   void advance(double seconds);
   void drawFrame(double seconds);
+  void visitLaboratory();  // in a window of its own, while the flight is paused
   void drawScene(const game::Snapshot& snapshot, Size size);
   void drawSplit(const game::Snapshot& snapshot, Size size);
   OverlayResult buildInterface(const game::Snapshot& snapshot, double seconds);
@@ -163,6 +164,7 @@ class WindowGame {
 
   bool paused_ = false;
   bool screenshotWanted_ = false;
+  bool laboratoryWanted_ = false;
   bool replayEnded_ = false;
   bool menuWasOpen_ = false;
   bool saveChoicesPending_ = false;  // to be kept, once the files were looked at
