@@ -28,11 +28,13 @@ std::map<std::string, Names> allowedIncludes() {
   Names outer = game;
   outer.insert("game");
   Names app = outer;
-  app.insert({"render", "audio", "ui", "accuracy", "forecast"});
+  app.insert({"render", "audio", "ui", "accuracy", "forecast", "elevation"});
   const Names forecast = {"core", "sky", "weather"};
-  return {{"core", {}},      {"terrain", core}, {"noise", core},   {"clouds", core}, {"accuracy", core},
-          {"flight", core},  {"sky", core},     {"weather", core}, {"scene", scene}, {"game", game},
-          {"render", outer}, {"audio", outer},  {"ui", outer},     {"app", app},     {"forecast", forecast}};
+  const Names elevation = {"core", "terrain"};
+  return {{"core", {}},       {"terrain", core}, {"noise", core},        {"clouds", core},
+          {"accuracy", core}, {"flight", core},  {"sky", core},          {"weather", core},
+          {"scene", scene},   {"game", game},    {"render", outer},      {"audio", outer},
+          {"ui", outer},      {"app", app},      {"forecast", forecast}, {"elevation", elevation}};
 }
 
 // The same for rooms, the folders of a module.
