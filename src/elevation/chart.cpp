@@ -24,12 +24,11 @@ glm::dvec2 slopeOf(const glm::dvec2 (&c)[4], double t) { return c[1] + t * (2.0 
 
 }  // namespace
 
-Chart::Chart(const LocalPlane& plane, const Georeference& lattice, const WorldRect& wanted,
+Chart::Chart(const LocalPlane& plane, const Georeference& lattice, double middle, const WorldRect& wanted,
              const std::string& file)
-    : plane_(plane), lattice_(lattice), wanted_(wanted) {
+    : plane_(plane), lattice_(lattice), wanted_(wanted), middle_(middle) {
   const Projection projection(lattice.crs, file);
   const bool isGeographic = projection.isGeographic();
-  middle_ = lattice.first.x;
   origin_ = {(std::floor(wanted.lo.x / kNodeM) - 1) * kNodeM,
              (std::floor(wanted.lo.y / kNodeM) - 1) * kNodeM};
   columns_ = static_cast<std::int64_t>(std::ceil((wanted.hi.x - origin_.x) / kNodeM)) + 2;

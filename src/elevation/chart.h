@@ -29,9 +29,10 @@ class Chart {
   // Nearer to a pole degrees are no smooth coordinates: there each point is asked for, at microseconds.
   static constexpr double kSmoothLatitude = 85;
 
-  // The part of the world that is wanted, at most 1e6 m from the origin. Throws core::DataError in the name
-  // of `file`.
-  Chart(const LocalPlane& plane, const Georeference& lattice, const WorldRect& wanted,
+  // The part of the world that is wanted, at most 1e6 m from the origin; longitudes are turned to within half
+  // a turn of `middle`, that of the data (any in maps of metres). Throws core::DataError in the name of
+  // `file`.
+  Chart(const LocalPlane& plane, const Georeference& lattice, double middle, const WorldRect& wanted,
         const std::string& file);
 
   bool isExact() const { return isExact_; }

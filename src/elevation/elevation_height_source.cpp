@@ -17,6 +17,9 @@ using terrain::HeightBounds;
 using terrain::HeightRange;
 using terrain::HeightSample;
 
+// What floats and sums of shares round to may leave the bounds of their parts by this, m.
+constexpr double kRounding = 1e-2;
+
 // What is put together of the mosaics, and how much is left for the land beyond them.
 struct Sum {
   double height = 0, rest = 1;
@@ -35,6 +38,10 @@ struct Sum {
     rest = 0;
   }
 };
+
+double insideWorld(double metres) {
+  return metres == metres ? std::clamp(metres, -terrain::kWorldLimitMetres, terrain::kWorldLimitMetres) : 0.0;
+}
 
 class Source final : public ElevationHeightSource {
  public:
@@ -61,12 +68,13 @@ class Source final : public ElevationHeightSource {
         facts_.highest = std::max(facts_.highest, static_cast<double>(tile.survey->all().highest));
       }
     }
-    range_ = {lowest, highest};
-    stored_ = {std::floor(lowest), std::floor(highest) + 1};
+    range_ = {lowest - kRounding, highest + kRounding};
+    stored_ = {std::floor(range_.lowest), std::floor(range_.highest) + 1};
     stored_.requireValid();
   }
 
-  HeightSample sample(glm::dvec2 xz) const override {
+  HeightSample sample(glm::dvec2 position) const override {
+    const glm::dvec2 xz{insideWorld(position.x), insideWorld(position.y)};
     Sum sum;
     for (const auto& mosaic : mosaics_) {
       Mosaic::Reader reader(*mosaic);
@@ -82,8 +90,6 @@ class Source final : public ElevationHeightSource {
   }
 
   HeightBounds bounds(glm::dvec2 lo, glm::dvec2 hi) const override {
-    // What a sum of shares rounds to may leave the shares' bounds by this.
-    constexpr double kRounding = 1e-2;
     std::optional<HeightBounds> all;
     bool isCovered = false;
     for (const auto& mosaic : mosaics_) {
@@ -109,6 +115,13 @@ class Source final : public ElevationHeightSource {
   bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const override;
 
   ElevationFacts facts() const override { return facts_; }
+  bool hasData(glm::dvec2 xz) const override {
+    return std::any_of(mosaics_.begin(), mosaics_.end(), [&](const auto& mosaic) {
+      Mosaic::Reader reader(*mosaic);
+      reader.enterRow(xz.y);
+      return reader.at(xz.x).weight == 1;
+    });
+  }
   std::size_t keptBytes() const override {
     std::size_t bytes = 0;
     for (const auto& mosaic : mosaics_) bytes += mosaic->keptBytes();
@@ -164,9 +177,13 @@ bool Source::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out
     for (int column = -reach; column < terrain::kChunkSamples + reach; ++column) {
       const double x = origin.x + column * cell;
       Sum sum;
+      if (isCovered && readers.size() == 1) {
+        const Mosaic::Sample only = readers[0].at(x);
+        sum = {only.height, 0, only.gradient, {}};
+      }
       for (Mosaic::Reader& reader : readers) {
-        sum.add(reader.at(x));
         if (sum.rest == 0) break;
+        sum.add(reader.at(x));
       }
       const auto normal = static_cast<std::size_t>(terrain::normalIndex(column, row));
       const bool isInside = isInChunk(row) && isInChunk(column);
@@ -189,12 +206,13 @@ bool Source::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out
 }
 
 std::shared_ptr<const ElevationHeightSource> makeElevationHeightSource(
-    const std::vector<std::shared_ptr<const Raster>>& rasters, const ElevationPlan& plan,
+    const std::vector<std::shared_ptr<const Raster>>& rasters, const ElevationSettings& settings,
     std::shared_ptr<const terrain::HeightSource> beyond) {
-  if (!(plan.blendM >= 1 && plan.blendM <= 1e5))
+  if (!(settings.blendM >= 1 && settings.blendM <= 1e5))
     throw core::RangeError("the distance over which elevation data end must be 1 to 100000 m");
-  return std::make_shared<Source>(makeMosaics(LocalPlane(plan.origin), rasters, plan.blendM),
-                                  std::move(beyond));
+  return std::make_shared<Source>(
+      makeMosaics(LocalPlane({settings.latitude, settings.longitude}), rasters, settings.blendM),
+      std::move(beyond));
 }
 
 }  // namespace skydrop::elevation

@@ -37,7 +37,20 @@ int keepError(TIFF*, void* user, const char*, const char* form, va_list argument
   message = text.data();
   return 1;
 }
-int ignoreWarning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+// libtiff mends counts and places of strips and tiles that do not fit the size, and only warns of it: what it
+// makes up would be flown over as land.
+int keepMendedBlocks(TIFF* tiff, void* user, const char* module, const char* form, va_list arguments) {
+  std::array<char, 200> text{};
+  va_list copy;
+  va_copy(copy, arguments);
+  std::vsnprintf(text.data(), text.size(), form, copy);
+  va_end(copy);
+  const std::string_view said = text.data();
+  const bool isOfBlocks = said.find("ByteCount") != std::string_view::npos ||
+                          said.find("StripOffsets") != std::string_view::npos ||
+                          said.find("TileOffsets") != std::string_view::npos;
+  return isOfBlocks ? keepError(tiff, user, module, form, arguments) : 1;
+}
 
 struct TiffCloser {
   void operator()(TIFF* tiff) const { XTIFFClose(tiff); }
@@ -67,7 +80,7 @@ class GeoTiff final : public Raster {
   struct Layout {
     std::uint32_t width = 0, height = 0;
     std::uint32_t blockWidth = 0, blockHeight = 0;
-    bool isTiled = false, isFloat = false, isSigned = false;
+    bool isPacked = true, isTiled = false, isFloat = false, isSigned = false;
     int bytes = 0;  // of a sample
     std::optional<double> nodata;
     std::string form;
@@ -180,6 +193,18 @@ Value fieldOr(TIFF* tiff, std::uint32_t tag, Value otherwise) {
   return TIFFGetFieldDefaulted(tiff, tag, &value) ? value : otherwise;
 }
 
+// The first fault that libgeotiff reports, which it would print otherwise.
+void keepKeyError(GTIF* keys, int level, const char* form, ...) {
+  auto& fault = *static_cast<std::string*>(GTIFGetUserData(keys));
+  if (level != LIBGEOTIFF_ERROR || !fault.empty()) return;
+  std::array<char, 200> text{};
+  va_list arguments;
+  va_start(arguments, form);
+  std::vsnprintf(text.data(), text.size(), form, arguments);
+  va_end(arguments);
+  fault = text.data();
+}
+
 std::string crsOf(GTIF* keys, const std::string& name) {
   unsigned short code = 0;
   for (const geokey_t key : {ProjectedCSTypeGeoKey, GeographicTypeGeoKey}) {
@@ -198,8 +223,10 @@ std::string crsOf(GTIF* keys, const std::string& name) {
 }
 
 Georeference georeferenceOf(TIFF* tiff, const std::string& name) {
-  const std::unique_ptr<GTIF, KeysCloser> keys(GTIFNew(tiff));
-  if (!keys) throw DataError(name, "georeference", "there are no GeoTIFF keys");
+  std::string fault;
+  const std::unique_ptr<GTIF, KeysCloser> keys(GTIFNewEx(tiff, keepKeyError, &fault));
+  if (!keys || !fault.empty())
+    throw DataError(name, "georeference", fault.empty() ? "there are no GeoTIFF keys" : fault);
   std::uint16_t count = 0;
   double *scale = nullptr, *tie = nullptr, *matrix = nullptr;
   Georeference place;
@@ -250,6 +277,7 @@ GeoTiff::Layout layoutOf(TIFF* tiff, const std::string& name) {
   const std::string packing = compressionName(compression);
   if (packing.empty())
     throw DataError(name, "compression", std::to_string(compression) + " is none of: none, LZW, deflate");
+  layout.isPacked = compression != COMPRESSION_NONE;
   layout.isTiled = TIFFIsTiled(tiff) != 0;
   if (layout.isTiled) {
     TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &layout.blockWidth);
@@ -303,6 +331,26 @@ GeoTiff::Layout layoutOf(TIFF* tiff, const std::string& name) {
   return layout;
 }
 
+// All strips or tiles lie in the file, and what is not packed has its size.
+void requireBlocks(TIFF* tiff, const GeoTiff::Layout& layout, std::uintmax_t fileBytes,
+                   const std::string& name) {
+  const std::uint32_t count = layout.isTiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    int isWrong = 0;
+    const std::uint64_t offset = TIFFGetStrileOffsetWithErr(tiff, i, &isWrong);
+    const std::uint64_t bytes = isWrong ? 0 : TIFFGetStrileByteCountWithErr(tiff, i, &isWrong);
+    const std::uint64_t rows = layout.isTiled
+                                   ? layout.blockHeight
+                                   : std::min(layout.blockHeight, layout.height - i * layout.blockHeight);
+    const std::uint64_t least =
+        layout.isPacked ? 1 : rows * layout.blockWidth * static_cast<std::uint64_t>(layout.bytes);
+    const bool isOutside = bytes < least || offset == 0 || offset > fileBytes || bytes > fileBytes - offset;
+    if (isWrong || isOutside)
+      throw DataError(name, (layout.isTiled ? "tile " : "strip ") + std::to_string(i),
+                      "does not lie in the file: it is cut off, or the counts are wrong");
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const Raster> openGeoTiff(const std::filesystem::path& file) {
@@ -316,12 +364,14 @@ std::shared_ptr<const Raster> openGeoTiff(const std::filesystem::path& file) {
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetMaxSingleMemAlloc(options, static_cast<tmsize_t>(2 * kMostWholeBytes));
   TIFFOpenOptionsSetErrorHandlerExtR(options, keepError, message.get());
-  TIFFOpenOptionsSetWarningHandlerExtR(options, ignoreWarning, nullptr);
+  TIFFOpenOptionsSetWarningHandlerExtR(options, keepMendedBlocks, message.get());
   // m: not mapped into memory, where a file that becomes shorter ends the program.
   TiffHandle tiff(TIFFOpenExt(name.c_str(), "rm", options));
   TIFFOpenOptionsFree(options);
   if (!tiff) throw DataError(name, "", message->empty() ? "is not a TIFF" : *message);
   const GeoTiff::Layout layout = layoutOf(tiff.get(), name);
+  requireBlocks(tiff.get(), layout, std::filesystem::file_size(file), name);
+  if (!message->empty()) throw DataError(name, layout.isTiled ? "tiles" : "strips", *message);
   const bool isInParts =
       std::size_t{layout.blockWidth} * layout.blockHeight * sizeof(float) <= kMostBlockBytes;
   auto raster = std::make_shared<GeoTiff>(name, std::move(tiff), std::move(message), layout);

@@ -86,6 +86,16 @@ WorldRect worldRectOf(const LocalPlane& plane, const Georeference& lattice, cons
   return rect;
 }
 
+// The east coordinate in the middle of all tiles.
+double middleOf(const Georeference& lattice, const std::vector<Tile>& tiles) {
+  std::int64_t first = tiles[0].column, last = tiles[0].lastColumn();
+  for (const Tile& tile : tiles) {
+    first = std::min(first, tile.column);
+    last = std::max(last, tile.lastColumn());
+  }
+  return centreOf(lattice, 0.5 * static_cast<double>(first + last), 0).x;
+}
+
 glm::dvec2 cellMetresOf(const Georeference& lattice, const std::vector<Tile>& tiles) {
   const Projection projection(lattice.crs, tiles[0].raster->name());
   if (!projection.isGeographic()) return lattice.cell;
@@ -105,7 +115,8 @@ Mosaic::Mosaic(const LocalPlane& plane, Georeference lattice, std::vector<Tile> 
       tiles_(std::move(tiles)),
       blendM_(blendM),
       cellM_(cellMetresOf(lattice_, tiles_)),
-      chart_(plane, lattice_, worldRectOf(plane, lattice_, tiles_, blendM), tiles_[0].raster->name()),
+      chart_(plane, lattice_, middleOf(lattice_, tiles_), worldRectOf(plane, lattice_, tiles_, blendM),
+             tiles_[0].raster->name()),
       pages_(keptBytes) {
   surface_ = tiles_[0].survey->ofSurface();
   Bounds heights = tiles_[0].survey->all();
@@ -297,10 +308,10 @@ double Mosaic::Reader::weightAt(const Chart::Spot& spot, glm::dvec2& gradient) {
   // 1 - weight is a product of smooth steps, one for each tile: so it is smooth where two tiles are near.
   double rest = 1;
   glm::dvec2 slope{};  // of the rest, a cell
-  for (const Tile& tile : mosaic.tiles_) {
-    const glm::dvec2 away = outside(tile, spot.at) * cellM;
+  for (const Tile* tile : near_) {
+    const glm::dvec2 away = outside(*tile, spot.at) * cellM;
     if (away == glm::dvec2(0, 0)) {
-      within_ = &tile;
+      within_ = tile;
       return 1;
     }
     const double distance = std::sqrt(away.x * away.x + away.y * away.y);
@@ -315,21 +326,28 @@ double Mosaic::Reader::weightAt(const Chart::Spot& spot, glm::dvec2& gradient) {
   return 1 - rest;
 }
 
+void Mosaic::Reader::enterPage(std::int64_t column, std::int64_t row) {
+  pageColumn_ = column;
+  pageRow_ = row;
+  hasPage_ = true;
+  page_ = nullptr;
+  const auto left = static_cast<double>(column * Page::kCells), top = static_cast<double>(row * Page::kCells);
+  near_ = mosaic_->tilesNear({left, top, left + Page::kCells, top + Page::kCells},
+                             mosaic_->blendM_ / mosaic_->cellM() + 1);
+}
+
 Mosaic::Sample Mosaic::Reader::at(double x) {
   const Chart::Spot spot = row_->at(x);
-  Sample sample;
-  if (!spot.isValid) return sample;
-  sample.weight = weightAt(spot, sample.weightGradient);
-  if (!(sample.weight > 0)) return {};
+  if (!spot.isValid) return {};
   const double column = std::floor(spot.at.x), row = std::floor(spot.at.y);
   const auto i = static_cast<std::int64_t>(column), k = static_cast<std::int64_t>(row);
   const std::int64_t pageColumn = i >> 7, pageRow = k >> 7;  // floors
   static_assert(Page::kCells == 1 << 7);
-  if (!page_ || pageColumn != pageColumn_ || pageRow != pageRow_) {
-    page_ = mosaic_->pageAt(pageColumn, pageRow);
-    pageColumn_ = pageColumn;
-    pageRow_ = pageRow;
-  }
+  if (!hasPage_ || pageColumn != pageColumn_ || pageRow != pageRow_) enterPage(pageColumn, pageRow);
+  Sample sample;
+  sample.weight = weightAt(spot, sample.weightGradient);
+  if (!(sample.weight > 0)) return {};
+  if (!page_) page_ = mosaic_->pageAt(pageColumn, pageRow);
   const float* cells = page_->patch(static_cast<int>(i - pageColumn * Page::kCells),
                                     static_cast<int>(k - pageRow * Page::kCells));
   const Patch patch =

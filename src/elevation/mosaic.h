@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elevation/chart.h"
+#include "skydrop/core/hash.h"
 #include "skydrop/core/lru_cache.h"
 #include "skydrop/elevation/survey.h"
 
@@ -65,9 +66,13 @@ class Mosaic {
 
     const Mosaic* mosaic_;
     std::optional<Chart::Row> row_;
+    void enterPage(std::int64_t column, std::int64_t row);
+
     std::int64_t pageColumn_ = 0, pageRow_ = 0;
-    std::shared_ptr<const Page> page_;
-    const Tile* within_ = nullptr;  // the tile that the newest sample lay in
+    bool hasPage_ = false;
+    std::shared_ptr<const Page> page_;  // null until heights are wanted
+    std::vector<const Tile*> near_;     // tiles that count on the page
+    const Tile* within_ = nullptr;      // the tile that the newest sample lay in
   };
 
   // Conservative bounds of the heights of samples in the rectangle whose weight is above 0; nothing where
@@ -109,7 +114,7 @@ class Mosaic {
 
   struct PageHash {
     std::size_t operator()(const glm::i64vec2& key) const noexcept {
-      return static_cast<std::size_t>(key.x * 0x9E3779B97F4A7C15LL ^ key.y * 0x5851F42D4C957F2DLL);
+      return core::hashCombine(static_cast<std::uint64_t>(key.x), static_cast<std::uint64_t>(key.y));
     }
   };
   mutable std::mutex mutex_;  // of all below

@@ -8,6 +8,7 @@
 #include "elevation/text_scan.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/hash.h"
 #include "skydrop/elevation/projection.h"
 
 namespace skydrop::elevation {
@@ -60,8 +61,10 @@ double finenessOf(const Raster& raster) {
   const Georeference& place = raster.georeference();
   const double shorter = std::min(place.cell.x, place.cell.y);
   if (!isGeographic(place.crs, raster.name())) return shorter;
-  constexpr double kMetresPerDegree = 111320;
-  return kMetresPerDegree * std::min(place.cell.y, place.cell.x * std::cos(place.first.y * 0.0174532925));
+  constexpr double kMetresPerDegree = 111320, kRadians = 0.017453292519943295;
+  // Near a pole columns have no width: there rows decide.
+  const double latitude = std::min(std::abs(centreOf(place, 0, 0.5 * raster.height()).y), 80.0);
+  return kMetresPerDegree * std::min(place.cell.y, place.cell.x * std::cos(latitude * kRadians));
 }
 
 }  // namespace
@@ -107,6 +110,18 @@ std::optional<Georeference> worldFileBeside(const std::filesystem::path& file) {
     return Georeference{"", {values[4], values[5]}, {values[0], -values[3]}};
   }
   return std::nullopt;
+}
+
+std::uint64_t contentDigest(const std::filesystem::path& file) {
+  const std::vector<std::byte> bytes = core::readFile(file, std::size_t{4} << 30);
+  core::StateHasher hasher;
+  hasher.add(static_cast<std::uint64_t>(bytes.size()));
+  for (std::size_t i = 0; i < bytes.size(); i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + i, std::min<std::size_t>(8, bytes.size() - i));
+    hasher.add(word);
+  }
+  return hasher.value();
 }
 
 std::shared_ptr<const Raster> openRaster(const std::filesystem::path& file) {

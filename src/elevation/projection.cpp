@@ -134,6 +134,25 @@ glm::dvec2 LocalPlane::positionOf(const GeoPlace& place) const {
   return {distance * std::sin(radians), -distance * std::cos(radians)};
 }
 
+GeoPlace centreOf(const Raster& raster) {
+  const Projection projection(raster.georeference().crs, raster.name());
+  const auto place = projection.inverse(
+      centreOf(raster.georeference(), 0.5 * (raster.width() - 1), 0.5 * (raster.height() - 1)));
+  if (!place)
+    throw DataError(raster.name(), "georeference", "does not lie where its reference system reaches");
+  return *place;
+}
+
+bool holds(const Raster& raster, const GeoPlace& place) {
+  const Georeference& of = raster.georeference();
+  const Projection projection(of.crs, raster.name());
+  std::optional<glm::dvec2> xy = projection.forward(place);
+  if (!xy) return false;
+  if (projection.isGeographic()) xy->x = turnedNear(xy->x, centreOf(of, 0.5 * raster.width(), 0).x);
+  const double column = (xy->x - of.first.x) / of.cell.x, row = (of.first.y - xy->y) / of.cell.y;
+  return column >= -0.5 && row >= -0.5 && column <= raster.width() - 0.5 && row <= raster.height() - 0.5;
+}
+
 double turnedNear(double longitude, double near) { return near + std::remainder(longitude - near, 360); }
 
 }  // namespace skydrop::elevation

@@ -101,6 +101,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using clouds::IceCloudSettings;
   using clouds::MarchSettings;
   using core::WindSettings;
+  using elevation::ElevationSettings;
   using flight::AirplaneSettings;
   using flight::PackageSettings;
   using game::AutopilotSettings;
@@ -152,7 +153,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
       SKYDROP_STRUCT(MoodSettings),         SKYDROP_STRUCT(ForecastClock),
       SKYDROP_STRUCT(IceCloudSettings),     SKYDROP_STRUCT(PrecipitationSettings),
-      SKYDROP_STRUCT(LightningSettings),
+      SKYDROP_STRUCT(LightningSettings),    SKYDROP_STRUCT(ElevationSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

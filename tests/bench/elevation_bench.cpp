@@ -39,7 +39,8 @@ std::string writeSrtm(const test::TemporaryFolder& folder) {
 void elevationChunk(benchmark::State& state) {
   const test::TemporaryFolder folder;
   const auto noise = terrain::makeNoiseHeightSource({}, 1);
-  const auto land = makeElevationHeightSource({openRaster(writeSrtm(folder))}, {{46.5, 7.5}}, noise);
+  const auto land =
+      makeElevationHeightSource({openRaster(writeSrtm(folder))}, {false, 46.5, 7.5, 4000}, noise);
   const auto level = static_cast<std::int32_t>(state.range(0));
   const terrain::ChunkKey key{0, 0, level};
   for (auto _ : state) {
@@ -68,7 +69,7 @@ void elevationStart(benchmark::State& state) {
   for (auto _ : state) {
     std::shared_ptr<const ElevationHeightSource> land;
     const double openMs = once([&] {
-      land = makeElevationHeightSource({openRaster(file)}, {{46.5, 7.5}}, noise);
+      land = makeElevationHeightSource({openRaster(file)}, {false, 46.5, 7.5, 4000}, noise);
     });
     const double chunksMs = once([&] {
       for (std::int32_t level = 0; level <= terrain::kMaxChunkLevel; ++level) {

@@ -27,7 +27,10 @@ TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     const std::string name = entry.path().filename().string();
-    const std::filesystem::path kept = assets / (name.ends_with(".wav") ? "audio" : "models") / name;
+    const char* const home = name.ends_with(".wav")   ? "audio"
+                             : name.ends_with(".tif") ? "elevation"
+                                                      : "models";
+    const std::filesystem::path kept = assets / home / name;
     ASSERT_TRUE(std::filesystem::exists(kept)) << name;
     EXPECT_TRUE(core::readFile(kept) == core::readFile(entry.path())) << name << " differs";
     ++files;
@@ -36,7 +39,8 @@ TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, AssetScripts,
-                         ::testing::Values("make_airplane.py", "make_package.py", "make_sounds.py"),
+                         ::testing::Values("make_airplane.py", "make_package.py", "make_sounds.py",
+                                           "make_mittelland.py"),
                          [](const auto& script) {
                            const std::string name(script.param);
                            return name.substr(0, name.find('.'));

@@ -38,7 +38,8 @@ class TwoTiles : public ::testing::Test {
     rasters_.push_back(openRaster(file));
   }
   std::shared_ptr<const ElevationHeightSource> make(double blendM = 2000) {
-    return makeElevationHeightSource(rasters_, {kBern, blendM}, terrain::makeNoiseHeightSource({}, 1));
+    return makeElevationHeightSource(rasters_, {false, kBern.latitude, kBern.longitude, blendM},
+                                     terrain::makeNoiseHeightSource({}, 1));
   }
 
   test::TemporaryFolder folder_;
@@ -129,6 +130,25 @@ TEST_F(TwoTiles, boundsHoldEverySample) {
   // They are of use: on the data they are those of the data nearby.
   const terrain::HeightBounds small = land->bounds({400, -600}, {440, -560});
   EXPECT_LT(small.highest - small.lowest, 120);
+}
+
+TEST_F(TwoTiles, boundsHoldWhatTheSurfaceOvershoots) {
+  // Stripes of 0 and 1000 m: between them the surface leaves both by 6 %.
+  const auto file = folder_.path() / "stripes.tif";
+  test::writeGeoTiff(
+      file, 500, 500, {2600000, 1201000}, {2, 2},
+      test::heightsOf(500, 500, [](double c, double) { return std::fmod(c, 8) < 4 ? 0.0 : 1000.0; }));
+  rasters_ = {openRaster(file)};
+  const auto land = make();
+  double lowest = 1e9;
+  for (double x = 400; x < 440; x += 0.31) {
+    const double height = land->height({x, -500});
+    const terrain::HeightBounds bounds = land->bounds({x - 1, -501}, {x + 1, -499});
+    ASSERT_GE(height, bounds.lowest) << x;
+    ASSERT_LE(height, bounds.highest) << x;
+    lowest = std::min(lowest, height);
+  }
+  EXPECT_LT(lowest, -30);
 }
 
 TEST_F(TwoTiles, seamBetweenTilesIsExact) {

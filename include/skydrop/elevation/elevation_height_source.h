@@ -6,17 +6,12 @@
 #include <memory>
 #include <vector>
 
+#include "skydrop/elevation/elevation_settings.h"
 #include "skydrop/elevation/projection.h"
 #include "skydrop/elevation/raster.h"
 #include "skydrop/terrain/height_source.h"
 
 namespace skydrop::elevation {
-
-// Where it lies and how it ends.
-struct ElevationPlan {
-  GeoPlace origin;       // what lies at the world's (0, 0)
-  double blendM = 4000;  // over which distance beyond the data it turns into the other land, [1, 1e5]
-};
 
 // What the files add up to.
 struct ElevationFacts {
@@ -29,6 +24,8 @@ struct ElevationFacts {
 class ElevationHeightSource : public terrain::HeightSource {
  public:
   virtual ElevationFacts facts() const = 0;
+  // Whether the height at a position of the world is that of the data alone.
+  virtual bool hasData(glm::dvec2 xz) const = 0;
   // Bytes of cells that it keeps in memory; and how often a file could not be read since the start.
   virtual std::size_t keptBytes() const = 0;
   virtual std::uint64_t faults() const = 0;
@@ -37,9 +34,10 @@ class ElevationHeightSource : public terrain::HeightSource {
 // A bicubic surface (Catmull and Rom, C1) through the cells, in the order of the files: the first that has a
 // height at a place has the say, a finer raster before a coarser one. Voids are filled (survey.h). Beyond the
 // data it turns into `beyond`, lifted by whole metres to the mean of the data's edges where that lies above.
-// At least one raster. Reads each raster once. Throws core::DataError, core::RangeError.
+// At least one raster. Reads each raster once. The settings' place counts, whatever atCentre says. Throws
+// core::DataError, core::RangeError.
 std::shared_ptr<const ElevationHeightSource> makeElevationHeightSource(
-    const std::vector<std::shared_ptr<const Raster>>& rasters, const ElevationPlan& plan,
+    const std::vector<std::shared_ptr<const Raster>>& rasters, const ElevationSettings& settings,
     std::shared_ptr<const terrain::HeightSource> beyond);
 
 }  // namespace skydrop::elevation

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "skydrop/elevation/raster.h"
+
 namespace skydrop::elevation {
 
 // On WGS 84.
@@ -54,6 +56,12 @@ class LocalPlane {
  private:
   GeoPlace origin_;
 };
+
+// The middle of a raster. Throws core::DataError where its system does not reach there.
+GeoPlace centreOf(const Raster& raster);
+
+// Whether a place lies on a raster's cells.
+bool holds(const Raster& raster, const GeoPlace& place);
 
 // Longitude, turned to within half a turn of another one.
 double turnedNear(double longitude, double near);

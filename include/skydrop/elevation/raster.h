@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -69,5 +70,8 @@ inline glm::dvec2 centreOf(const Georeference& place, double column, double row)
 // core::DataError.
 inline constexpr double kFinestCellM = 2;
 std::shared_ptr<const Raster> openRaster(const std::filesystem::path& file);
+
+// Of a file's content: that a replay is flown over the same land. Throws core::DataError.
+std::uint64_t contentDigest(const std::filesystem::path& file);
 
 }  // namespace skydrop::elevation

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "app/cli/elevation_flags.h"
 #include "app/cli/flag_options.h"
 #include "app/cli/flag_values.h"
 #include "app/cli/frame_path.h"
@@ -48,14 +49,18 @@ class Parser {
     CLI::App* sky = app_.add_subcommand("sky", "where sun and moon stand at a place and time, as JSON");
     CLI::App* weather =
         app_.add_subcommand("weather", "the state of a scene's air at a place and time, as JSON");
+    CLI::App* elevation =
+        app_.add_subcommand("elevation", "what elevation files hold, and heights at places");
     CLI::App* info = app_.add_subcommand("info", "versions, OpenGL renderer, limits");
     CLI::App* compare =
         app_.add_subcommand("compare", "how far two pictures differ; exit code 1 where it is too far");
     CLI::App* settings =
         app_.add_subcommand("settings", "every setting with default, range and what it does");
-    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, weather, info, compare, settings})
+    for (CLI::App* verb :
+         {render, simulate, accuracy, noise, sky, weather, elevation, info, compare, settings})
       verb->set_help_flag("--help", "print this help");
-    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, weather, info, compare, settings})
+    for (CLI::App* verb :
+         {&app_, render, simulate, accuracy, noise, sky, weather, elevation, info, compare, settings})
       verb->footer(kExitCodes);
     addCommon(*render);
     addRender(*render);
@@ -66,6 +71,7 @@ class Parser {
     addSize(*noise);
     addSky(*sky);
     addWeather(*weather);
+    elevationFlags_.addCheck(*elevation, line_);
     for (CLI::App* verb : {render, simulate, accuracy, noise}) {
       verb->add_flag("--progress", line_.progress,
                      "tell how far it is, each second, where there is no terminal");
@@ -82,6 +88,7 @@ class Parser {
     noise->callback([this] { line_.verb = Verb::noise; });
     sky->callback([this] { line_.verb = Verb::sky; });
     weather->callback([this] { line_.verb = Verb::weather; });
+    elevation->callback([this] { line_.verb = Verb::elevation; });
     info->callback([this] { line_.verb = Verb::info; });
     compare->callback([this] { line_.verb = Verb::compare; });
     settings->callback([this] { line_.verb = Verb::settings; });
@@ -102,6 +109,7 @@ class Parser {
     check();
     checkCamera();
     if (camera_) line_.pose = poseOfCamera();
+    elevationFlags_.finish(line_, line_.pose.has_value());
     // After every --set: the flag is the shorter word for the same.
     if (frameBudget_) line_.set.push_back("view.frameBudgetMs=" + *frameBudget_);
     // Before every other word, so that --no-effect weather and --set are heard. A replay has its effects.
@@ -148,6 +156,7 @@ class Parser {
     addText(verb, "--workers", "N", "threads that make terrain (cores - 1)",
             [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
     addWeatherFiles(verb);
+    elevationFlags_.addLand(verb, line_, true);
     addPath(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
     addPath(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
     addPath(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
@@ -215,7 +224,7 @@ class Parser {
     const auto angle = [&](const std::string& flag, std::optional<double>& target, double most,
                            const std::string& help) {
       addText(verb, flag, "DEGREES", help,
-           [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
+              [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
     };
     angle("--heading", heading_, 360, "of --camera by the compass: 0 north, 90 east (0)");
     angle("--pitch", pitch_, 90, "of --camera, up (0)");
@@ -356,6 +365,7 @@ class Parser {
     addScene(verb);
     addSet(verb);
     addWeatherFiles(verb);
+    elevationFlags_.addLand(verb, line_, false);
     addSeed(verb, "the world's seed instead of the scene's");
     addText(verb, "--time", "S", "simulated seconds (0)",
             [this](const std::string& t) { line_.timeS = number("--time", t, 0, kLongestWeatherS); });
@@ -480,6 +490,7 @@ class Parser {
   std::optional<std::string> frameBudget_;
   NoiseFlags noiseFlags_;
   WeatherFlags weatherFlags_;
+  ElevationFlags elevationFlags_;
   std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};

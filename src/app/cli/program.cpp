@@ -29,6 +29,8 @@ int runVerb(const CommandLine& line) {
       return sky(line);
     case Verb::weather:
       return weather(line);
+    case Verb::elevation:
+      return checkElevation(line);
     case Verb::info:
       return info(line);
     case Verb::compare:
