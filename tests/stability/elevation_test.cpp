@@ -24,7 +24,7 @@ using Rasters = std::vector<std::shared_ptr<const Raster>>;
 
 constexpr double kDegreeM = 111200;  // of latitude, roughly
 
-class Stability : public ::testing::Test {
+class ElevationStability : public ::testing::Test {
  protected:
   std::shared_ptr<const Raster> degrees(const std::string& name, int width, int height, glm::dvec2 first,
                                         double cell, const test::HeightOf& heightOf,
@@ -56,7 +56,7 @@ class Stability : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(Stability, D30_theDateLineIsNoEdge) {
+TEST_F(ElevationStability, D30_theDateLineIsNoEdge) {
   // Two tiles that meet at 180 degrees are the land of one tile that lies elsewhere, seen from either side.
   const auto hills = [](double from) {
     return [from](double c, double r) { return 500 + 100 * std::sin((from + c) / 9) + r; };
@@ -75,7 +75,7 @@ TEST_F(Stability, D30_theDateLineIsNoEdge) {
   }
 }
 
-TEST_F(Stability, D31_polesAreLand) {
+TEST_F(ElevationStability, D31_polesAreLand) {
   // A cap of the pole: finite everywhere, one height at the pole itself, right at a degree from it.
   const auto cap = degrees("cap.tif", 361, 21, {-180, 90}, 1, [](double, double r) { return 2800 - 10 * r; });
   for (const double latitude : {90.0, 89.99, 88.0}) {
@@ -91,7 +91,7 @@ TEST_F(Stability, D31_polesAreLand) {
   EXPECT_GE(bounds.highest, 2800);
 }
 
-TEST_F(Stability, D32_whatIsNoHeightIsAVoid) {
+TEST_F(ElevationStability, D32_whatIsNoHeightIsAVoid) {
   // -0.0 is sea level; NaN, both infinities, -3.4e38 and 1e20 are voids, whatever the tag says.
   for (const char* tag : {"", "-9999", "nan", "-3.4028234663852886e+38"}) {
     const std::vector<float> odd = {-0.0F, NAN, INFINITY, -INFINITY, -3.4028235e38F, 1e20F};
@@ -108,7 +108,7 @@ TEST_F(Stability, D32_whatIsNoHeightIsAVoid) {
   }
 }
 
-TEST_F(Stability, D33_aRasterOfOneCellOrRowOrColumnIsLand) {
+TEST_F(ElevationStability, D33_aRasterOfOneCellOrRowOrColumnIsLand) {
   for (const auto& [width, height] : {std::pair(1, 1), {1, 40}, {40, 1}, {2, 2}}) {
     const auto raster =
         degrees("one.tif", width, height, {7, 46}, 0.001, [](double c, double r) { return 700 + c + r; });
@@ -119,7 +119,7 @@ TEST_F(Stability, D33_aRasterOfOneCellOrRowOrColumnIsLand) {
   }
 }
 
-TEST_F(Stability, D34_aRasterOfVoidsAloneIsRefused) {
+TEST_F(ElevationStability, D34_aRasterOfVoidsAloneIsRefused) {
   const auto raster = degrees("void.tif", 30, 20, {7, 46}, 0.001, [](double, double) { return -9999.0; },
                               {.nodata = "-9999"});
   const std::string refusal = test::refusalOf<core::DataError>([&] { land({raster}, 46, 7); });
@@ -127,7 +127,7 @@ TEST_F(Stability, D34_aRasterOfVoidsAloneIsRefused) {
   EXPECT_NE(refusal.find("not one cell has a height"), std::string::npos);
 }
 
-TEST_F(Stability, D35_halfMetresLieInThirtyMetres) {
+TEST_F(ElevationStability, D35_halfMetresLieInThirtyMetres) {
   // A tile of 0.5 m within one of 30 m: its heights on it, no step at its edges, whatever the order of files.
   const auto coarse = degrees("coarse.tif", 300, 300, {6.96, 46.04}, 1.0 / 3600,
                               [](double c, double r) { return 500 + c + r; });
@@ -152,7 +152,7 @@ TEST_F(Stability, D35_halfMetresLieInThirtyMetres) {
   }
 }
 
-TEST_F(Stability, D36_theLowestAndHighestLandAreStored) {
+TEST_F(ElevationStability, D36_theLowestAndHighestLandAreStored) {
   const auto raster = degrees("range.tif", 100, 100, {7, 46}, 0.002, [](double c, double r) {
     return c < 50 ? -430.0 : r < 50 ? 8848.0 : 0.0;
   });
@@ -170,7 +170,7 @@ TEST_F(Stability, D36_theLowestAndHighestLandAreStored) {
   expectFinite(*source, 15000);
 }
 
-TEST_F(Stability, D37_tilesThatShareARowAreOneLandAndTheFirstHasTheSay) {
+TEST_F(ElevationStability, D37_tilesThatShareARowAreOneLandAndTheFirstHasTheSay) {
   const auto north = degrees("n.tif", 50, 50, {7, 46.05}, 0.001, [](double, double) { return 500.0; });
   const auto south = degrees("s.tif", 50, 50, {7, 46.001}, 0.001, [](double, double) { return 510.0; });
   // The shared row lies at 46.001 degrees.
@@ -187,7 +187,7 @@ TEST_F(Stability, D37_tilesThatShareARowAreOneLandAndTheFirstHasTheSay) {
   }
 }
 
-TEST_F(Stability, D38_truncatedTilesAndWrongCountsAreRefused) {
+TEST_F(ElevationStability, D38_truncatedTilesAndWrongCountsAreRefused) {
   for (const auto packing :
        {test::TiffForm::Packing::none, test::TiffForm::Packing::lzw, test::TiffForm::Packing::deflate}) {
     for (const int tile : {0, 16}) {
@@ -209,7 +209,7 @@ TEST_F(Stability, D38_truncatedTilesAndWrongCountsAreRefused) {
   }
 }
 
-TEST_F(Stability, D39_aHeaderThatLiesAboutItsSizeAllocatesNothing) {
+TEST_F(ElevationStability, D39_aHeaderThatLiesAboutItsSizeAllocatesNothing) {
   const auto folder = std::filesystem::path(test::sourceDir()) / "tests/corpus/elevation";
   for (const char* name : {"badHuge.tif", "badHuge.asc"}) {
     const std::string refusal = test::refusalOf<core::DataError>([&] { openRaster(folder / name); });
@@ -218,7 +218,7 @@ TEST_F(Stability, D39_aHeaderThatLiesAboutItsSizeAllocatesNothing) {
   }
 }
 
-TEST_F(Stability, D40_lv95GoesThereAndBack) {
+TEST_F(ElevationStability, D40_lv95GoesThereAndBack) {
   // Round trips within 2 mm (the system's three-parameter shift is not inverted exactly: 1.2 mm); Bern's old
   // observatory, the origin of the system, within 0.1 m of where swisstopo has it in WGS 84.
   const Projection lv95("EPSG:2056", "test");
@@ -238,7 +238,7 @@ TEST_F(Stability, D40_lv95GoesThereAndBack) {
   EXPECT_NEAR(origin->y, 1200000, 0.1);
 }
 
-TEST_F(Stability, D41_anyPositionHasAHeight) {
+TEST_F(ElevationStability, D41_anyPositionHasAHeight) {
   const auto raster =
       degrees("any.tif", 60, 60, {7, 46}, 0.001, [](double c, double r) { return 500 + c + r; });
   const auto source = land({raster}, 46, 7);
