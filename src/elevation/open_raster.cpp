@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
 #include "elevation/readers.h"
@@ -18,19 +17,6 @@ using core::DataError;
 
 constexpr std::size_t kMostTextBytes = std::size_t{512} << 20;
 
-// The first bytes, for telling forms apart. What is no regular file is refused here.
-std::string headOf(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw DataError(file.string(), "", error ? error.message() : "is not a regular file");
-  std::FILE* stream = std::fopen(file.c_str(), "rb");
-  if (stream == nullptr) throw DataError(file.string(), "", std::strerror(errno));
-  std::string head(1024, '\0');
-  head.resize(std::fread(head.data(), 1, head.size(), stream));
-  std::fclose(stream);
-  return head;
-}
-
 std::shared_ptr<const Raster> readText(const std::filesystem::path& file, std::string_view text) {
   const std::string name = file.string();
   if (text.substr(0, 4096).find('\0') != std::string_view::npos)
@@ -40,7 +26,7 @@ std::shared_ptr<const Raster> readText(const std::filesystem::path& file, std::s
 }
 
 std::shared_ptr<const Raster> openAsItIs(const std::filesystem::path& file) {
-  const std::string head = headOf(file);
+  const std::string head = core::readFileStart(file, 1024);
   const auto begins = [&](std::string_view with) { return head.starts_with(with); };
   if (begins(std::string_view("II*\0", 4)) || begins(std::string_view("MM\0*", 4)) ||
       begins(std::string_view("II+\0", 4)) || begins(std::string_view("MM\0+", 4)))
