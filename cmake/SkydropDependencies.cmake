@@ -26,6 +26,30 @@ add_library(skydrop_cli11 INTERFACE)
 target_link_libraries(skydrop_cli11 INTERFACE CLI11::CLI11)
 add_library(skydrop::cli11 ALIAS skydrop_cli11)
 
+# Elevation files: TIFF with its geographic keys, map projections, zip archives. Own names, because Debian has
+# pkg-config files and vcpkg CMake configs.
+find_package(TIFF 4.5 REQUIRED)
+find_path(GEOTIFF_INCLUDE_DIR geotiff.h PATH_SUFFIXES geotiff REQUIRED)
+find_library(GEOTIFF_LIBRARY NAMES geotiff REQUIRED)
+add_library(skydrop_geotiff INTERFACE)
+target_include_directories(skydrop_geotiff SYSTEM INTERFACE ${GEOTIFF_INCLUDE_DIR})
+target_link_libraries(skydrop_geotiff INTERFACE ${GEOTIFF_LIBRARY} TIFF::TIFF)
+add_library(skydrop::geotiff ALIAS skydrop_geotiff)
+find_package(PROJ 9 CONFIG REQUIRED)
+add_library(skydrop_proj INTERFACE)
+target_link_libraries(skydrop_proj INTERFACE PROJ::proj)
+add_library(skydrop::proj ALIAS skydrop_proj)
+# Debian's CMake config of libzip wants its tools, which are a package of their own.
+add_library(skydrop_libzip INTERFACE)
+pkg_check_modules(LIBZIP QUIET IMPORTED_TARGET libzip)
+if(TARGET PkgConfig::LIBZIP)
+  target_link_libraries(skydrop_libzip INTERFACE PkgConfig::LIBZIP)
+else()
+  find_package(libzip CONFIG REQUIRED)
+  target_link_libraries(skydrop_libzip INTERFACE libzip::zip)
+endif()
+add_library(skydrop::libzip ALIAS skydrop_libzip)
+
 # Dear ImGui: vcpkg has a CMake config, Debian a pkg-config file.
 find_package(imgui CONFIG QUIET)
 add_library(skydrop_imgui INTERFACE)

@@ -100,6 +100,14 @@ FN Real beltHeight(Real heightM, LandNoise noise) {
   return heightM + driftNoise(noise) * (Real(4.0) + Real(0.1) * abs(heightM));
 }
 
+// Land of the earth, whose belts lie higher than those of the endless land: the height at which that has what grows
+// at heightM in the Alps. Woods end at 2260 m (780 m there), snow lies from 2800 m on (960 m); the shore stays. Rises
+// everywhere.
+FN Real alpineBeltHeight(Real heightM) {
+  Real land = max(heightM, Real(0.0));
+  return min(heightM, Real(0.0)) + Real(0.3335) * land + Real(26.66) * (Real(1.0) - exp(-land / Real(40.0)));
+}
+
 // Density of the woods at a place, [0, 1]: the share of the ground that crowns cover. Woods stand in patches of
 // hundreds of metres to kilometres (region and drifts of the noise; clod and grain do not count), rather in moist
 // hollows than on dry ridges, from 6 m above the sea up to the tree line (thinner from 540 m, none above 780 m), and

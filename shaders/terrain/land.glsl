@@ -13,6 +13,15 @@ uniform float chunkSplit[kMaxChunkLevel + 1];  // from this distance on the samp
 
 const uint kNoChunk = 0xffffu;
 
+// By which plants, rock and snow go. ALPINE_BELTS: the land is that of elevation data.
+float growthHeight(float heightM) {
+#ifdef ALPINE_BELTS
+  return alpineBeltHeight(heightM);
+#else
+  return heightM;
+#endif
+}
+
 // The coarsest level of chunks whose samples are fine enough at a distance.
 int levelAt(float distanceM) {
   int level = 0;
@@ -142,7 +151,7 @@ vec3 landLight(vec3 relative, vec2 lightShares) {
   vec2 strata = rockStrata(sight.heightM, 22.0 * noise.grove + 9.0 * noise.tuft, sight.footprint);
   vec3 normal = sight.normal;
   LandSurface land =
-      landSurface(sight.heightM, normal.y, landCurvature(sight.texel), noise, strata.x, crowns, sight.treeShare);
+      landSurface(growthHeight(sight.heightM), normal.y, landCurvature(sight.texel), noise, strata.x, crowns, sight.treeShare);
 #ifdef FALLEN_WATER
   Fallen lying = fallenOn(land, sight.heightM, normal, noise, -relative / length(relative));
   land = lying.land;
@@ -164,7 +173,7 @@ vec3 landLight(vec3 relative, vec2 lightShares) {
   LandSight sight = landSight(relative);
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
   LandNoise noise = coarseNoise(sight);
-  LandSurface land = landSurface(sight.heightM, sight.normal.y, 0.0, noise, 0.0, noCrowns, 0.0);
+  LandSurface land = landSurface(growthHeight(sight.heightM), sight.normal.y, 0.0, noise, 0.0, noCrowns, 0.0);
 #ifdef FALLEN_WATER
   Fallen lying = fallenOn(land, sight.heightM, sight.normal, noise, -relative / length(relative));
   return litLand(lying.land, sight.normal, relative, lightShares) + lying.mirrored * lightShares.y;

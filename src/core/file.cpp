@@ -122,6 +122,14 @@ std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t m
   return readInto<std::vector<std::byte>>(path, maxBytes);
 }
 
+std::string readFileStart(const std::filesystem::path& path, std::size_t bytes) {
+  const File file = openRegularFile(path);
+  std::string start(bytes, '\0');
+  start.resize(std::fread(start.data(), 1, start.size(), file.get()));
+  if (std::ferror(file.get())) fail(path, "cannot read", errno);
+  return start;
+}
+
 std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes) {
   return readInto<std::string>(path, maxBytes);
 }

@@ -55,6 +55,7 @@ InputLogWriter::InputLogWriter(const InputLog& start) {
           hexText(sceneDigest(start.scene.text)) + "\",\"text\":" + quoted(start.scene.text) + "}";
   writeWeather("weather", start.weather);
   writeWeather("farWeather", start.farWeather);
+  writeWeather("elevation", start.elevation);
   text_ += ",\"settings\":[";
   const char* separator = "";
   for (const SettingOverride& s : start.settings) {

@@ -61,9 +61,9 @@ class HeaderReader final : public LogEvents {
   }
 
   bool key(std::string& name) override {
-    static constexpr std::array<std::string_view, 11> kKnown = {
-        "schema",       "kind",         "program",    "seed",    "scene",     "settings",
-        "scene.source", "scene.digest", "scene.text", "weather", "farWeather"};
+    static constexpr std::array<std::string_view, 12> kKnown = {
+        "schema",       "kind",         "program",    "seed",    "scene",      "settings",
+        "scene.source", "scene.digest", "scene.text", "weather", "farWeather", "elevation"};
     const std::string path = (depth_ == 2 ? "scene." : "") + name;
     key_ = path.substr(0, 40);
     if (std::find(kKnown.begin(), kKnown.end(), path) == kKnown.end() ||
@@ -93,7 +93,9 @@ class HeaderReader final : public LogEvents {
     if (std::vector<InputLog::WeatherRecord>* files = weather()) {
       const std::optional<std::uint64_t> digest = parseHash(texts_[1]);
       if (!digest) fail(row, "the digest is not a hexadecimal number");
-      if (files->size() == InputLog::kMaxWeatherFiles) fail(row, "there are more than 100 of them");
+      const std::size_t most =
+          key_ == "elevation" ? InputLog::kMaxElevationFiles : InputLog::kMaxWeatherFiles;
+      if (files->size() == most) fail(row, "there are more than " + std::to_string(most) + " of them");
       files->push_back({texts_[0], *digest});
       return true;
     }
@@ -107,7 +109,10 @@ class HeaderReader final : public LogEvents {
   std::size_t rows() const { return weather() ? weather()->size() : log_.settings.size(); }
   // The weather files that are read; null within the settings.
   std::vector<InputLog::WeatherRecord>* weather() const {
-    return key_ == "weather" ? &log_.weather : key_ == "farWeather" ? &log_.farWeather : nullptr;
+    return key_ == "weather"      ? &log_.weather
+           : key_ == "farWeather" ? &log_.farWeather
+           : key_ == "elevation"  ? &log_.elevation
+                                  : nullptr;
   }
 
   std::string place() const override {

@@ -45,6 +45,8 @@ class SceneReader {
         scene.weatherFiles = filesBeside(value, name);
       else if (name == "farWeatherFile")
         scene.farWeatherFiles = filesBeside(value, name);
+      else if (name == "elevationFile")
+        scene.elevationFiles = filesBeside(value, name, kMostElevationFiles);
       else
         fail(name, "unknown member");
     }
@@ -52,6 +54,8 @@ class SceneReader {
       fail("farWeatherFile", "there is no weatherFile");
     if (!scene.weatherFiles.empty() && !scene.effects.contains(Effect::weather))
       fail("weatherFile", "the scene does not name the effect weather");
+    if (!scene.elevationFiles.empty() && !scene.effects.contains(Effect::terrain))
+      fail("elevationFile", "the scene does not name the effect terrain");
     return scene;
   }
 
@@ -110,13 +114,14 @@ class SceneReader {
   }
 
   // A text, or a list of them.
-  std::vector<std::filesystem::path> filesBeside(const json& value, std::string_view place) const {
-    constexpr std::size_t kMostFiles = 100;
+  static constexpr std::size_t kMostWeatherFiles = 100, kMostElevationFiles = 1000;
+  std::vector<std::filesystem::path> filesBeside(const json& value, std::string_view place,
+                                                 std::size_t most = kMostWeatherFiles) const {
     std::vector<std::filesystem::path> files;
     for (const json& entry : value.is_array() ? value : json::array({value})) {
       const std::string name = text(entry, place);
       if (name.empty()) fail(place, "is empty");
-      if (files.size() == kMostFiles) fail(place, "names more than 100 files");
+      if (files.size() == most) fail(place, "names more than " + std::to_string(most) + " files");
       files.push_back(std::filesystem::path(file_).parent_path() / name);
     }
     return files;

@@ -169,6 +169,40 @@ TEST(CommandLine, weatherFilesAreFlownInAndChecked) {
             "weather state: files, --json and --utc belong to weather check; --weather FILE is flown in");
 }
 
+TEST(CommandLine, placesAreRowsAndCameras) {
+  // --place sets the world's origin and the sky's place before --set; with a height or --look-at it is a
+  // camera.
+  const CommandLine flown =
+      parse({"--place", "46.5,7.25", "--set", "a=1", "--elevation", "x.tif", "y.tif"}).commandLine;
+  EXPECT_EQ(flown.elevationFiles, (std::vector<std::filesystem::path>{"x.tif", "y.tif"}));
+  EXPECT_EQ(flown.set, (std::vector<std::string>{
+                           "elevation.atCentre=false", "elevation.latitude=46.500000000",
+                           "elevation.longitude=7.250000000", "render.sun.latitudeDegrees=46.500000000",
+                           "render.sun.longitudeDegrees=7.250000000", "a=1"}));
+  EXPECT_FALSE(flown.pose);
+  const CommandLine view = parse({"render", "--place", "Gurten,30", "--look-at", "Solothurn"}).commandLine;
+  ASSERT_TRUE(view.pose);
+  EXPECT_EQ(view.pose->position.y, 30);
+  EXPECT_TRUE(view.pose->aboveGround);
+  EXPECT_NEAR(view.pose->yawDegrees + 90, 13, 1) << "Solothurn lies north by east of the Gurten";
+  EXPECT_NE(parse({"render", "--place", "Bantiger"}).commandLine.pose->position.y, 0)
+      << "the place's own height";
+  EXPECT_EQ(refusalOf({"--look-at", "Bern"}), "--look-at belongs to --place, which is not given");
+  EXPECT_NE(refusalOf({"--place", "Gurtn"}).find("Gurten"), std::string::npos);
+  EXPECT_EQ(refusalOf({"--place", "91,0"}), "--place: 91 is out of range -90 to 90");
+  EXPECT_NE(refusalOf({"--place", "46"}), "");
+  EXPECT_NE(refusalOf({"--place", "46,7,8,9"}), "");
+  EXPECT_EQ(refusalOf({"render", "--place", "Bern", "--look-at", "Gurten", "--camera", "0,1,0"}),
+            "--look-at and a camera exclude each other");
+  const ElevationRequest request =
+      parse({"elevation", "check", "a.tif", "b.hgt", "--at", "46.9,7.4", "--at", "2600000,1200000"})
+          .commandLine.elevation;
+  EXPECT_EQ(request.files.size(), 2u);
+  EXPECT_EQ(request.at.size(), 2u);
+  EXPECT_EQ(refusalOf({"elevation", "check"}), "elevation check: there is no file to check");
+  EXPECT_EQ(refusalOf({"elevation", "look", "a"}), "elevation: 'look' is not check");
+}
+
 TEST(CommandLine, weatherIsFetchedOfAServiceAndAPlace) {
   const WeatherRequest request = parse({"weather", "fetch", "--provider", "open-meteo", "--lat", "46.9",
                                         "--lon=-7", "--url", "http://127.0.0.1:8/x", "--out", "a.json"})

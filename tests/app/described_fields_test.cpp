@@ -102,6 +102,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using clouds::IceCloudSettings;
   using clouds::MarchSettings;
   using core::WindSettings;
+  using elevation::ElevationSettings;
   using flight::AirplaneSettings;
   using flight::PackageSettings;
   using game::AutopilotSettings;
@@ -198,6 +199,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(IceCloudSettings),
       SKYDROP_STRUCT(PrecipitationSettings),
       SKYDROP_STRUCT(LightningSettings),
+      SKYDROP_STRUCT(ElevationSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

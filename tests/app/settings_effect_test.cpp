@@ -23,6 +23,7 @@
 #include "skydrop/audio/sound_scene.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/core/job_pool.h"
+#include "skydrop/elevation/elevation_height_source.h"
 #include "skydrop/game/world.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/terrain/analytic_height_sources.h"
@@ -30,6 +31,7 @@
 #include "skydrop/terrain/noise_height_source.h"
 #include "skydrop/weather/lightning.h"
 #include "support/row_steps.h"
+#include "support/temporary_folder.h"
 
 namespace skydrop::app {
 namespace {
@@ -237,6 +239,46 @@ std::vector<std::string> twoSites() {
       given.push_back(std::string("weather.sites.") + site + ".layers." + layer + ".cover=0.4");
   }
   return given;
+}
+
+// A hill of elevation data by Bern, and what is around it.
+const std::string& elevationFile() {
+  static const test::TemporaryFolder folder;
+  static const std::string file =
+      folder.write("hill.asc",
+                   "ncols 4\nnrows 3\nxllcorner 2600000\nyllcorner 1199000\n"
+                   "cellsize 500\n500 520 540 500\n600 900 700 560\n480 500 520 500\n");
+  return file;
+}
+
+std::uint64_t elevationHeights(const Settings& settings) {
+  const auto land = elevation::makeElevationHeightSource({elevation::openRaster(elevationFile())},
+                                                         settings.elevation, terrain::makeFlatSource(0));
+  core::StateHasher h;
+  for (double x = -5000; x < 6000; x += 300) h.add(land->height({x, -x / 3}));
+  return h.value();
+}
+
+std::uint64_t originPlace(const Settings& settings) {
+  const elevation::GeoPlace place =
+      elevation::LocalPlane({settings.elevation.latitude, settings.elevation.longitude})
+          .placeOf({1000, 2000});
+  core::StateHasher h;
+  h.add(place.latitude);
+  h.add(place.longitude);
+  return h.value();
+}
+
+// Where a flight over the file begins.
+std::uint64_t elevationRun(const Settings& settings) {
+  CommandLine line;
+  line.verb = Verb::simulate;
+  line.elevationFiles = {elevationFile()};
+  line.set = {std::string("elevation.atCentre=") + (settings.elevation.atCentre ? "true" : "false")};
+  const auto run = prepareRun(line);
+  core::StateHasher h;
+  h.add(run->settings.elevation.latitude);
+  return h.value();
 }
 
 std::uint64_t heights(const Settings& settings) {
@@ -468,6 +510,9 @@ const std::vector<Probe> kProbes = {
     {"lightning.", flashesOfAStorm},
     {"autopilot.", autopilot, {"game.targetNearest=1200", "game.targetFarthest=1500"}},
     {"terrain.", heights},
+    {"elevation.atCentre", elevationRun},
+    {"elevation.blendM", elevationHeights},
+    {"elevation.", originPlace},
     {"streaming.uploadMiBPerFrame", uploads},
     {"streaming.queueLimit", waitingChunks, {"streaming.texelPixels=0.5"}},
     {"streaming.cacheMiB", kept, {"streaming.gpuMiB=128", "streaming.texelPixels=0.5"}},
@@ -560,9 +605,10 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
   EXPECT_GT(rows, 0);
 }
 
-constexpr const char* kGroups[] = {
-    "aircraft.", "package.", "game.",   "autopilot.", "terrain.", "streaming.", "audio.",       "view.",
-    "input.",    "quality",  "clouds.", "render.",    "wind.",    "weather.",   "weatherFile.", "lightning."};
+constexpr const char* kGroups[] = {"aircraft.",    "package.",   "game.",   "autopilot.", "terrain.",
+                                   "elevation.",   "streaming.", "audio.",  "view.",      "input.",
+                                   "quality",      "clouds.",    "render.", "wind.",      "weather.",
+                                   "weatherFile.", "lightning."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {
     "cloudPlanes.", "cloudDome.",      "groundFog.",    "stars.", "landShadows.", "halo.",         "rainbow.",

@@ -79,6 +79,7 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("thunderstorm", {});
   draw("fair", {"clouds.march.history=quarter"});
   draw("warmFront", {});
+  draw("bern", {});
   draw("afterRain", {"clouds.march.history=quarter"});
   draw("afterRain", {"clouds.tier=reference"});
   draw("fair", {"clouds.march.history=sixteenth", "clouds.march.resolution=full"});

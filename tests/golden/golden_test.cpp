@@ -74,6 +74,14 @@ std::vector<std::string> inMood(const std::string& mood) {
                      "render.camera.fovDegrees=48", "--set", "stars.twinkle=0"});
 }
 
+// From a place to another, over elevation data, in the weather of a file at 13:00 UTC.
+std::vector<std::string> viewOfBern(const std::string& from, const std::string& to) {
+  return withoutHud({"--scene", "bern", "--place", from, "--look-at", to, "--weather",
+                     std::string(sourceDir()) + "/tests/corpus/weather/goodMeteoblue.json", "--set",
+                     "sky.sun=clock", "--set", "sky.utc=2026-06-21T13:00Z", "--set",
+                     "weather.variability=0"});
+}
+
 const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all = {
       {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
@@ -215,6 +223,8 @@ const std::vector<Golden>& goldens() {
       {"eveningShower", clouded("coldFront", "5000,500,6000,300,5,0", "6", "200",
                                 {"weather.secondSite=false", "weather.sites.0.rain=6",
                                  "clouds.layers.0.coverage=0.5", "weather.sites.0.layers.0.cover=0.5"})},
+      {"gurtenTowardsSolothurn", viewOfBern("Gurten", "Solothurn")},
+      {"bantigerTowardsFribourg", viewOfBern("Bantiger", "Fribourg")},
       {"stratusFromBelow", ofGenus("stratus", 400, 900, 1, "0,200,0,40,6,0")},
       {"stratocumulusFromBelow", ofGenus("stratocumulus", 1200, 1900, 0.85, "0,300,0,40,10,0")},
       {"cumulusOfTheWeather", ofGenus("cumulus", 1555, 3355, 0.45, "0,600,0,40,12,0")},

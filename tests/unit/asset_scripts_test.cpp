@@ -13,7 +13,9 @@ namespace skydrop {
 namespace {
 
 const char* folderOf(const std::string& name) {
-  return name.ends_with(".wav") ? "audio" : name.ends_with(".svg") ? "desktop" : "models";
+  for (const auto& [ending, folder] : {std::pair(".wav", "audio"), {".svg", "desktop"}, {".tif", "elevation"}})
+    if (name.ends_with(ending)) return folder;
+  return "models";
 }
 
 class AssetScripts : public ::testing::TestWithParam<const char*> {};
@@ -40,8 +42,8 @@ TEST_P(AssetScripts, makeTheirFilesAgainBitForBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, AssetScripts,
-                         ::testing::Values("make_airplane.py", "make_icon.py", "make_package.py",
-                                           "make_sounds.py"),
+                         ::testing::Values("make_airplane.py", "make_icon.py", "make_mittelland.py",
+                                           "make_package.py", "make_sounds.py"),
                          [](const auto& script) {
                            const std::string name(script.param);
                            return name.substr(0, name.find('.'));

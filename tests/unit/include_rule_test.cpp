@@ -28,14 +28,16 @@ std::map<std::string, Names> allowedIncludes() {
   Names outer = game;
   outer.insert("game");
   Names app = outer;
-  app.insert({"render", "audio", "ui", "accuracy", "forecast", "lab"});
+  app.insert({"render", "audio", "ui", "accuracy", "forecast", "lab", "elevation"});
   Names render = outer;
   render.insert("lab");
   const Names forecast = {"core", "sky", "weather"};
-  return {{"core", {}},      {"terrain", core}, {"noise", core},   {"clouds", core}, {"accuracy", core},
-          {"lab", core},
-          {"flight", core},  {"sky", core},     {"weather", core}, {"scene", scene}, {"game", game},
-          {"render", render}, {"audio", outer},  {"ui", outer},     {"app", app},     {"forecast", forecast}};
+  const Names elevation = {"core", "terrain"};
+  return {{"core", {}},       {"terrain", core},      {"noise", core},        {"clouds", core},
+          {"accuracy", core}, {"lab", core},          {"flight", core},       {"sky", core},
+          {"weather", core},  {"scene", scene},       {"game", game},         {"render", render},
+          {"audio", outer},   {"ui", outer},          {"app", app},           {"forecast", forecast},
+          {"elevation", elevation}};
 }
 
 // The same for rooms, the folders of a module.

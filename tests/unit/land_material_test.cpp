@@ -18,6 +18,19 @@ shared::LandSurface plainLand(double heightM, double normalUp, double curvature 
   return shared::landSurface(heightM, normalUp, curvature, {0, 0, 0, 0, 0}, 0, {{0, 0}, 0, 0.5}, 0);
 }
 
+TEST(LandMaterial, alpineBeltsRiseWithHeightAndKeepTheShore) {
+  double before = -1000;
+  for (double height = -500; height < 9000; height += 7) {
+    const double belt = shared::alpineBeltHeight(height);
+    ASSERT_GT(belt, before) << height;
+    before = belt;
+  }
+  EXPECT_EQ(shared::alpineBeltHeight(-20), -20);
+  EXPECT_NEAR(shared::alpineBeltHeight(4), 4, 0.2) << "the beach ends at 4 m";
+  EXPECT_NEAR(shared::alpineBeltHeight(2260), 780, 1) << "the last woods";
+  EXPECT_NEAR(shared::alpineBeltHeight(2800), 960, 1) << "the first snow";
+}
+
 TEST(LandMaterial, noiseInSpaceIsSmoothAndHasTheSlopeThatItTells) {
   // 100 000 places on either side of the lattice's corner: mean 0 within 0.01, standard deviation between 0.2
   // and 0.4, all within [-1.2, 1.2]; slopes are those of differences over 2e-5 cells within 1e-4 per cell

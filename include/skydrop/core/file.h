@@ -17,6 +17,9 @@ std::vector<std::byte> readFile(const std::filesystem::path& path,
                                 std::size_t maxBytes = std::size_t{256} << 20);
 std::string readTextFile(const std::filesystem::path& path, std::size_t maxBytes = std::size_t{64} << 20);
 
+// The first bytes of a regular file, fewer where it is shorter: what tells forms apart.
+std::string readFileStart(const std::filesystem::path& path, std::size_t bytes);
+
 // For files that the command line names: "-" is standard input, read to its end, anything else as above.
 bool isStandardInput(const std::filesystem::path& path);
 std::vector<std::byte> readInput(const std::filesystem::path& path,

@@ -90,6 +90,8 @@ struct InputLog {
   SceneRecord scene;
   static constexpr std::size_t kMaxWeatherFiles = 100;
   std::vector<WeatherRecord> weather, farWeather;  // of the near site and of the far one, in order
+  static constexpr std::size_t kMaxElevationFiles = 1000;
+  std::vector<WeatherRecord> elevation;  // files of elevation data, in order
   std::uint64_t seed = 0;
   std::vector<SettingOverride> settings;  // at the start, in order
   std::vector<Run> runs;                  // neighbours differ

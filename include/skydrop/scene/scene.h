@@ -10,7 +10,8 @@
 //               "speed": 70},                     m/s
 //     "weatherFile": "bern.json",                 a forecast or report, beside the scene's file, for the
 //     effect "farWeatherFile": ["a.json", "b.json"],     weather, or several of one place; and those of a
-//     second site "settings": {"aircraft": {...}, ...}        overrides of described settings (app checks
+//     second site "elevationFile": ["a.tif", "b.tif"],     elevation data, beside the scene's file, for the
+//     effect terrain "settings": {"aircraft": {...}, ...}        overrides of described settings (app checks
 //     names, ranges)
 //   }
 //
@@ -47,6 +48,7 @@ struct Scene {
   std::string settingsJson = "{}";  // checked JSON text of an object
   // Weather from files (module forecast); empty for none. A far one only with a near one.
   std::vector<std::filesystem::path> weatherFiles, farWeatherFiles;
+  std::vector<std::filesystem::path> elevationFiles;  // of the land (module elevation); empty for none
 };
 
 inline constexpr std::size_t kMostSceneBytes = std::size_t{1} << 20;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "app/cli/elevation_flags.h"
 #include "app/cli/flag_options.h"
 #include "app/cli/flag_values.h"
 #include "app/cli/frame_path.h"
@@ -53,14 +54,17 @@ class Parser {
         app_.add_subcommand("info", "versions, OpenGL renderer, limits; or how a picture was made");
     CLI::App* lab = app_.add_subcommand(
         "lab", "the laboratory: what clouds are made of, page by page, with cost and error");
+    CLI::App* elevation =
+        app_.add_subcommand("elevation", "what elevation files hold, and heights at places");
     CLI::App* compare =
         app_.add_subcommand("compare", "how far two pictures differ; exit code 1 where it is too far");
     CLI::App* settings =
         app_.add_subcommand("settings", "every setting with default, range and what it does");
-    for (CLI::App* verb : {render, simulate, accuracy, noise, sky, weather, lab, info, compare, settings})
-      verb->set_help_flag("--help", "print this help");
-    for (CLI::App* verb : {&app_, render, simulate, accuracy, noise, sky, weather, lab, info, compare, settings})
-      verb->footer(kExitCodes);
+    const std::vector<CLI::App*> verbs = {render,    simulate, accuracy, noise,   sky,     weather,
+                                          elevation, lab,      info,     compare, settings};
+    for (CLI::App* verb : verbs) verb->set_help_flag("--help", "print this help");
+    app_.footer(kExitCodes);
+    for (CLI::App* verb : verbs) verb->footer(kExitCodes);
     addCommon(*render);
     addRender(*render);
     addCommon(*simulate);
@@ -73,6 +77,7 @@ class Parser {
     addLabFlags(*lab, line_);
     addSet(*lab);
     addSize(*lab);
+    elevationFlags_.addCheck(*elevation, line_);
     for (CLI::App* verb : {render, simulate, accuracy, noise}) {
       verb->add_flag("--progress", line_.progress,
                      "tell how far it is, each second, where there is no terminal");
@@ -91,6 +96,7 @@ class Parser {
     sky->callback([this] { line_.verb = Verb::sky; });
     weather->callback([this] { line_.verb = Verb::weather; });
     lab->callback([this] { line_.verb = Verb::lab; });
+    elevation->callback([this] { line_.verb = Verb::elevation; });
     info->callback([this] { line_.verb = Verb::info; });
     compare->callback([this] { line_.verb = Verb::compare; });
     settings->callback([this] { line_.verb = Verb::settings; });
@@ -111,6 +117,7 @@ class Parser {
     check();
     checkCamera();
     if (camera_) line_.pose = poseOfCamera();
+    elevationFlags_.finish(line_, line_.pose.has_value());
     // After every --set: the flag is the shorter word for the same.
     if (frameBudget_) line_.set.push_back("view.frameBudgetMs=" + *frameBudget_);
     // Before every other word, so that --no-effect weather and --set are heard. A replay has its effects.
@@ -157,6 +164,7 @@ class Parser {
     addText(verb, "--workers", "N", "threads that make terrain (cores - 1)",
             [this](const std::string& t) { line_.workers = integer("--workers", t, 1, 64); });
     addWeatherFiles(verb);
+    elevationFlags_.addLand(verb, line_, true);
     addPath(verb, "--user-dir", "DIR", "the player's settings", line_.userDir);
     addPath(verb, "--stats", "FILE|-", "write what was measured, as JSON; - is standard output", line_.stats);
     addPath(verb, "--replay", "FILE|-", "fly a recorded input log, and compare", line_.replay);
@@ -365,6 +373,7 @@ class Parser {
     addScene(verb);
     addSet(verb);
     addWeatherFiles(verb);
+    elevationFlags_.addLand(verb, line_, false);
     addSeed(verb, "the world's seed instead of the scene's");
     addText(verb, "--time", "S", "simulated seconds (0)",
             [this](const std::string& t) { line_.timeS = number("--time", t, 0, kLongestWeatherS); });
@@ -490,6 +499,7 @@ class Parser {
   std::optional<std::string> frameBudget_;
   NoiseFlags noiseFlags_;
   WeatherFlags weatherFlags_;
+  ElevationFlags elevationFlags_;
   std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};

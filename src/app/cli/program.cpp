@@ -31,6 +31,8 @@ int runVerb(const CommandLine& line) {
       return weather(line);
     case Verb::lab:
       return lab(line);
+    case Verb::elevation:
+      return checkElevation(line);
     case Verb::info:
       return info(line);
     case Verb::compare:

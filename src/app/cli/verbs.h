@@ -14,9 +14,10 @@ int noise(const CommandLine& line);
 int generateNoise(const CommandLine& line);  // noise --generate
 int sky(const CommandLine& line);
 int weather(const CommandLine& line);
-int checkWeather(const CommandLine& line);  // weather check
-int fetchWeather(const CommandLine& line);  // weather fetch
 int lab(const CommandLine& line);
+int checkWeather(const CommandLine& line);    // weather check
+int fetchWeather(const CommandLine& line);    // weather fetch
+int checkElevation(const CommandLine& line);  // elevation check
 int info(const CommandLine& line);
 int compare(const CommandLine& line);
 int listSettings(const CommandLine& line);  // settings

@@ -7,13 +7,12 @@
 #include "app/console/message.h"
 #include "app/console/standard_output.h"
 #include "app/session/flown_weather.h"
+#include "app/session/ground.h"
 #include "app/session/run_config.h"
 #include "skydrop/game/contact.h"
 #include "skydrop/game/flown_clouds.h"
 #include "skydrop/game/ice_layers.h"
 #include "skydrop/sky/instant.h"
-#include "skydrop/terrain/analytic_height_sources.h"
-#include "skydrop/terrain/noise_height_source.h"
 #include "skydrop/weather/draughts.h"
 #include "skydrop/weather/dryden.h"
 #include "skydrop/weather/lightning.h"
@@ -68,9 +67,7 @@ int weather(const CommandLine& line) {
   const std::unique_ptr<RunConfig> run = prepareRun(line);
   const Settings& settings = run->settings;
   const scene::EffectSet effects = effectsOf(*run);
-  const bool hasLand = effects.contains(scene::Effect::terrain);
-  const auto ground = hasLand ? terrain::makeNoiseHeightSource(settings.terrain, run->setup.seed)
-                              : terrain::makeFlatSource(0);
+  const auto ground = makeGround(effects, settings, run->setup);
   const glm::dvec3& at = line.weatherAt;
   for (const std::string& note : run->notes) warn(note);
   std::shared_ptr<const clouds::PackedCloudNoise> noise;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "skydrop/elevation/elevation_height_source.h"
+
 namespace skydrop::app {
 
 LandStreaming::LandStreaming(render::Renderer& renderer, std::shared_ptr<const terrain::HeightSource> ground,
@@ -12,7 +14,8 @@ LandStreaming::LandStreaming(render::Renderer& renderer, std::shared_ptr<const t
       workerCount_(workers),
       workers_(workers),
       terrain_(ground_, workers_, settings) {
-  auto pass = std::make_unique<render::TerrainPass>(renderer.context());
+  const bool isOfTheEarth = dynamic_cast<const elevation::ElevationHeightSource*>(ground_.get()) != nullptr;
+  auto pass = std::make_unique<render::TerrainPass>(renderer.context(), isOfTheEarth);
   pass_ = pass.get();
   renderer.add(std::move(pass));
 }

@@ -16,6 +16,8 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/fixed_step.h"
+#include "skydrop/elevation/projection.h"
+#include "skydrop/elevation/raster.h"
 #include "skydrop/forecast/forecast_of.h"
 
 namespace skydrop::app {
@@ -294,6 +296,49 @@ void readWeatherFiles(const CommandLine& line, RunConfig& run) {
            core::inputName(near[0]), run);
 }
 
+// The elevation files of the command line, of the scene, or those that a replay was flown over. The world's
+// origin, and the place whose sky it is, follow the data unless somebody says otherwise. Settings are
+// composed again where that sets rows.
+void readElevationFiles(const CommandLine& line, RunConfig& run) {
+  SimulationSetup& setup = run.setup;
+  const game::InputLog* log = setup.replay ? &*setup.replay : nullptr;
+  std::vector<std::filesystem::path> files = line.elevationFiles;
+  if (files.empty()) files = log ? sourcesOf(log->elevation) : setup.scene.elevationFiles;
+  if (log && log->elevation.size() != files.size())
+    throw core::DataError(setup.replayFile, "elevation",
+                          "was flown over " + std::to_string(log->elevation.size()) +
+                              " elevation files, and not over the " + std::to_string(files.size()) +
+                              " that are given");
+  if (files.empty()) return;
+  for (const std::filesystem::path& file : files) setup.elevation.push_back(elevation::openRaster(file));
+  if (log || line.record) {
+    std::vector<std::uint64_t> digests;
+    for (const std::filesystem::path& file : files) digests.push_back(elevation::contentDigest(file));
+    setup.elevationRecords = recordsOf(files, digests, log ? &log->elevation : nullptr, setup.replayFile);
+  }
+  if (log) return;
+  std::vector<std::string> rows;
+  const auto put = [&](const std::string& path, double value) {
+    const core::Field& field = run.table.at(path);
+    Settings before;
+    const core::SettingsTable defaults(before);
+    if (field.get() != defaults.at(path).get()) return;  // somebody has said where
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "=%.9f", value);
+    rows.push_back(path + text.data());
+  };
+  elevation::GeoPlace origin{run.settings.elevation.latitude, run.settings.elevation.longitude};
+  if (run.settings.elevation.atCentre) {
+    origin = elevation::centreOf(*setup.elevation[0]);
+    put("elevation.latitude", origin.latitude);
+    put("elevation.longitude", origin.longitude);
+  }
+  put("render.sun.latitudeDegrees", origin.latitude);
+  put("render.sun.longitudeDegrees", origin.longitude);
+  run.overrides.insert(run.overrides.begin(), rows.begin(), rows.end());
+  compose(run, setup.scene, ownChoices(run.userSettings), When::start);
+}
+
 // What --set and --preset change in a replay is flown, but not as it was recorded.
 void noteOverrides(RunConfig& run) {
   for (const std::string& set : run.overrides) {
@@ -371,6 +416,7 @@ std::unique_ptr<RunConfig> prepareRun(const CommandLine& line) {
   }
   compose(*run, setup.scene, ownChoices(run->userSettings), When::start);
   if (line.replay) noteOverrides(*run);
+  readElevationFiles(line, *run);
   readWeatherFiles(line, *run);
   if (line.record) run->recorder = std::make_unique<FlightRecorder>(*line.record);
   setup.recorder = run->recorder.get();

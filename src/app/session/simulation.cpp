@@ -8,22 +8,15 @@
 
 #include "app/measure/bill.h"
 #include "app/session/flown_weather.h"
+#include "app/session/ground.h"
 #include "app/types/version.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/guards.h"
-#include "skydrop/terrain/analytic_height_sources.h"
-#include "skydrop/terrain/noise_height_source.h"
 
 namespace skydrop::app {
 namespace {
 
 using scene::Effect;
-
-std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& effects,
-                                                        const Settings& settings, std::uint64_t seed) {
-  if (!effects.contains(Effect::terrain)) return terrain::makeFlatSource(0);
-  return terrain::makeNoiseHeightSource(settings.terrain, seed);
-}
 
 game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects,
                             const Settings& settings, std::shared_ptr<const terrain::HeightSource> ground,
@@ -69,7 +62,7 @@ Simulation::Simulation(const SimulationSetup& setup, Settings& settings, const c
       settings_(&followingSky(setup, settings)),
       table_(&table),
       effects_(scene::effective(settings.effects.set())),
-      ground_(makeGround(effects_, settings, setup.seed)),
+      ground_(makeGround(effects_, settings, setup)),
       world_(worldSetup(setup, effects_, settings, ground_, noise_)) {
   if (setup_.pilot == Pilot::autopilot) autopilot_.emplace(ground_, settings.autopilot);
   if (setup_.pilot == Pilot::replay) replay_.emplace(*setup_.replay);
@@ -86,6 +79,7 @@ void Simulation::beginRecording() {
   start.scene = {setup_.scene.source, setup_.scene.text};
   start.weather = setup_.weatherRecords;
   start.farWeather = setup_.farWeatherRecords;
+  start.elevation = setup_.elevationRecords;
   start.seed = setup_.seed;
   start.settings = simulationSettings(*table_);
   setup_.recorder->begin(start, world_.stateHash());
@@ -194,7 +188,7 @@ void Simulation::applyToWorld() {
 void Simulation::applyEffects() {
   const scene::EffectSet before = std::exchange(effects_, scene::effective(settings_->effects.set()));
   const auto changes = [&](Effect effect) { return before.contains(effect) != effects_.contains(effect); };
-  if (changes(Effect::terrain)) ground_ = makeGround(effects_, *settings_, setup_.seed);
+  if (changes(Effect::terrain)) ground_ = makeGround(effects_, *settings_, setup_);
   if (changes(Effect::terrain) || changes(Effect::aircraft) || changes(Effect::targets))
     world_.setParts(ground_, effects_.contains(Effect::aircraft), effects_.contains(Effect::targets));
   if (changes(Effect::weather))

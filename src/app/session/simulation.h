@@ -15,6 +15,7 @@
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
+#include "skydrop/elevation/raster.h"
 #include "skydrop/game/autopilot.h"
 #include "skydrop/game/input_log.h"
 #include "skydrop/game/world.h"
@@ -35,7 +36,9 @@ struct SimulationSetup {
   FlightRecorder* recorder = nullptr;                 // outlives the simulation; begins with it
   std::shared_ptr<const weather::Forecast> forecast;  // of weather files; null: there are none
   std::vector<game::InputLog::WeatherRecord> weatherRecords,
-      farWeatherRecords;  // of those files, for the log
+      farWeatherRecords;                                            // of those files, for the log
+  std::vector<std::shared_ptr<const elevation::Raster>> elevation;  // what the land is made of; empty: noise
+  std::vector<game::InputLog::WeatherRecord> elevationRecords;
 };
 
 // Why the setting cannot change in this flight, empty if it can: what would load it again during a recording

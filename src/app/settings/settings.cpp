@@ -9,8 +9,8 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 7> kSimulationGroups = {
-    "aircraft.", "package.", "game.", "terrain.", "wind.", "weather.", "weatherFile."};
+constexpr std::array<std::string_view, 8> kSimulationGroups = {
+    "aircraft.", "package.", "game.", "terrain.", "elevation.", "wind.", "weather.", "weatherFile."};
 
 // Effects that are more than pictures and sounds.
 constexpr std::array<std::string_view, 4> kSimulatedEffects = {"effects.aircraft", "effects.targets",
@@ -70,6 +70,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("game", settings.game, "Targets, drops and score.");
   visitor.group("autopilot", settings.autopilot, "How the autopilot flies.");
   visitor.group("terrain", settings.terrain, "The shape of the land.");
+  visitor.group("elevation", settings.elevation, "Where elevation data lie, and how they end.");
   visitor.group("streaming", settings.streaming,
                 "How fine and how far the land is drawn, and what it may cost.");
   visitor.group("render", settings.render, "Sun, air, cameras and exposure.");

@@ -20,6 +20,7 @@
 #include "skydrop/core/settings.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/core/wind.h"
+#include "skydrop/elevation/elevation_settings.h"
 #include "skydrop/flight/airplane_settings.h"
 #include "skydrop/flight/package_settings.h"
 #include "skydrop/game/autopilot.h"
@@ -70,6 +71,7 @@ struct Settings {
   game::GameSettings game;
   game::AutopilotSettings autopilot;
   terrain::TerrainSettings terrain;
+  elevation::ElevationSettings elevation;  // of elevation files, where there are some
   terrain::TerrainStreamingSettings streaming;
   render::RenderSettings render;
   clouds::CloudSettings clouds;

@@ -14,6 +14,7 @@
 #include "app/types/pose.h"
 #include "app/types/report_format.h"
 #include "app/types/size.h"
+#include "skydrop/elevation/projection.h"
 #include "skydrop/forecast/fetch.h"
 #include "skydrop/noise/noise_generator.h"
 #include "skydrop/noise/noise_recipe.h"
@@ -22,7 +23,20 @@
 
 namespace skydrop::app {
 
-enum class Verb { fly, render, simulate, accuracy, noise, sky, weather, lab, info, compare, settings };
+enum class Verb {
+  fly,
+  render,
+  simulate,
+  accuracy,
+  noise,
+  sky,
+  weather,
+  elevation,
+  lab,
+  info,
+  compare,
+  settings
+};
 
 inline constexpr const char* kDefaultScene = "fair";
 
@@ -65,6 +79,18 @@ struct WeatherRequest {
   std::optional<std::filesystem::path> keyFile, out;
 };
 
+// Where one flies from: by degrees, or by a name of assets/places.json.
+struct PlaceRequest {
+  elevation::GeoPlace place;
+  std::optional<double> heightM;  // above the ground
+};
+
+// A place to ask elevation files about: degrees, or coordinates of the first file's system.
+struct ElevationRequest {
+  std::vector<std::filesystem::path> files;
+  std::vector<glm::dvec2> at;  // north, east in degrees where both can be that; else east, north in metres
+};
+
 struct CommandLine {
   Verb verb = Verb::fly;
 
@@ -77,6 +103,9 @@ struct CommandLine {
   std::optional<std::filesystem::path> userDir, stats, replay, record;
   std::vector<std::filesystem::path> weatherFiles,
       farWeatherFiles;  // forecasts; far ones only with near ones
+  std::vector<std::filesystem::path> elevationFiles;
+  std::optional<PlaceRequest> start;          // --place
+  std::optional<elevation::GeoPlace> lookAt;  // needs a start
   bool autopilot = false;
 
   // fly
@@ -115,6 +144,7 @@ struct CommandLine {
   glm::dvec3 weatherAt{0, 500, 0};  // m; its time is timeS
 
   LabRequest lab;
+  ElevationRequest elevation;
 
   // accuracy
   std::vector<std::string> studies;
@@ -134,7 +164,7 @@ struct CommandLine {
   // settings
   std::string settingsPath;  // of a setting or a group; empty: all of them
 
-  // compare, settings, and weather check
+  // compare, settings, weather check and elevation check
   bool asJson = false;
 };
 

@@ -61,13 +61,14 @@ terrain::ViewVolume viewVolume(const View& view) {
   return terrain::makeViewVolume(view.position, view.worldToView, view.fovYRad, view.width, view.height);
 }
 
-TerrainPass::TerrainPass(gl::Context& context)
+TerrainPass::TerrainPass(gl::Context& context, bool hasAlpineBelts)
     : context_(context),
       indices_(
           gl::Buffer::of<std::uint16_t>(context, patchIndices(), gl::Buffer::Use::fixed, "patch indices")),
       patches_(context, "patches"),
       triangle_(context),
-      seaPlane_(context, "sea") {
+      seaPlane_(context, "sea"),
+      hasAlpineBelts_(hasAlpineBelts) {
   patches_.setIndexBuffer(indices_);
 }
 
@@ -260,6 +261,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
       for (const bool hasFlash : {false, true}) {
         if (!isAsked(hasFlash, flash, features.flashLight)) continue;
         std::vector<std::string> defines = landDefines(context);
+        if (hasAlpineBelts_) defines.emplace_back("ALPINE_BELTS");
         if (hasFallen) defines.emplace_back(FallenWater::kDefine);
         if (hasSpot) defines.emplace_back(SpotLight::kDefine);
         if (hasFlash) defines.emplace_back(FlashLight::kDefine);

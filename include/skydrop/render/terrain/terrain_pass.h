@@ -27,7 +27,9 @@ terrain::ViewVolume viewVolume(const View& view);
 // published.
 class TerrainPass final : public Pass {
  public:
-  explicit TerrainPass(gl::Context& context);
+  // Alpine belts: plants, rock and snow as high as on the earth, for land of elevation data; else as on the
+  // endless land, which is lower.
+  explicit TerrainPass(gl::Context& context, bool hasAlpineBelts = false);
 
   // Carries out the frame's uploads and draws its patches from now on. To be called for each frame that
   // EndlessTerrain makes, before the frame is drawn.
@@ -74,6 +76,7 @@ class TerrainPass final : public Pass {
   gl::FrameBuffer surface_;  // depth of the land alone, and the share of the sun that shadows leave
   FullscreenTriangle triangle_;
   gl::VertexArray seaPlane_;  // without buffers
+  bool hasAlpineBelts_;
   GLsizei instanceCount_ = 0;
   glm::dvec2 base_{0.0};
   terrain::HeightRange heightRange_;

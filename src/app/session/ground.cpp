@@ -1,0 +1,18 @@
+#include "app/session/ground.h"
+
+#include "skydrop/elevation/elevation_height_source.h"
+#include "skydrop/terrain/analytic_height_sources.h"
+#include "skydrop/terrain/noise_height_source.h"
+
+namespace skydrop::app {
+
+std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& effects,
+                                                        const Settings& settings,
+                                                        const SimulationSetup& setup) {
+  if (!effects.contains(scene::Effect::terrain)) return terrain::makeFlatSource(0);
+  auto noise = terrain::makeNoiseHeightSource(settings.terrain, setup.seed);
+  if (setup.elevation.empty()) return noise;
+  return elevation::makeElevationHeightSource(setup.elevation, settings.elevation, std::move(noise));
+}
+
+}  // namespace skydrop::app

@@ -1,0 +1,123 @@
+// Flights over elevation data.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/session/run_config.h"
+#include "app/session/simulation.h"
+#include "skydrop/core/error.h"
+#include "skydrop/core/file.h"
+#include "skydrop/game/contact.h"
+#include "support/elevation_files.h"
+#include "support/refusal.h"
+#include "support/temporary_folder.h"
+
+namespace skydrop::app {
+namespace {
+
+class ElevationFlight : public ::testing::Test {
+ protected:
+  // Hills of 10 km around LV95 2605000, 1205000, between 900 and 1500 m.
+  std::filesystem::path write(double rise = 0) {
+    const auto file = folder_.path() / "hills.tif";
+    test::writeGeoTiff(file, 500, 500, {2600000, 1210000}, {20, 20},
+                       test::heightsOf(500, 500,
+                                       [&](double c, double r) {
+                                         return 1200 + rise + 200 * std::sin(c / 20) + 100 * std::cos(r / 15);
+                                       }),
+                       {.tileSide = 128});
+    return file;
+  }
+  CommandLine lineOf(const std::filesystem::path& file) {
+    CommandLine line;
+    line.verb = Verb::simulate;
+    line.scene = "terrain";
+    line.elevationFiles = {file};
+    line.autopilot = true;
+    return line;
+  }
+  std::uint64_t fly(const CommandLine& line, int steps = 600) {
+    const auto run = prepareRun(line);
+    Simulation simulation(run->setup, run->settings, run->table);
+    for (int i = 0; i < steps && !simulation.finished(); ++i) simulation.step({});
+    simulation.endRecording();
+    EXPECT_FALSE(simulation.hasDiverged());
+    return simulation.world().stateHash();
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ElevationFlight, beginsAboveTheMiddleOfTheDataAndItsSkyIsThere) {
+  const auto run = prepareRun(lineOf(write()));
+  EXPECT_NEAR(run->settings.elevation.latitude, 46.996, 0.001);
+  EXPECT_NEAR(run->settings.elevation.longitude, 7.504, 0.001);
+  EXPECT_EQ(run->settings.render.sun.latitudeDegrees, run->settings.elevation.latitude);
+  const Simulation simulation(run->setup, run->settings, run->table);
+  const game::Snapshot& now = simulation.world().now();
+  const double ground = simulation.ground()->height({now.aircraft.position.x, now.aircraft.position.z});
+  EXPECT_GT(ground, 850);
+  EXPECT_GT(now.aircraft.position.y, ground);
+}
+
+TEST_F(ElevationFlight, aSkyThatIsAskedForStays) {
+  CommandLine line = lineOf(write());
+  line.set = {"render.sun.latitudeDegrees=-33"};
+  EXPECT_EQ(prepareRun(line)->settings.render.sun.latitudeDegrees, -33);
+}
+
+TEST_F(ElevationFlight, autopilotAndTargetsKeepToTheLand) {
+  // Two minutes over hills 1 km above the sea: never below ground, and targets lie on it.
+  const auto run = prepareRun(lineOf(write()));
+  Simulation simulation(run->setup, run->settings, run->table);
+  for (int i = 0; i < 120 * 120; ++i) {
+    simulation.step({});
+    if (i % 60 != 0) continue;
+    const game::Snapshot& now = simulation.world().now();
+    const glm::dvec3& at = now.aircraft.position;
+    ASSERT_GT(at.y, simulation.ground()->height({at.x, at.z}) - 0.01) << i;
+    const glm::dvec3& target = now.target.position;
+    ASSERT_NEAR(target.y, game::surfaceAt(*simulation.ground(), {target.x, target.z}).height, 1) << i;
+  }
+}
+
+TEST_F(ElevationFlight, aReplayNeedsTheSameFilesAndThenRepeatsEveryBit) {
+  const auto file = write();
+  CommandLine line = lineOf(file);
+  line.record = folder_.path() / "flight.log";
+  const std::uint64_t flown = fly(line);
+  CommandLine replay;
+  replay.verb = Verb::simulate;
+  replay.replay = line.record;
+  EXPECT_EQ(fly(replay), flown) << "the file is found where it was";
+  write(1);
+  const std::string changed = test::refusalOf<core::DataError>([&] { prepareRun(replay); });
+  EXPECT_TRUE(test::isOneLineAbout(changed, "hills.tif")) << changed;
+  EXPECT_NE(changed.find("had another content"), std::string::npos) << changed;
+}
+
+TEST_F(ElevationFlight, sceneFilesNameThem) {
+  write();
+  const auto prepare = [&](const std::string& members) {
+    CommandLine line;
+    line.verb = Verb::simulate;
+    line.scene = folder_.write("scene.json", R"({"schema": 1, "effects": ["terrain"], )" + members + "}");
+    return prepareRun(line);
+  };
+  EXPECT_EQ(prepare(R"("elevationFile": "hills.tif")")->setup.elevation.size(), 1u);
+  const auto refusal = [&](const std::string& members) {
+    return test::refusalOf<core::DataError>([&] { prepare(members); });
+  };
+  EXPECT_NE(refusal(R"("elevationFile": "none.tif")").find("none.tif"), std::string::npos);
+  EXPECT_NE(refusal(R"("effects": [], "elevationFile": "hills.tif")"), "");
+}
+
+TEST_F(ElevationFlight, dataFarFromThePlaceAreRefused) {
+  CommandLine line = lineOf(write());
+  line.set = {"elevation.atCentre=false", "elevation.latitude=-30"};
+  const std::string refusal = test::refusalOf<core::DataError>([&] { fly(line, 1); });
+  EXPECT_NE(refusal.find("500 km"), std::string::npos) << refusal;
+}
+
+}  // namespace
+}  // namespace skydrop::app
