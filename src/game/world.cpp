@@ -48,8 +48,7 @@ const WorldSetup& usable(const WorldSetup& setup) {
 }  // namespace
 
 weather::State WeatherSetup::at(std::uint64_t seed, double seconds, const glm::dvec2& xz) const {
-  return forecast ? weather::stateAt(settings, *forecast, clock, seed, seconds, xz)
-                  : weather::stateAt(settings, seed, seconds, xz);
+  return weather::stateAt(settings, forecast.get(), clock, handover.get(), seed, seconds, xz);
 }
 
 struct World::State {
@@ -153,8 +152,9 @@ void World::State::fill(Snapshot& out) const {
   out.wind = setup.wind;
   out.weather = {};
   if (shownWeather) {
-    out.weather = {shownWeather, setup.seed, out.simulatedSeconds, setup.weather->forecast,
-                   setup.weather->clock};
+    out.weather = {shownWeather,         setup.seed,
+                   out.simulatedSeconds, setup.weather->forecast,
+                   setup.weather->clock, setup.weather->handover};
   }
   out.air = {};
   if (aircraft) {
@@ -182,6 +182,12 @@ std::uint64_t World::State::hash() const {
     if (copy.weather->forecast) {
       h.add(copy.weather->forecast->digest);
       describe(settings, copy.weather->clock);
+    }
+    if (const weather::Handover* handover = copy.weather->handover.get()) {
+      h.add(handover->from ? handover->from->digest : 0);
+      weather::ForecastClock clock = handover->clock;
+      describe(settings, clock);
+      h.add(handover->beginSeconds), h.add(handover->lastsSeconds);
     }
     if (aircraft) air.addTo(h);
   }

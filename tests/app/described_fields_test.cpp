@@ -125,34 +125,35 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using terrain::TerrainStreamingSettings;
   using weather::ForecastClock;
   using weather::LightningSettings;
+  using weather::LiveSettings;
   using weather::SiteSettings;
   using weather::WeatherLayerSettings;
   using weather::WeatherSettings;
   using weather::WindLevelSettings;
   const std::map<std::string, void (*)(const char*)> structs = {
-      SKYDROP_STRUCT(AirplaneSettings),     SKYDROP_STRUCT(PackageSettings),
-      SKYDROP_STRUCT(GameSettings),         SKYDROP_STRUCT(AutopilotSettings),
-      SKYDROP_STRUCT(TerrainSettings),      SKYDROP_STRUCT(TerrainStreamingSettings),
-      SKYDROP_STRUCT(CameraSettings),       SKYDROP_STRUCT(SunSettings),
-      SKYDROP_STRUCT(AtmosphereSettings),   SKYDROP_STRUCT(RenderSettings),
-      SKYDROP_STRUCT(SplitSettings),        SKYDROP_STRUCT(MarchSettings),
-      SKYDROP_STRUCT(CloudSettings),        SKYDROP_STRUCT(AudioSettings),
-      SKYDROP_STRUCT(ViewSettings),         SKYDROP_STRUCT(GamepadSettings),
-      SKYDROP_STRUCT(InputSettings),        SKYDROP_STRUCT(Settings),
-      SKYDROP_STRUCT(WindowMemory),         SKYDROP_STRUCT(WindSettings),
-      SKYDROP_STRUCT(EffectSwitches),       SKYDROP_STRUCT(NoiseSettings),
-      SKYDROP_STRUCT(PostProcess),          SKYDROP_STRUCT(NoiseToolSettings),
-      SKYDROP_STRUCT(CloudPlaneSettings),   SKYDROP_STRUCT(CloudPlanesSettings),
-      SKYDROP_STRUCT(CloudDomeSettings),    SKYDROP_STRUCT(GroundFogSettings),
-      SKYDROP_STRUCT(StarsSettings),        SKYDROP_STRUCT(LandShadowSettings),
-      SKYDROP_STRUCT(SkySettings),          SKYDROP_STRUCT(HaloSettings),
-      SKYDROP_STRUCT(RainbowSettings),      SKYDROP_STRUCT(WindLevelSettings),
-      SKYDROP_STRUCT(WeatherLayerSettings), SKYDROP_STRUCT(SiteSettings),
-      SKYDROP_STRUCT(WeatherSettings),      SKYDROP_STRUCT(LightShaftSettings),
-      SKYDROP_STRUCT(LandingLightSettings), SKYDROP_STRUCT(AircraftLightsSettings),
-      SKYDROP_STRUCT(MoodSettings),         SKYDROP_STRUCT(ForecastClock),
-      SKYDROP_STRUCT(IceCloudSettings),     SKYDROP_STRUCT(PrecipitationSettings),
-      SKYDROP_STRUCT(LightningSettings),
+      SKYDROP_STRUCT(AirplaneSettings),      SKYDROP_STRUCT(PackageSettings),
+      SKYDROP_STRUCT(GameSettings),          SKYDROP_STRUCT(AutopilotSettings),
+      SKYDROP_STRUCT(TerrainSettings),       SKYDROP_STRUCT(TerrainStreamingSettings),
+      SKYDROP_STRUCT(CameraSettings),        SKYDROP_STRUCT(SunSettings),
+      SKYDROP_STRUCT(AtmosphereSettings),    SKYDROP_STRUCT(RenderSettings),
+      SKYDROP_STRUCT(SplitSettings),         SKYDROP_STRUCT(MarchSettings),
+      SKYDROP_STRUCT(CloudSettings),         SKYDROP_STRUCT(AudioSettings),
+      SKYDROP_STRUCT(ViewSettings),          SKYDROP_STRUCT(GamepadSettings),
+      SKYDROP_STRUCT(InputSettings),         SKYDROP_STRUCT(Settings),
+      SKYDROP_STRUCT(WindowMemory),          SKYDROP_STRUCT(WindSettings),
+      SKYDROP_STRUCT(EffectSwitches),        SKYDROP_STRUCT(NoiseSettings),
+      SKYDROP_STRUCT(PostProcess),           SKYDROP_STRUCT(NoiseToolSettings),
+      SKYDROP_STRUCT(CloudPlaneSettings),    SKYDROP_STRUCT(CloudPlanesSettings),
+      SKYDROP_STRUCT(CloudDomeSettings),     SKYDROP_STRUCT(GroundFogSettings),
+      SKYDROP_STRUCT(StarsSettings),         SKYDROP_STRUCT(LandShadowSettings),
+      SKYDROP_STRUCT(SkySettings),           SKYDROP_STRUCT(HaloSettings),
+      SKYDROP_STRUCT(RainbowSettings),       SKYDROP_STRUCT(WindLevelSettings),
+      SKYDROP_STRUCT(WeatherLayerSettings),  SKYDROP_STRUCT(SiteSettings),
+      SKYDROP_STRUCT(WeatherSettings),       SKYDROP_STRUCT(LightShaftSettings),
+      SKYDROP_STRUCT(LandingLightSettings),  SKYDROP_STRUCT(AircraftLightsSettings),
+      SKYDROP_STRUCT(MoodSettings),          SKYDROP_STRUCT(ForecastClock),
+      SKYDROP_STRUCT(LiveSettings),          SKYDROP_STRUCT(IceCloudSettings),
+      SKYDROP_STRUCT(PrecipitationSettings), SKYDROP_STRUCT(LightningSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

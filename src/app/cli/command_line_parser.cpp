@@ -9,6 +9,7 @@
 #include "app/cli/flag_options.h"
 #include "app/cli/flag_values.h"
 #include "app/cli/frame_path.h"
+#include "app/cli/live_flags.h"
 #include "app/cli/noise_flags.h"
 #include "app/cli/weather_flags.h"
 #include "app/types/version.h"
@@ -40,6 +41,7 @@ class Parser {
                   "print the names of the scenes; a broken one is an error (1) after the list");
     addCommon(app_);
     addFly(app_);
+    liveFlags_.add(app_, line_);
     CLI::App* render = app_.add_subcommand("render", "frames to PNG files, no window needed");
     CLI::App* simulate = app_.add_subcommand("simulate", "no graphics: physics and game only");
     CLI::App* accuracy = app_.add_subcommand("accuracy", "measure error against time, write the report");
@@ -105,7 +107,7 @@ class Parser {
     // After every --set: the flag is the shorter word for the same.
     if (frameBudget_) line_.set.push_back("view.frameBudgetMs=" + *frameBudget_);
     // Before every other word, so that --no-effect weather and --set are heard. A replay has its effects.
-    if (!line_.weatherFiles.empty() && !line_.replay)
+    if ((!line_.weatherFiles.empty() || line_.live) && !line_.replay)
       line_.set.insert(line_.set.begin(), "effects.weather=true");
     if (hud_ || noHud_) line_.set.push_back(std::string("view.hud=") + (hud_ ? "true" : "false"));
     return {line_, std::nullopt, {}};
@@ -215,7 +217,7 @@ class Parser {
     const auto angle = [&](const std::string& flag, std::optional<double>& target, double most,
                            const std::string& help) {
       addText(verb, flag, "DEGREES", help,
-           [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
+              [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
     };
     angle("--heading", heading_, 360, "of --camera by the compass: 0 north, 90 east (0)");
     angle("--pitch", pitch_, 90, "of --camera, up (0)");
@@ -446,6 +448,7 @@ class Parser {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
     }
     weatherFlags_.check(line_);
+    liveFlags_.check(line_);
     checkOutputs();
     if (line_.noise.check && !line_.noise.files.empty())
       throw UsageError("--check and --noise exclude each other");
@@ -480,6 +483,7 @@ class Parser {
   std::optional<std::string> frameBudget_;
   NoiseFlags noiseFlags_;
   WeatherFlags weatherFlags_;
+  LiveFlags liveFlags_;
   std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};

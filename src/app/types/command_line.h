@@ -64,6 +64,12 @@ struct WeatherRequest {
   std::optional<std::filesystem::path> keyFile, out;
 };
 
+// The service whose weather is flown in and renewed.
+struct LiveRequest {
+  forecast::FetchRequest fetch;  // without its key
+  std::optional<std::filesystem::path> keyFile;
+};
+
 struct CommandLine {
   Verb verb = Verb::fly;
 
@@ -80,6 +86,7 @@ struct CommandLine {
 
   // fly
   bool fullscreen = false;
+  std::optional<LiveRequest> live;
 
   // fly and render
   std::optional<Size> size;

@@ -104,6 +104,7 @@ WindowGame::WindowGame(const CommandLine& line)
   tellOfSoftware();
   buildScene();
   attempt(part::kChange, [this] { renewBudget(); });
+  beginRenewal();
   loadedMs_ = 1000 * secondsSinceStart();
   if (!line_.replay) sceneFile_ = FileWatch(run_->setup.scene.file);
   if (run_->userFolder) playerFile_ = FileWatch(userSettingsFile(*run_->userFolder));

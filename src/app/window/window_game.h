@@ -40,6 +40,7 @@
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/output_file.h"
+#include "skydrop/forecast/renewal.h"
 
 namespace skydrop::app {
 
@@ -111,6 +112,8 @@ class WindowGame {
   void openSound();
   void apply(const SettingsChange& change);  // to all dependents
   void watchFiles();
+  void beginRenewal();
+  void followRenewal();
   void reloadSceneFile();
   void reloadPlayerFile();
   void servePreset(const ui::PresetRequest& request);
@@ -191,6 +194,8 @@ class WindowGame {
   double loadedMs_ = 0;
   std::int64_t programsLoaded_ = 0;
   FileWatch sceneFile_, playerFile_;
+  std::unique_ptr<forecast::Renewal> renewal_;  // with --live only
+  bool saidRenewalFailed_ = false;              // on stderr, of the failures since the last answer
 };
 
 }  // namespace skydrop::app
