@@ -77,6 +77,7 @@ struct World::State {
   void predict();
   void shareWeather();
   void setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets);
+  void showWeather(Snapshot& out) const;
   void fill(Snapshot& out) const;
   std::uint64_t hash() const;
 };
@@ -146,16 +147,19 @@ void World::State::setParts(std::shared_ptr<const terrain::HeightSource> ground,
   before = now;
 }
 
+void World::State::showWeather(Snapshot& out) const {
+  out.weather = {};
+  if (!shownWeather) return;
+  out.weather = {shownWeather,         setup.seed,
+                 out.simulatedSeconds, setup.weather->forecast,
+                 setup.weather->clock, setup.weather->handover};
+}
+
 void World::State::fill(Snapshot& out) const {
   out.stepCount = steps;
   out.simulatedSeconds = secondsOf(steps);
   out.wind = setup.wind;
-  out.weather = {};
-  if (shownWeather) {
-    out.weather = {shownWeather,         setup.seed,
-                   out.simulatedSeconds, setup.weather->forecast,
-                   setup.weather->clock, setup.weather->handover};
-  }
+  showWeather(out);
   out.air = {};
   if (aircraft) {
     out.aircraft = aircraft->snapshot();
@@ -250,6 +254,8 @@ void World::setWeather(const std::optional<WeatherSetup>& weather) {
   state_->setup.weather = weather;
   state_->shareWeather();
   if (comesOrGoes && state_->aircraft) state_->aircraft->meetAir(state_->steps);
+  // Seen at once where time is held.
+  state_->showWeather(state_->now), state_->showWeather(state_->before);
 }
 
 void World::setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets) {

@@ -518,6 +518,7 @@ constexpr std::string_view kElsewhere[] = {
     "view.freezeTime",         // tests/window/comfort_test.cpp
     "view.eyeAdaptation",      // of frames that follow others: tests/gl/night_flight_test.cpp
     "live.renewMinutes",       // forecast::Renewal: tests/app/renewal_test.cpp
+    "view.weatherBar",         // tests/ui/weather_bar_test.cpp
     "view.split.",             // tests/gl/split_view_test.cpp
     "render.",                 // all but the camera: tests/gl/settings_effect_test.cpp
     "clouds.",                 // tests/gl/settings_effect_test.cpp

@@ -22,6 +22,7 @@
 #include "app/window/menu_controller.h"
 #include "app/window/overlay.h"
 #include "app/window/split_texts.h"
+#include "app/window/weather_bar_data.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/fixed_step.h"
 
@@ -128,8 +129,10 @@ int render(const CommandLine& line) {
         warning && sceneRenderer.land())
       warn(*warning);
   }
+  const bool showsBar = run->settings.view.weatherBar && run->setup.forecast;
+  WeatherBarData weatherBarData;
   std::unique_ptr<Overlay> overlay;
-  if (simulation.effects().contains(scene::Effect::hud) || line.menu || reference) {
+  if (simulation.effects().contains(scene::Effect::hud) || line.menu || reference || showsBar) {
     overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()),
                                         ui::InterfaceScale{run->settings.view.interfaceScale});
     overlay->menuOpen = line.menu;
@@ -169,6 +172,12 @@ int render(const CommandLine& line) {
       content.scale = {run->settings.view.interfaceScale};
       content.statistics = &shown;
       if (labels) content.split = &*labels;
+      std::optional<ui::WeatherBarContent> weatherBar;
+      if (showsBar && !split) {
+        weatherBar = weatherBarData.content(run->setup.forecast, run->settings, now.simulatedSeconds,
+                                            sceneRenderer.view(now, size).position, {}, false);
+        content.weatherBar = &*weatherBar;
+      }
       content.tools =
           menuController.tools(run->baseTable, sceneRenderer.view(now, size), times.newest(times.count()));
       buildTwice(*overlay, content, sceneRenderer);

@@ -61,6 +61,9 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
                {.help = "Eyes need a moment to get used to light, and some to darkness. Pictures without a "
                         "window show what they are used to in the end.",
                 .aliases = "HDR, pupil, iris, adaptation, brightness"});
+  visitor.flag("weatherBar", settings.weatherBar,
+               {.help = "The bar of the forecast at the bottom, in flights with weather data.",
+                .aliases = "forecast, time slider, live, play"});
   visitor.group("split", settings.split, "The picture beside a reference.");
 }
 
@@ -136,8 +139,8 @@ void applyOverrides(const core::SettingsTable& table, const std::vector<std::str
 }
 
 bool isKept(std::string_view path) {
-  return path != "view.freezeTime" && path != "live.follow" && path != "landingLight.on" &&
-         path != "render.sun.offsetSeconds" && !path.starts_with("effects.");
+  return path != "view.freezeTime" && path != "live.follow" && path != "weatherFile.hour" &&
+         path != "landingLight.on" && path != "render.sun.offsetSeconds" && !path.starts_with("effects.");
 }
 
 bool switchesSimulation(std::string_view path) {

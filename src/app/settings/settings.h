@@ -55,6 +55,7 @@ struct ViewSettings {
   bool vsync = true;
   double interfaceScale = 1;
   bool eyeAdaptation = true;  // in frames that follow each other
+  bool weatherBar = false;    // where there is weather data
   SplitSettings split;
 };
 

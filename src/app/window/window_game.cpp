@@ -341,6 +341,14 @@ void WindowGame::handleAction(Action action) {
       toggle("audio.mute");
       notices_.add(run_->settings.audio.mute ? "Sound off" : "Sound on");
       break;
+    case Action::weatherBar:
+    case Action::weatherMode:
+    case Action::hourBack:
+    case Action::hourForward:
+    case Action::timeSlower:
+    case Action::timeFaster:
+      handleWeatherAction(action);
+      break;
     default:
       break;  // flight actions: PlayerInput::step
   }
@@ -474,6 +482,9 @@ OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double 
   if (labels) frame.split = &*labels;
   const std::optional<ui::CostPanelContent> costs = costs_ ? std::optional(costContent()) : std::nullopt;
   if (costs) frame.costs = &*costs;
+  const std::optional<ui::WeatherBarContent> weatherBar =
+      showsWeatherBar() ? std::optional(weatherBarContent(snapshot, size)) : std::nullopt;
+  if (weatherBar) frame.weatherBar = &*weatherBar;
   frame.begun = [this] { feed_->frameBuilt(); };
   const OverlayResult result = overlay_->build(frame);
   if (result.fontsChanged) sceneRenderer_->uploadFonts();
@@ -488,6 +499,7 @@ void WindowGame::serve(const OverlayResult& result) {
   }
   if (result.menu.preset) servePreset(*result.menu.preset);
   if (result.costsClosed) costs_.reset();
+  serve(result.weatherBar);
   if (result.divider && split_) dragDivider(*result.divider);
   if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
     nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it
