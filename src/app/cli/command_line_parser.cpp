@@ -11,6 +11,7 @@
 #include "app/cli/frame_path.h"
 #include "app/cli/live_flags.h"
 #include "app/cli/noise_flags.h"
+#include "app/cli/photo_flags.h"
 #include "app/cli/weather_flags.h"
 #include "app/types/version.h"
 #include "skydrop/core/error.h"
@@ -252,6 +253,7 @@ class Parser {
             [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
     verb.add_flag("--menu", line_.menu, "with the menu open");
     addSplit(verb);
+    photoFlags_.add(verb, line_);
   }
 
   // --heat and --divider are shorter words for --set.
@@ -428,6 +430,8 @@ class Parser {
     std::vector<std::pair<std::string, std::filesystem::path>> outputs;
     if (line_.verb == Verb::render) outputs.emplace_back("--out", line_.out);
     if (line_.stats) outputs.emplace_back("--stats", *line_.stats);
+    if (line_.photo && line_.photo->table) outputs.emplace_back("--photo-table", *line_.photo->table);
+    if (line_.photo && line_.photo->plot) outputs.emplace_back("--photo-plot", *line_.photo->plot);
     if (line_.trace) outputs.emplace_back("--trace", *line_.trace);
     if (line_.record) outputs.emplace_back("--record", *line_.record);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -449,6 +453,7 @@ class Parser {
     }
     weatherFlags_.check(line_);
     liveFlags_.check(line_);
+    photoFlags_.check(line_);
     checkOutputs();
     if (line_.noise.check && !line_.noise.files.empty())
       throw UsageError("--check and --noise exclude each other");
@@ -484,6 +489,7 @@ class Parser {
   NoiseFlags noiseFlags_;
   WeatherFlags weatherFlags_;
   LiveFlags liveFlags_;
+  PhotoFlags photoFlags_;
   std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};

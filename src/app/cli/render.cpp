@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/frame_path.h"
+#include "app/cli/photo_comparison.h"
 #include "app/cli/verbs.h"
 #include "app/console/message.h"
 #include "app/console/progress.h"
@@ -105,6 +106,8 @@ int render(const CommandLine& line) {
   if (sets(line, "view.frameBudgetMs") && run->settings.view.frameBudgetMs > 0)
     throw core::UsageError(std::string("--set: view.frameBudgetMs: ") + kNoBudgetHere);
   const std::optional<SplitReference> reference = splitOf(line, *run);
+  std::optional<PhotoComparison> photo;
+  if (line.photo) photo.emplace(*line.photo);
   FrameFiles files(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
@@ -196,8 +199,11 @@ int render(const CommandLine& line) {
     const Stopwatch reading;
     const core::Image image = sceneRenderer.renderer().readBack();
     statistics.other["readBack"] += reading.ms();
+    const render::View seen = sceneRenderer.view(now, size);
+    const std::string distances =
+        photo ? photo->compare(image, seen, frame, now.simulatedSeconds) : std::string();
     const Stopwatch writing;
-    files.write(frame, image);
+    files.write(frame, photo ? photo->shown(image, seen) : image);
     statistics.other["png"] += writing.ms();
     if (overlay && overlay->showsCosts()) {
       shown = {};
@@ -209,11 +215,13 @@ int render(const CommandLine& line) {
     if (split) split->writeTo(statistics);
     if (line.out != "-") {
       print("%s\n", files.path(frame).c_str());
+      if (photo) print("%s\n", distances.c_str());
       if (split) print("%s\n", splitLine(statistics.split).c_str());
     }
     if (run->recorder) run->recorder->flush();
   }
   for (const std::string& message : sceneRenderer.takeMessages()) warn(message);
+  if (photo) photo->finish();
 
   if (stats) {
     times.writeTo(statistics);
