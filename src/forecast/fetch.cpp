@@ -7,11 +7,11 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "skydrop/core/error.h"
@@ -122,14 +122,17 @@ std::size_t takeHeader(char* data, std::size_t size, std::size_t count, void* ta
 
 struct Handle {
   CURL* curl = curl_easy_init();
+  CURLM* multi = curl_multi_init();
   curl_slist* headers = nullptr;
 
   Handle() = default;
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
   ~Handle() {
+    curl_multi_remove_handle(multi, curl);
     curl_slist_free_all(headers);
     curl_easy_cleanup(curl);
+    curl_multi_cleanup(multi);
   }
   // A header, unless what a file of the cache gave it cannot be one.
   void add(const std::string& name, const std::string& value) {
@@ -145,10 +148,30 @@ struct Outcome {
 
 long milliseconds(double seconds) { return static_cast<long>(seconds * 1000); }
 
+// curl_easy_perform() that a request to stop ends at once.
+CURLcode perform(const Handle& handle, const std::stop_token& stop) {
+  if (curl_multi_add_handle(handle.multi, handle.curl) != CURLM_OK) return CURLE_FAILED_INIT;
+  const std::stop_callback wake(stop, [&handle] { curl_multi_wakeup(handle.multi); });
+  constexpr int kLongestWaitMs = 1000;
+  for (int running = 1; running > 0;) {
+    if (stop.stop_requested()) {
+#if LIBCURL_VERSION_NUM >= 0x075700
+      curl_easy_setopt(handle.curl, CURLOPT_QUICK_EXIT, 1L);  // waits for no look-up of a name
+#endif
+      return CURLE_ABORTED_BY_CALLBACK;
+    }
+    if (curl_multi_perform(handle.multi, &running) != CURLM_OK) return CURLE_FAILED_INIT;
+    if (running > 0) curl_multi_poll(handle.multi, nullptr, 0, kLongestWaitMs, nullptr);
+  }
+  int left = 0;
+  const CURLMsg* done = curl_multi_info_read(handle.multi, &left);
+  return done ? done->data.result : CURLE_FAILED_INIT;
+}
+
 Outcome attempt(const std::string& address, const Validators& known, const FetchLimits& limits,
-                Transfer& transfer) {
+                const std::stop_token& stop, Transfer& transfer) {
   Handle handle;
-  if (!handle.curl) return {0, "libcurl cannot be started"};
+  if (!handle.curl || !handle.multi) return {0, "libcurl cannot be started"};
   CURL* curl = handle.curl;
   std::array<char, CURL_ERROR_SIZE> reason{};
   handle.add("If-None-Match", known.etag);
@@ -175,7 +198,7 @@ Outcome attempt(const std::string& address, const Validators& known, const Fetch
   curl_easy_setopt(curl, CURLOPT_HEADERFUNCTION, takeHeader);
   curl_easy_setopt(curl, CURLOPT_HEADERDATA, &transfer);
   transfer.most = limits.bytes;
-  const CURLcode code = curl_easy_perform(curl);
+  const CURLcode code = perform(handle, stop);
   Outcome outcome;
   if (code == CURLE_OK) {
     curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &outcome.status);
@@ -191,6 +214,13 @@ Outcome attempt(const std::string& address, const Validators& known, const Fetch
                        code == CURLE_BAD_CONTENT_ENCODING || code == CURLE_URL_MALFORMAT;
   outcome.status = isFinal ? 400 : 0;
   return outcome;
+}
+
+void pauseFor(double seconds, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any().wait_for(lock, stop, std::chrono::duration<double>(seconds),
+                                         [] { return false; });
 }
 
 // Nothing of a key is left of what is said.
@@ -218,7 +248,8 @@ std::string addressOf(const FetchRequest& request) {
   return url + "?" + queryOf(request);
 }
 
-Fetched fetch(const FetchRequest& request, const Validators& known, const FetchLimits& limits) {
+Fetched fetch(const FetchRequest& request, const Validators& known, const FetchLimits& limits,
+              const std::stop_token& stop) {
   static std::once_flag started;
   std::call_once(started, [] { curl_global_init(CURL_GLOBAL_DEFAULT); });
   const std::string address = addressOf(request);
@@ -228,7 +259,8 @@ Fetched fetch(const FetchRequest& request, const Validators& known, const FetchL
   double wait = limits.backOffS;
   for (int tries = 1;; ++tries) {
     Transfer transfer;
-    const Outcome outcome = attempt(address, known, limits, transfer);
+    const Outcome outcome = attempt(address, known, limits, stop, transfer);
+    if (stop.stop_requested()) fail("was not waited for");
     if (outcome.failure.empty() && outcome.status == 200)
       return {std::move(transfer.body), std::move(transfer.validators), false};
     if (outcome.failure.empty() && outcome.status == 304) return {{}, known, true};
@@ -239,7 +271,8 @@ Fetched fetch(const FetchRequest& request, const Validators& known, const FetchL
       fail(tries > 1 ? said + " (" + std::to_string(tries) + " attempts)" : said);
     }
     const double pause = std::min(std::max(wait, transfer.retryAfterS), limits.longestBackOffS);
-    std::this_thread::sleep_for(std::chrono::duration<double>(pause));
+    pauseFor(pause, stop);
+    if (stop.stop_requested()) fail("was not waited for");
     wait *= 2;
   }
 }

@@ -67,9 +67,9 @@ std::optional<KeptAnswer> keptAnswer(const std::filesystem::path& folder, const 
 }
 
 KeptAnswer renew(const std::filesystem::path& folder, const FetchRequest& request, sky::Instant now,
-                 const FetchLimits& limits) {
+                 const FetchLimits& limits, const std::stop_token& stop) {
   const std::optional<KeptAnswer> before = keptAnswer(folder, request);
-  Fetched fetched = fetch(request, before ? before->validators : Validators(), limits);
+  Fetched fetched = fetch(request, before ? before->validators : Validators(), limits, stop);
   KeptAnswer kept{fileOf(folder, request), now, fetched.validators};
   if (fetched.notModified) {
     const std::string body = core::readTextFile(kept.file, kMostBytes);

@@ -31,7 +31,7 @@ std::optional<IceLook> lookOf(weather::Genus genus) {
 }  // namespace
 
 weather::Wind iceWindOf(const weather::WeatherSettings& settings, const weather::Forecast* forecast) {
-  if (forecast) return forecast->near.states().front().state.wind;
+  if (forecast) return weather::strandWind(*forecast);
   return weather::stateOf(settings.sites[0]).wind;
 }
 

@@ -48,8 +48,7 @@ const WorldSetup& usable(const WorldSetup& setup) {
 }  // namespace
 
 weather::State WeatherSetup::at(std::uint64_t seed, double seconds, const glm::dvec2& xz) const {
-  return forecast ? weather::stateAt(settings, *forecast, clock, seed, seconds, xz)
-                  : weather::stateAt(settings, seed, seconds, xz);
+  return weather::stateAt(settings, forecast.get(), clock, handover.get(), seed, seconds, xz);
 }
 
 struct World::State {
@@ -78,6 +77,7 @@ struct World::State {
   void predict();
   void shareWeather();
   void setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets);
+  void showWeather(Snapshot& out) const;
   void fill(Snapshot& out) const;
   std::uint64_t hash() const;
 };
@@ -147,15 +147,19 @@ void World::State::setParts(std::shared_ptr<const terrain::HeightSource> ground,
   before = now;
 }
 
+void World::State::showWeather(Snapshot& out) const {
+  out.weather = {};
+  if (!shownWeather) return;
+  out.weather = {shownWeather,         setup.seed,
+                 out.simulatedSeconds, setup.weather->forecast,
+                 setup.weather->clock, setup.weather->handover};
+}
+
 void World::State::fill(Snapshot& out) const {
   out.stepCount = steps;
   out.simulatedSeconds = secondsOf(steps);
   out.wind = setup.wind;
-  out.weather = {};
-  if (shownWeather) {
-    out.weather = {shownWeather, setup.seed, out.simulatedSeconds, setup.weather->forecast,
-                   setup.weather->clock};
-  }
+  showWeather(out);
   out.air = {};
   if (aircraft) {
     out.aircraft = aircraft->snapshot();
@@ -182,6 +186,12 @@ std::uint64_t World::State::hash() const {
     if (copy.weather->forecast) {
       h.add(copy.weather->forecast->digest);
       describe(settings, copy.weather->clock);
+    }
+    if (const weather::Handover* handover = copy.weather->handover.get()) {
+      h.add(handover->from ? handover->from->digest : 0);
+      weather::ForecastClock clock = handover->clock;
+      describe(settings, clock);
+      h.add(handover->beginSeconds), h.add(handover->lastsSeconds);
     }
     if (aircraft) air.addTo(h);
   }
@@ -244,6 +254,8 @@ void World::setWeather(const std::optional<WeatherSetup>& weather) {
   state_->setup.weather = weather;
   state_->shareWeather();
   if (comesOrGoes && state_->aircraft) state_->aircraft->meetAir(state_->steps);
+  // Seen at once where time is held.
+  state_->showWeather(state_->now), state_->showWeather(state_->before);
 }
 
 void World::setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets) {

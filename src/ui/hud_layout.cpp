@@ -52,7 +52,7 @@ std::string resumeText(const HudKeys& keys) { return keys.pause.empty() ? "" : k
 // Places the items of one window size.
 class Layouter {
  public:
-  explicit Layouter(const Interface& context)
+  Layouter(const Interface& context, float taken)
       : context_(context),
         line_(context.text().pixels),
         margin_(std::floor(kMargin * line_)),
@@ -61,7 +61,7 @@ class Layouter {
         tight_(std::floor(kTightPadding * line_)),
         pitch_(std::floor(kRowPitch * line_)),
         width_(static_cast<float>(context.width())),
-        height_(static_cast<float>(context.height())),
+        height_(static_cast<float>(context.height()) - taken),
         middleRight_(width_) {}
 
   HudLayout run(const HudData& data, std::span<const HelpRow> help, const std::optional<ScreenRect>& menu) {
@@ -302,8 +302,8 @@ class Layouter {
 }  // namespace
 
 HudLayout layoutHud(const Interface& context, const HudData& data, std::span<const HelpRow> help,
-                    const std::optional<ScreenRect>& menu) {
-  return Layouter(context).run(data, help, menu);
+                    const std::optional<ScreenRect>& menu, float taken) {
+  return Layouter(context, taken).run(data, help, menu);
 }
 
 }  // namespace skydrop::ui

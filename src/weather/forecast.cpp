@@ -60,8 +60,16 @@ void describe(core::SettingsVisitor& v, ForecastClock& s) {
             .aliases = "forecast, time lapse, speed"});
 }
 
+std::int64_t originMs(const Forecast& forecast) {
+  return forecast.originMs ? *forecast.originMs : forecast.near.firstMs();
+}
+
+const Wind& strandWind(const Forecast& forecast) {
+  return forecast.strandWind ? *forecast.strandWind : forecast.near.states().front().state.wind;
+}
+
 double utcMsAt(const Forecast& forecast, const ForecastClock& clock, double seconds) {
-  return static_cast<double>(forecast.near.firstMs()) + clock.hour * kMsPerHour + seconds * clock.pace * 1000;
+  return static_cast<double>(originMs(forecast)) + clock.hour * kMsPerHour + seconds * clock.pace * 1000;
 }
 
 Held heldAt(const Timeline& timeline, double utcMs) {

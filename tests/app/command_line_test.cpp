@@ -220,6 +220,51 @@ TEST(CommandLine, weatherIsFetchedOfAServiceAndAPlace) {
   EXPECT_EQ(refusalOf({"weather", "state", "--lat", "1"}), "--lat belongs to weather fetch");
 }
 
+TEST(CommandLine, aFlightIsInTheWeatherOfAServiceAndAPlace) {
+  const CommandLine line = parse({"--live", "open-meteo", "--live-at", "46.9,-7", "--live-url",
+                                  "http://127.0.0.1:8/x", "--live-key-file", "k"})
+                               .commandLine;
+  ASSERT_TRUE(line.live);
+  EXPECT_EQ(line.live->fetch.provider, forecast::Provider::openMeteo);
+  EXPECT_EQ(line.live->fetch.latitudeDegrees, 46.9);
+  EXPECT_EQ(line.live->fetch.longitudeDegrees, -7);
+  EXPECT_EQ(line.live->fetch.url, "http://127.0.0.1:8/x");
+  EXPECT_EQ(line.live->keyFile, std::filesystem::path("k"));
+  EXPECT_EQ(line.set, (std::vector<std::string>{"effects.weather=true"}));
+  EXPECT_FALSE(parse({}).commandLine.live);
+  EXPECT_EQ(refusalOf({"--live", "wind"}), "--live: 'wind' is not one of meteoblue open-meteo metar");
+  EXPECT_EQ(refusalOf({"--live", "open-meteo"}),
+            "--live needs --live-at, the place that the forecast is for");
+  EXPECT_EQ(refusalOf({"--live", "metar"}), "--live metar needs --live-station");
+  EXPECT_EQ(refusalOf({"--live-at", "1,2"}), "--live-at belongs to --live, which is not given");
+  EXPECT_EQ(refusalOf({"--live", "open-meteo", "--live-at", "1"}), "--live-at: '1' is not LAT,LON");
+  EXPECT_EQ(refusalOf({"--live", "open-meteo", "--live-at", "91,2"}),
+            "--live-at: 91 is out of range -90 to 90");
+  EXPECT_EQ(refusalOf({"--live", "open-meteo", "--live-at", "1,2", "--record", "a.log"}),
+            "--live excludes --record and --replay: a flight is recorded in one forecast");
+}
+
+TEST(CommandLine, picturesAreComparedWithAPhotograph) {
+  const PhotoRequest photo = *parse({"render", "--compare", "a.jpg", "--photo-view", "wipe", "--photo-share",
+                                     ".3", "--photo-field", "60", "--photo-table", "t.csv"})
+                                  .commandLine.photo;
+  EXPECT_EQ(photo.file, "a.jpg");
+  EXPECT_EQ(photo.view, PhotoView::wipe);
+  EXPECT_EQ(photo.share, 0.3);
+  EXPECT_EQ(photo.fieldDegrees, 60);
+  EXPECT_EQ(photo.table, std::filesystem::path("t.csv"));
+  EXPECT_EQ(refusalOf({"render", "--photo-view", "wipe"}),
+            "--photo-view belongs to --compare, which is not given");
+  EXPECT_EQ(refusalOf({"render", "--compare", "a.jpg", "--photo-view", "none"}),
+            "--photo-view: 'none' is not one of overlay wipe beside");
+  EXPECT_EQ(refusalOf({"render", "--compare", "a.jpg", "--photo-share", "2"}),
+            "--photo-share: 2 is out of range 0 to 1");
+  EXPECT_EQ(refusalOf({"render", "--compare", "a.jpg", "--photo-field", "9", "--photo-panorama", "0"}),
+            "--photo-field and --photo-panorama exclude each other");
+  EXPECT_EQ(refusalOf({"render", "--compare", "a.jpg", "--out", "t.png", "--photo-plot", "t.png"}),
+            "--out and --photo-plot name the same file");
+}
+
 TEST(CommandLine, weatherTakesASceneATimeAndAPlace) {
   const CommandLine line =
       parse({"weather", "state", "--scene", "breeze", "--time", "600", "--at=-1,2.5,3e9", "--set", "a=1"})

@@ -138,6 +138,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using terrain::TerrainStreamingSettings;
   using weather::ForecastClock;
   using weather::LightningSettings;
+  using weather::LiveSettings;
   using weather::SiteSettings;
   using weather::WeatherLayerSettings;
   using weather::WeatherSettings;
@@ -200,6 +201,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(PrecipitationSettings),
       SKYDROP_STRUCT(LightningSettings),
       SKYDROP_STRUCT(ElevationSettings),
+      SKYDROP_STRUCT(LiveSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -17,6 +17,7 @@
 
 #include "app/input/player_input.h"
 #include "app/session/flown_weather.h"
+#include "app/session/forecast_in_force.h"
 #include "app/session/run_config.h"
 #include "app/window/overlay.h"
 #include "skydrop/audio/audio_manager.h"
@@ -225,6 +226,25 @@ std::uint64_t forecastStates(const Settings& settings) {
   core::StateHasher h;
   for (const double seconds : {0.0, 10.0, 90.0}) {
     h.add(weather::stateAt(settings.weather, forecast, forecastClock(settings, forecast), 1, seconds, {0, 0})
+              .temperatureC);
+  }
+  return h.value();
+}
+
+// A forecast of 20 degrees that takes over from the sites, or is not followed.
+std::uint64_t handedOver(const Settings& settings) {
+  std::vector<weather::TimedState> hours(1);
+  hours[0].utcMs = 1782000000000;
+  hours[0].state.temperatureC = 20;
+  hours[0].state.wind.levels = {{{1500, 5, 0}, {5000, 5, 0}, {10000, 5, 0}}};
+  const auto forecast = std::make_shared<const weather::Forecast>(
+      weather::Forecast{weather::Timeline(hours), weather::Timeline(hours), std::nullopt, 1});
+  ForecastInForce inForce(nullptr, {});
+  inForce.set(settings.live.follow ? forecast : nullptr, {}, 0, settings.live.blendSeconds);
+  core::StateHasher h;
+  for (int i = 1; i < 64; ++i) {
+    h.add(weather::stateAt(settings.weather, inForce.forecast().get(), {}, inForce.handover().get(), 1,
+                           5.0 * i, {0, 0})
               .temperatureC);
   }
   return h.value();
@@ -507,6 +527,8 @@ const std::vector<Probe> kProbes = {
     {"weather.", weatherStates, twoSites()},
     {"weatherFile.followsSky", forecastStates, {"sky.sun=clock"}},
     {"weatherFile.", forecastStates, {"weatherFile.followsSky=false"}},
+    {"live.follow", handedOver},
+    {"live.blendSeconds", handedOver},
     {"lightning.", flashesOfAStorm},
     {"autopilot.", autopilot, {"game.targetNearest=1200", "game.targetFarthest=1500"}},
     {"terrain.", heights},
@@ -540,6 +562,8 @@ constexpr std::string_view kElsewhere[] = {
     "view.vsync",              // the driver's: no picture, no state
     "view.freezeTime",         // tests/window/comfort_test.cpp
     "view.eyeAdaptation",      // of frames that follow others: tests/gl/night_flight_test.cpp
+    "live.renewMinutes",       // forecast::Renewal: tests/app/renewal_test.cpp
+    "view.weatherBar",         // tests/ui/weather_bar_test.cpp
     "view.split.",             // tests/gl/split_view_test.cpp
     "render.",                 // all but the camera: tests/gl/settings_effect_test.cpp
     "clouds.",                 // tests/gl/settings_effect_test.cpp
@@ -608,7 +632,7 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
 constexpr const char* kGroups[] = {"aircraft.",    "package.",   "game.",   "autopilot.", "terrain.",
                                    "elevation.",   "streaming.", "audio.",  "view.",      "input.",
                                    "quality",      "clouds.",    "render.", "wind.",      "weather.",
-                                   "weatherFile.", "lightning."};
+                                   "weatherFile.", "lightning.", "live."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {
     "cloudPlanes.", "cloudDome.",      "groundFog.",    "stars.", "landShadows.", "halo.",         "rainbow.",

@@ -5,64 +5,24 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <string>
-#include <thread>
 
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/forecast/kept_answers.h"
-#include "support/background_process.h"
 #include "support/paths.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
+#include "support/weather_server.h"
 
 namespace skydrop::forecast {
 namespace {
 
-const std::string kAnswer = "/tests/corpus/weather/goodOpenMeteo.json";
-
-class WeatherFetch : public testing::Test {
+class WeatherFetch : public test::WeatherServerTest {
  protected:
-  void SetUp() override {
-    const auto python = test::findProgram("python3");
-    if (!python) GTEST_SKIP() << "no python3";
-    const std::string portFile = folder_.path() / "port";
-    server_ = std::make_unique<test::BackgroundProcess>(
-        std::vector<std::string>{*python, test::sourceDir() + "/tests/support/weather_server.py", portFile,
-                                 test::sourceDir() + kAnswer},
-        std::vector<std::string>(), folder_.path() / "log");
-    for (int i = 0; i < 2000 && !std::filesystem::exists(portFile); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    port_ = core::readTextFile(portFile);
-  }
-
-  FetchRequest at(const std::string& path) const {
-    FetchRequest request;
-    request.latitudeDegrees = 47.2;
-    request.longitudeDegrees = 7.5;
-    request.url = "http://127.0.0.1:" + port_ + path;
-    return request;
-  }
-
-  // Quick to lose patience.
-  static FetchLimits limits() {
-    FetchLimits limits;
-    limits.connectS = limits.totalS = 1.5;
-    limits.attempts = 3;
-    limits.backOffS = 0.01;
-    limits.longestBackOffS = 0.05;
-    limits.bytes = 1 << 20;
-    return limits;
-  }
-
   std::string refusal(const std::string& path) const {
     return test::refusalOf<core::DataError>([&] { fetch(at(path), {}, limits()); });
   }
-
-  test::TemporaryFolder folder_;
-  std::unique_ptr<test::BackgroundProcess> server_;
-  std::string port_;
 };
 
 TEST_F(WeatherFetch, anAnswerArrivesPlainPackedRedirectedAndAfterFailures) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A server on 127.0.0.1 that answers as its path says, well and badly. Writes its port to the file that is
-named, and ends with its parent.
+named, and ends with its parent. /file sends the answer file as it is by then.
 
     weather_server.py PORT_FILE ANSWER_FILE
 """
@@ -11,6 +11,7 @@ import socket
 import sys
 import threading
 import time
+import zlib
 
 ANSWER = open(sys.argv[2], "rb").read()
 COUNTS = {}
@@ -43,6 +44,13 @@ def serve(connection):
             send(head("304 Not Modified", None, 'ETag: "v1"'))
         else:
             send(head("200 OK", len(ANSWER), 'ETag: "v1"') + ANSWER)
+    elif path == "/file":
+        body = open(sys.argv[2], "rb").read()
+        tag = '"%08x"' % zlib.crc32(body)
+        if any(line.lower() == "if-none-match: " + tag for line in lines):
+            send(head("304 Not Modified", None, "ETag: " + tag))
+        else:
+            send(head("200 OK", len(body), "ETag: " + tag) + body)
     elif path == "/gzip":
         packed = gzip.compress(ANSWER)
         send(head("200 OK", len(packed), "Content-Encoding: gzip") + packed)

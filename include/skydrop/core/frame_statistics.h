@@ -91,7 +91,11 @@ struct WindowStatistics {
   std::string fault;           // the line that the menu shows of what is broken; empty: nothing is
   std::int64_t costRows = -1;  // of the panel of costs; -1: it is closed
   BudgetStatistics budget;
-  double splitShare = -1;  // of the split view's reference that is drawn, 0 .. 1; -1: no split view
+  bool weatherBar = false;      // is shown
+  std::string weatherMode;      // "live" or "play"; empty: there is no weather data
+  std::int64_t forecastMs = 0;  // the data's time, ms since 1970
+  double forecastPace = 0;      // its speed
+  double splitShare = -1;       // of the split view's reference that is drawn, 0 .. 1; -1: no split view
   ShownCosts costs;
   double firstPictureMs = 0, loadedMs = 0;  // after the program was started
   std::int64_t programsLoaded = 0;          // shader programs when the flight began: later ones hold it up

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -45,8 +46,10 @@ struct Fetched {
 // that is neither https nor http of this machine.
 std::string addressOf(const FetchRequest& request);
 
-// Throws core::DataError of one line that names server and path without what follows "?".
-Fetched fetch(const FetchRequest& request, const Validators& known, const FetchLimits& limits = {});
+// Throws core::DataError of one line that names server and path without what follows "?"; so it does within
+// milliseconds of a request to stop, whatever it waits for.
+Fetched fetch(const FetchRequest& request, const Validators& known, const FetchLimits& limits = {},
+              const std::stop_token& stop = {});
 
 // The key of a service: from the environment variable SKYDROP_METEOBLUE_KEY, or the first line of a file
 // that its owner alone may read. Throws core::DataError; it never says what is in the file.

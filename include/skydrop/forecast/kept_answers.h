@@ -21,8 +21,8 @@ struct KeptAnswer {
 std::optional<KeptAnswer> keptAnswer(const std::filesystem::path& folder, const FetchRequest& request);
 
 // Asks the server whether there is a newer one, reads it, and keeps it if it is weather. Throws
-// core::DataError, and core::RangeError as addressOf(); what was kept stays.
+// core::DataError, and core::RangeError as addressOf(); what was kept stays. `stop`: as in fetch().
 KeptAnswer renew(const std::filesystem::path& folder, const FetchRequest& request, sky::Instant now,
-                 const FetchLimits& limits = {});
+                 const FetchLimits& limits = {}, const std::stop_token& stop = {});
 
 }  // namespace skydrop::forecast

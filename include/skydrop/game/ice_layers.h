@@ -10,8 +10,8 @@
 namespace skydrop::game {
 
 // The wind whose shear forms the strands: that of the first site, without its wander, or of the first hour
-// of a forecast. Strands that turned with a wandering wind would sweep over the sky, the faster the farther
-// from the origin.
+// of a forecast (weather::strandWind). Strands that turned with a wandering wind would sweep over the sky,
+// the faster the farther from the origin.
 weather::Wind iceWindOf(const weather::WeatherSettings& settings,
                         const weather::Forecast* forecast = nullptr);
 

@@ -27,6 +27,7 @@
 #include "skydrop/game/game_settings.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/weather/forecast.h"
+#include "skydrop/weather/handover.h"
 #include "skydrop/weather/weather_settings.h"
 
 namespace skydrop::terrain {
@@ -56,6 +57,7 @@ struct WeatherSetup {
   std::shared_ptr<const clouds::PackedCloudNoise> noise;        // of the clouds; null: none are met
   std::shared_ptr<const weather::Forecast> forecast = nullptr;  // in place of the settings' sites; null: none
   weather::ForecastClock clock = {};                            // of the forecast
+  std::shared_ptr<const weather::Handover> handover = nullptr;  // of another weather to this one
 
   // The weather at a place and time, of the forecast or the sites (weather::stateAt).
   weather::State at(std::uint64_t seed, double seconds, const glm::dvec2& xz) const;

@@ -112,11 +112,11 @@ struct HudLayout {
 };
 
 // `help` empty: the overlay is closed. `menu`: where the configuration menu stands; what belongs in the
-// middle moves to the wider side of it, and is left out where that is too narrow. Items keep inside the
-// window and apart from each other from 320 x 180 pixels on; texts too long for their place are cut with an
-// ellipsis. Needs the Interface's fonts, no frame.
+// middle moves to the wider side of it, and is left out where that is too narrow. `taken`: pixels at the
+// bottom that belong to something else. Items keep inside the window and apart from each other from 320 x 180
+// pixels on; texts too long for their place are cut with an ellipsis. Needs the Interface's fonts, no frame.
 HudLayout layoutHud(const Interface& context, const HudData& data, std::span<const HelpRow> help = {},
-                    const std::optional<ScreenRect>& menu = std::nullopt);
+                    const std::optional<ScreenRect>& menu = std::nullopt, float taken = 0);
 
 // Between beginFrame and endFrame; under all menus.
 void drawHud(const Interface& context, const HudData& data, const HudLayout& layout);

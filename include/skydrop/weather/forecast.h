@@ -47,12 +47,21 @@ struct Forecast {
   Timeline near, far;                     // far: the second site
   std::optional<glm::dvec2> farFromNear;  // m, east and north; without: as the sites of the settings lie
   std::uint64_t digest = 0;               // of the content of the files
+  // Of a forecast that took over while flying, those of the one before (handover.h); without, its own.
+  std::optional<std::int64_t> originMs = std::nullopt;  // from which ForecastClock counts
+  std::optional<Wind> strandWind = std::nullopt;        // that forms the strands of ice clouds
 };
+
+// The instant from which ForecastClock counts hours: that of the first state of the first forecast.
+std::int64_t originMs(const Forecast& forecast);
+// The wind whose shear forms the strands of ice clouds: the near site's in the first hour of the first
+// forecast.
+const Wind& strandWind(const Forecast& forecast);
 
 // How simulated time runs through a forecast.
 struct ForecastClock {
   bool followsSky = true;  // hour and pace are set by the clock of the sky where that moves the sun
-  double hour = 0;         // h, -1e6 .. 1e6, of the start of the flight after the near site's first state
+  double hour = 0;         // h, -1e6 .. 1e6, of the start of the flight after originMs()
   double pace = 1;         // 0 .. 3600: seconds of the forecast's time that pass in a simulated one
 
   bool operator==(const ForecastClock&) const = default;

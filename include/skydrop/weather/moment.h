@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "skydrop/weather/forecast.h"
+#include "skydrop/weather/handover.h"
 #include "skydrop/weather/state.h"
 #include "skydrop/weather/weather_settings.h"
 
@@ -18,12 +19,12 @@ struct Moment {
   double seconds = 0;                                  // simulated
   std::shared_ptr<const Forecast> forecast = nullptr;  // in place of the sites; null: there is none
   ForecastClock clock = {};                            // of the forecast
+  std::shared_ptr<const Handover> handover = nullptr;  // of another weather to this one; null: there is none
 
   explicit operator bool() const { return settings != nullptr; }
   // stateAt() there: x east, z south, m. Only where there is weather.
   State at(const glm::dvec2& xz) const {
-    return forecast ? stateAt(*settings, *forecast, clock, seed, seconds, xz)
-                    : stateAt(*settings, seed, seconds, xz);
+    return stateAt(*settings, forecast.get(), clock, handover.get(), seed, seconds, xz);
   }
 };
 

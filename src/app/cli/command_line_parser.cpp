@@ -11,7 +11,9 @@
 #include "app/cli/flag_values.h"
 #include "app/cli/frame_path.h"
 #include "app/cli/lab_flags.h"
+#include "app/cli/live_flags.h"
 #include "app/cli/noise_flags.h"
+#include "app/cli/photo_flags.h"
 #include "app/cli/weather_flags.h"
 #include "app/types/version.h"
 #include "skydrop/core/error.h"
@@ -42,6 +44,7 @@ class Parser {
                   "print the names of the scenes; a broken one is an error (1) after the list");
     addCommon(app_);
     addFly(app_);
+    liveFlags_.add(app_, line_);
     CLI::App* render = app_.add_subcommand("render", "frames to PNG files, no window needed");
     CLI::App* simulate = app_.add_subcommand("simulate", "no graphics: physics and game only");
     CLI::App* accuracy = app_.add_subcommand("accuracy", "measure error against time, write the report");
@@ -121,7 +124,7 @@ class Parser {
     // After every --set: the flag is the shorter word for the same.
     if (frameBudget_) line_.set.push_back("view.frameBudgetMs=" + *frameBudget_);
     // Before every other word, so that --no-effect weather and --set are heard. A replay has its effects.
-    if (!line_.weatherFiles.empty() && !line_.replay)
+    if ((!line_.weatherFiles.empty() || line_.live) && !line_.replay)
       line_.set.insert(line_.set.begin(), "effects.weather=true");
     if (hud_ || noHud_) line_.set.push_back(std::string("view.hud=") + (hud_ ? "true" : "false"));
     return {line_, std::nullopt, {}};
@@ -267,6 +270,7 @@ class Parser {
             [this](const std::string& t) { line_.timeS = number("--time", t, 0, kMaxSeconds); });
     verb.add_flag("--menu", line_.menu, "with the menu open");
     addSplit(verb);
+    photoFlags_.add(verb, line_);
   }
 
   // --heat and --divider are shorter words for --set.
@@ -444,6 +448,8 @@ class Parser {
     std::vector<std::pair<std::string, std::filesystem::path>> outputs;
     if (line_.verb == Verb::render) outputs.emplace_back("--out", line_.out);
     if (line_.stats) outputs.emplace_back("--stats", *line_.stats);
+    if (line_.photo && line_.photo->table) outputs.emplace_back("--photo-table", *line_.photo->table);
+    if (line_.photo && line_.photo->plot) outputs.emplace_back("--photo-plot", *line_.photo->plot);
     if (line_.trace) outputs.emplace_back("--trace", *line_.trace);
     if (line_.record) outputs.emplace_back("--record", *line_.record);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -464,6 +470,8 @@ class Parser {
       throw UsageError("--replay brings its own scene and seed: --scene and --seed cannot be given with it");
     }
     weatherFlags_.check(line_);
+    liveFlags_.check(line_);
+    photoFlags_.check(line_);
     checkOutputs();
     if (line_.verb == Verb::lab) checkLab(line_);
     if (line_.noise.check && !line_.noise.files.empty())
@@ -500,6 +508,8 @@ class Parser {
   NoiseFlags noiseFlags_;
   WeatherFlags weatherFlags_;
   ElevationFlags elevationFlags_;
+  LiveFlags liveFlags_;
+  PhotoFlags photoFlags_;
   std::vector<std::string> splitWords_;  // flags that belong to --split
   bool aboveGround_ = false, hud_ = false, noHud_ = false;
   CLI::App app_{"Fly over endless land and drop packages on targets.", "skydrop"};

@@ -83,6 +83,17 @@ render::gl::Backend parseBackend(const std::string& text) {
   return found->second;
 }
 
+forecast::Provider parseProvider(const std::string& flag, const std::string& text) {
+  static const std::map<std::string, forecast::Provider> names = {
+      {"meteoblue", forecast::Provider::meteoblue},
+      {"open-meteo", forecast::Provider::openMeteo},
+      {"metar", forecast::Provider::metar}};
+  const auto found = names.find(text);
+  if (found == names.end())
+    throw UsageError(flag + ": '" + text + "' is not one of meteoblue open-meteo metar");
+  return found->second;
+}
+
 NoiseFormat parseNoiseFormat(const std::string& text) {
   static const std::map<std::string, NoiseFormat> names = {
       {"dds", NoiseFormat::dds}, {"dx10", NoiseFormat::dx10}, {"png", NoiseFormat::png}};

@@ -32,6 +32,7 @@ glm::dvec3 parseAt(const std::string& text);  // --at X,Y,Z, metres
 render::gl::Backend parseBackend(const std::string& text);
 NoiseFormat parseNoiseFormat(const std::string& text);
 ReportFormat parseReportFormat(const std::string& text);
+forecast::Provider parseProvider(const std::string& flag, const std::string& text);
 sky::Instant parseUtc(const std::string& text);
 
 }  // namespace skydrop::app

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/cli/frame_path.h"
+#include "app/cli/photo_comparison.h"
 #include "app/cli/verbs.h"
 #include "app/console/message.h"
 #include "app/console/progress.h"
@@ -24,6 +25,7 @@
 #include "app/window/menu_controller.h"
 #include "app/window/overlay.h"
 #include "app/window/split_texts.h"
+#include "app/window/weather_bar_data.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/fixed_step.h"
 
@@ -106,6 +108,8 @@ int render(const CommandLine& line) {
   if (sets(line, "view.frameBudgetMs") && run->settings.view.frameBudgetMs > 0)
     throw core::UsageError(std::string("--set: view.frameBudgetMs: ") + kNoBudgetHere);
   const std::optional<SplitReference> reference = splitOf(line, *run);
+  std::optional<PhotoComparison> photo;
+  if (line.photo) photo.emplace(*line.photo);
   FrameFiles files(line);
   std::optional<core::OutputFile> stats = openOutput(line.stats);
   if (run->warning) warn(*run->warning);
@@ -130,8 +134,10 @@ int render(const CommandLine& line) {
         warning && sceneRenderer.land())
       warn(*warning);
   }
+  const bool showsBar = run->settings.view.weatherBar && run->setup.forecast;
+  WeatherBarData weatherBarData;
   std::unique_ptr<Overlay> overlay;
-  if (simulation.effects().contains(scene::Effect::hud) || line.menu || reference) {
+  if (simulation.effects().contains(scene::Effect::hud) || line.menu || reference || showsBar) {
     overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()),
                                         ui::InterfaceScale{run->settings.view.interfaceScale});
     overlay->menuOpen = line.menu;
@@ -171,6 +177,12 @@ int render(const CommandLine& line) {
       content.scale = {run->settings.view.interfaceScale};
       content.statistics = &shown;
       if (labels) content.split = &*labels;
+      std::optional<ui::WeatherBarContent> weatherBar;
+      if (showsBar && !split) {
+        weatherBar = weatherBarData.content(run->setup.forecast, run->settings, now.simulatedSeconds,
+                                            sceneRenderer.view(now, size).position, {}, false);
+        content.weatherBar = &*weatherBar;
+      }
       content.tools =
           menuController.tools(run->baseTable, sceneRenderer.view(now, size), times.newest(times.count()));
       buildTwice(*overlay, content, sceneRenderer);
@@ -189,8 +201,11 @@ int render(const CommandLine& line) {
     const Stopwatch reading;
     const core::Image image = sceneRenderer.renderer().readBack();
     statistics.other["readBack"] += reading.ms();
+    const render::View seen = sceneRenderer.view(now, size);
+    const std::string distances =
+        photo ? photo->compare(image, seen, frame, now.simulatedSeconds) : std::string();
     const Stopwatch writing;
-    files.write(frame, image, pictureTexts(*run, now, sceneRenderer.view(now, size)));
+    files.write(frame, photo ? photo->shown(image, seen) : image, pictureTexts(*run, now, seen));
     statistics.other["png"] += writing.ms();
     if (overlay && overlay->showsCosts()) {
       shown = {};
@@ -202,11 +217,13 @@ int render(const CommandLine& line) {
     if (split) split->writeTo(statistics);
     if (line.out != "-") {
       print("%s\n", files.path(frame).c_str());
+      if (photo) print("%s\n", distances.c_str());
       if (split) print("%s\n", splitLine(statistics.split).c_str());
     }
     if (run->recorder) run->recorder->flush();
   }
   for (const std::string& message : sceneRenderer.takeMessages()) warn(message);
+  if (photo) photo->finish();
 
   if (stats) {
     times.writeTo(statistics);

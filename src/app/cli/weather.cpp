@@ -74,8 +74,9 @@ int weather(const CommandLine& line) {
   scene::EffectSet flownEffects = effects;
   flownEffects.insert(scene::Effect::weather);  // what a scene would have, with the effect or without
   Settings flown = settings;
-  if (run->setup.forecast) flown.weatherFile = forecastClock(settings, *run->setup.forecast);
-  const game::WeatherSetup setup = *flownWeather(flownEffects, flown, noise, run->setup.forecast);
+  const auto forecast = settings.live.follow ? run->setup.forecast : nullptr;
+  if (forecast) flown.weatherFile = forecastClock(settings, *forecast);
+  const game::WeatherSetup setup = *flownWeather(flownEffects, flown, noise, forecast);
   const weather::State state = setup.at(run->setup.seed, line.timeS, {at.x, at.z});
   const double surface = game::surfaceAt(*ground, {at.x, at.z}).height;
   const double above = std::max(at.y - surface, 0.0);

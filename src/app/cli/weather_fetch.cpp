@@ -1,7 +1,4 @@
 // skydrop weather fetch: the newest answer of a weather service, kept in the cache folder.
-#include <array>
-#include <chrono>
-#include <cstdio>
 #include <string>
 
 #include "app/cli/verbs.h"
@@ -12,23 +9,9 @@
 #include "skydrop/core/message.h"
 #include "skydrop/forecast/kept_answers.h"
 #include "skydrop/forecast/read_report.h"
+#include "skydrop/forecast/renewal.h"
 
 namespace skydrop::app {
-namespace {
-
-sky::Instant now() {
-  using namespace std::chrono;
-  return {duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count()};
-}
-
-std::string ageText(sky::Instant fetched) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f h", static_cast<double>(now().utcMs - fetched.utcMs) / 3.6e6);
-  return text.data();
-}
-
-}  // namespace
-
 int fetchWeather(const CommandLine& line) {
   forecast::FetchRequest request = line.weather.fetch;
   if (request.provider == forecast::Provider::meteoblue)
@@ -45,13 +28,13 @@ int fetchWeather(const CommandLine& line) {
   const std::filesystem::path folder = cache / "weather";
   forecast::KeptAnswer kept;
   try {
-    kept = forecast::renew(folder, request, now());
+    kept = forecast::renew(folder, request, forecast::machineNow());
   } catch (const core::DataError& error) {
     const auto before = forecast::keptAnswer(folder, request);
     if (!before) throw;
-    throw core::DataError(
-        error.what(), "",
-        "the newest file is " + ageText(before->fetched) + " old: " + before->file.string());
+    throw core::DataError(error.what(), "",
+                          "the newest file is " + forecast::ageText(before->fetched, forecast::machineNow()) +
+                              " old: " + before->file.string());
   }
   const std::string text = core::readTextFile(kept.file, forecast::kMostBytes);
   const forecast::Report report = forecast::readReport(text, kept.file.string(), kept.fetched);

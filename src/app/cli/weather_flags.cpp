@@ -46,13 +46,8 @@ void WeatherFlags::addFetch(CLI::App& verb, WeatherRequest& weather) {
       read(t);
     });
   };
-  of("--provider", "meteoblue|open-meteo|metar", "the service", [&request](const std::string& t) {
-    constexpr std::array<std::string_view, 3> kWords = {"meteoblue", "open-meteo", "metar"};
-    const auto word = std::ranges::find(kWords, t);
-    if (word == kWords.end())
-      throw UsageError("--provider: '" + t + "' is not one of meteoblue open-meteo metar");
-    request.provider = static_cast<forecast::Provider>(word - kWords.begin());
-  });
+  of("--provider", "meteoblue|open-meteo|metar", "the service",
+     [&request](const std::string& t) { request.provider = parseProvider("--provider", t); });
   of("--lat", "DEGREES", "latitude, north, -90 to 90",
      [&request](const std::string& t) { request.latitudeDegrees = number("--lat", t, -90, 90); });
   of("--lon", "DEGREES", "longitude, east, -180 to 180",

@@ -29,6 +29,12 @@ constexpr std::array<ActionText, kActions> kTexts = {{{"thrust", "faster"},
                                                       {"split", "beside a reference"},
                                                       {"costs", "what a frame costs"},
                                                       {"landingLight", "landing light"},
+                                                      {"weatherBar", "weather bar"},
+                                                      {"weatherMode", "weather live or play"},
+                                                      {"hourBack", "an hour back"},
+                                                      {"hourForward", "an hour on"},
+                                                      {"timeSlower", "time slower"},
+                                                      {"timeFaster", "time faster"},
                                                       {"escape", "resume, quit"}}};
 
 const ActionText& textOf(Action action) { return kTexts[static_cast<std::size_t>(action)]; }

@@ -32,6 +32,12 @@ enum class Action {
   split,
   costs,
   landingLight,
+  weatherBar,
+  weatherMode,  // live or play; this and what follows where there is weather data
+  hourBack,
+  hourForward,
+  timeSlower,
+  timeFaster,
   escape,
   count_
 };

@@ -32,6 +32,12 @@ std::array<Inputs, kActions> defaultInputs() {
   bind(Action::freeze, {keyInput('F')});
   bind(Action::costs, {keyInput(key::kF2)});
   bind(Action::landingLight, {keyInput('L')});
+  bind(Action::weatherBar, {keyInput('B')});
+  bind(Action::weatherMode, {keyInput('N')});
+  bind(Action::hourBack, {keyInput(',')});
+  bind(Action::hourForward, {keyInput('.')});
+  bind(Action::timeSlower, {keyInput('[')});
+  bind(Action::timeFaster, {keyInput(']')});
   bind(Action::split, {keyInput(key::kF3)});
   bind(Action::help, {keyInput('H'), buttonInput(pad::kUp)});
   bind(Action::menu, {keyInput(key::kF1), buttonInput(pad::kRight)});
@@ -59,6 +65,8 @@ const std::vector<HelpEntry>& helpEntries() {
       {{Action::pause}, ""},
       {{Action::freeze}, ""},
       {{Action::landingLight}, ""},
+      {{Action::weatherBar, Action::weatherMode}, "weather bar, live"},
+      {{Action::hourBack, Action::hourForward, Action::timeSlower, Action::timeFaster}, "its hour, pace"},
       {{Action::costs}, ""},
       {{Action::split}, ""},
       {{Action::help}, "this help"},

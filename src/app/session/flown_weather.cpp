@@ -35,7 +35,7 @@ weather::ForecastClock forecastClock(const Settings& settings, const weather::Fo
   weather::ForecastClock clock = settings.weatherFile;
   const render::SunSettings& sun = settings.render.sun;
   if (!clock.followsSky || sun.source != render::SunSource::clock) return clock;
-  const double ms = static_cast<double>(sun.utcMs - forecast.near.firstMs());
+  const double ms = static_cast<double>(sun.utcMs - weather::originMs(forecast));
   clock.hour =
       std::clamp(ms / 3.6e6 + sun.shiftDays * 24 + sun.shiftHours + sun.offsetSeconds / 3600, -1e6, 1e6);
   clock.pace = sun.timeScale;

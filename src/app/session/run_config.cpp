@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/session/flown_weather.h"
+#include "app/session/live_weather.h"
 #include "app/settings/cloud_tier.h"
 #include "app/settings/mood.h"
 #include "app/settings/preset_store.h"
@@ -276,6 +277,14 @@ void readWeatherFiles(const CommandLine& line, RunConfig& run) {
   if (near.empty()) {
     near = log ? sourcesOf(log->weather) : setup.scene.weatherFiles;
     far = log ? sourcesOf(log->farWeather) : setup.scene.farWeatherFiles;
+  }
+  if (line.live) {
+    LiveWeather live = liveWeather(*line.live, near.empty());
+    if (near.empty()) near = {live.file};
+    live.setup.farFiles = far;
+    run.renewal = std::move(live.setup);
+    setup.forecastsCome = true;
+    run.notes.insert(run.notes.end(), live.notes.begin(), live.notes.end());
   }
   if (log && (log->weather.size() != near.size() || log->farWeather.size() != far.size()))
     throw core::DataError(setup.replayFile, "weather",

@@ -13,6 +13,7 @@
 #include "app/settings/settings_change.h"
 #include "app/settings/user_settings.h"
 #include "app/types/command_line.h"
+#include "skydrop/forecast/renewal.h"
 
 namespace skydrop::app {
 
@@ -35,8 +36,9 @@ struct RunConfig {
   bool softwareRenderer = false;
   Quality quality = Quality::high;  // in force: never automatic
   SimulationSetup setup;
-  std::unique_ptr<FlightRecorder> recorder;  // with --record; setup.recorder
-  std::vector<std::string> notes;            // lines about a replay or weather file that leaves a doubt
+  std::optional<forecast::RenewalSetup> renewal;  // with --live: for whoever flies
+  std::unique_ptr<FlightRecorder> recorder;       // with --record; setup.recorder
+  std::vector<std::string> notes;                 // lines about a replay or weather file that leaves a doubt
   std::optional<std::filesystem::path> userFolder;  // where the player's settings are kept
   UserSettings userSettings;                        // their file, and what the menu chose since
   std::optional<std::string> warning;               // what is wrong with it, to be said once

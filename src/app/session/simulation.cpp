@@ -18,6 +18,11 @@ namespace {
 
 using scene::Effect;
 
+// The forecast that there is, unless the weather is made by hand.
+std::shared_ptr<const weather::Forecast> followed(const SimulationSetup& setup, const Settings& settings) {
+  return settings.live.follow ? setup.forecast : nullptr;
+}
+
 game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects,
                             const Settings& settings, std::shared_ptr<const terrain::HeightSource> ground,
                             std::shared_ptr<const clouds::PackedCloudNoise>& noise) {
@@ -31,7 +36,8 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   world.start.headingDeg = setup.scene.start.headingDegrees;
   world.start.speed = setup.scene.start.speedMps;
   world.wind = core::flownWind(settings.wind);
-  world.weather = flownWeather(effects, settings, noise, setup.forecast);
+  world.weather = flownWeather(effects, settings, noise, followed(setup, settings));
+  if (world.weather && setup.forecastsCome && !noise) world.weather->noise = noise = readFlownNoise();
   world.airplane = settings.aircraft;
   world.package = settings.package;
   world.game = settings.game;
@@ -63,6 +69,7 @@ Simulation::Simulation(const SimulationSetup& setup, Settings& settings, const c
       table_(&table),
       effects_(scene::effective(settings.effects.set())),
       ground_(makeGround(effects_, settings, setup)),
+      inForce_(followed(setup, settings), settings.weatherFile),
       world_(worldSetup(setup, effects_, settings, ground_, noise_)) {
   if (setup_.pilot == Pilot::autopilot) autopilot_.emplace(ground_, settings.autopilot);
   if (setup_.pilot == Pilot::replay) replay_.emplace(*setup_.replay);
@@ -114,6 +121,7 @@ void Simulation::advance(const game::Controls& player) {
   if (!effects_.contains(Effect::targets)) controls.drop = false;  // packages come with the targets
   if (setup_.recorder) setup_.recorder->step(controls);
   world_.step(controls);
+  if (inForce_.endHandover(world_.now().simulatedSeconds)) applyWeather();
   if (setup_.recorder && setup_.recorder->checkpointIsDue()) setup_.recorder->checkpoint(world_.stateHash());
   if (replay_) compareWithReplay();
 }
@@ -180,9 +188,25 @@ void Simulation::applyToWorld() {
   world_.apply(settings_->package);
   world_.apply(settings_->game);
   world_.setWind(core::flownWind(settings_->wind));
-  world_.setWeather(flownWeather(effects_, *settings_, noise_, setup_.forecast));
+  applyWeather();
   if (autopilot_) autopilot_->apply(settings_->autopilot);
   keepFlownValues();
+}
+
+void Simulation::applyWeather() {
+  const double blend = effects_.contains(Effect::weather) ? settings_->live.blendSeconds : 0;
+  inForce_.set(followed(setup_, *settings_), settings_->weatherFile, world_.now().simulatedSeconds, blend);
+  std::optional<game::WeatherSetup> weather = flownWeather(effects_, *settings_, noise_, inForce_.forecast());
+  if (weather) weather->handover = inForce_.handover();
+  world_.setWeather(weather);
+}
+
+std::shared_ptr<const weather::Forecast> Simulation::takeForecast(const weather::Forecast& next) {
+  setup_.forecast = std::make_shared<const weather::Forecast>(
+      setup_.forecast ? weather::continuing(next, *setup_.forecast) : next);
+  followingSky(setup_, *settings_);
+  applyWeather();
+  return setup_.forecast;
 }
 
 void Simulation::applyEffects() {
@@ -191,8 +215,7 @@ void Simulation::applyEffects() {
   if (changes(Effect::terrain)) ground_ = makeGround(effects_, *settings_, setup_);
   if (changes(Effect::terrain) || changes(Effect::aircraft) || changes(Effect::targets))
     world_.setParts(ground_, effects_.contains(Effect::aircraft), effects_.contains(Effect::targets));
-  if (changes(Effect::weather))
-    world_.setWeather(flownWeather(effects_, *settings_, noise_, setup_.forecast));
+  if (changes(Effect::weather)) applyWeather();
   if (changes(Effect::terrain) && autopilot_) autopilot_.emplace(ground_, settings_->autopilot);
 }
 

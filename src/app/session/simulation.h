@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/session/flight_recorder.h"
+#include "app/session/forecast_in_force.h"
 #include "app/settings/settings.h"
 #include "app/settings/settings_change.h"
 #include "skydrop/clouds/cloud_field.h"
@@ -35,6 +36,7 @@ struct SimulationSetup {
   std::string replayDoubt;  // why the replay may differ (another version, --set), for the line that says so
   FlightRecorder* recorder = nullptr;                 // outlives the simulation; begins with it
   std::shared_ptr<const weather::Forecast> forecast;  // of weather files; null: there are none
+  bool forecastsCome = false;                         // newer ones, while flying: see takeForecast()
   std::vector<game::InputLog::WeatherRecord> weatherRecords,
       farWeatherRecords;                                            // of those files, for the log
   std::vector<std::shared_ptr<const elevation::Raster>> elevation;  // what the land is made of; empty: noise
@@ -75,6 +77,12 @@ class Simulation {
   // that rests on one that is off.
   void apply(const SettingsChange& change);
 
+  // A newer forecast takes over from the one in force, in LiveSettings::blendSeconds; its hours go on
+  // counting from where those of the first did. Returns it as it is flown in from now on. Not while a flight
+  // is recorded, and not during a handover.
+  std::shared_ptr<const weather::Forecast> takeForecast(const weather::Forecast& next);
+  bool isHandingOver() const { return inForce_.handover() != nullptr; }
+
   // Of a replay: what its log has changed since the last call, for whoever else depends on it.
   SettingsChange takeLoggedChange() { return std::exchange(loggedChange_, {}); }
 
@@ -97,6 +105,7 @@ class Simulation {
  private:
   void advance(const game::Controls& player);
   void applyToWorld();
+  void applyWeather();
   void applyEffects();
   void keepFlownValues();
   void beginRecording();
@@ -108,6 +117,7 @@ class Simulation {
   scene::EffectSet effects_;
   std::shared_ptr<const terrain::HeightSource> ground_;
   std::shared_ptr<const clouds::PackedCloudNoise> noise_;  // of the clouds that are flown in; null before
+  ForecastInForce inForce_;
   game::World world_;
   std::optional<game::Autopilot> autopilot_;
   std::optional<game::InputReplay> replay_;

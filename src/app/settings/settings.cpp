@@ -9,8 +9,8 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 8> kSimulationGroups = {
-    "aircraft.", "package.", "game.", "terrain.", "elevation.", "wind.", "weather.", "weatherFile."};
+constexpr std::array<std::string_view, 9> kSimulationGroups = {
+    "aircraft.", "package.", "game.", "terrain.", "elevation.", "wind.", "weather.", "weatherFile.", "live."};
 
 // Effects that are more than pictures and sounds.
 constexpr std::array<std::string_view, 4> kSimulatedEffects = {"effects.aircraft", "effects.targets",
@@ -61,6 +61,9 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
                {.help = "Eyes need a moment to get used to light, and some to darkness. Pictures without a "
                         "window show what they are used to in the end.",
                 .aliases = "HDR, pupil, iris, adaptation, brightness"});
+  visitor.flag("weatherBar", settings.weatherBar,
+               {.help = "The bar of the forecast at the bottom, in flights with weather data.",
+                .aliases = "forecast, time slider, live, play"});
   visitor.group("split", settings.split, "The picture beside a reference.");
 }
 
@@ -91,6 +94,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("wind", settings.wind, "The wind of clouds and flight.");
   visitor.group("weather", settings.weather, "The air that one flies in.");
   visitor.group("weatherFile", settings.weatherFile, "How time runs through the forecast of a file.");
+  visitor.group("live", settings.live, "Whether the weather follows a forecast, and how a newer one comes.");
   visitor.group("lightning", settings.lightning, "The flashes of the weather.");
   visitor.group("audio", settings.audio, "What is heard.");
   visitor.group("effects", settings.effects, "What is simulated, drawn and heard in this flight.");
@@ -136,8 +140,8 @@ void applyOverrides(const core::SettingsTable& table, const std::vector<std::str
 }
 
 bool isKept(std::string_view path) {
-  return path != "view.freezeTime" && path != "landingLight.on" && path != "render.sun.offsetSeconds" &&
-         !path.starts_with("effects.");
+  return path != "view.freezeTime" && path != "live.follow" && path != "weatherFile.hour" &&
+         path != "landingLight.on" && path != "render.sun.offsetSeconds" && !path.starts_with("effects.");
 }
 
 bool switchesSimulation(std::string_view path) {

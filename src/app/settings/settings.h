@@ -40,6 +40,7 @@
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
 #include "skydrop/weather/forecast.h"
+#include "skydrop/weather/handover.h"
 #include "skydrop/weather/lightning_settings.h"
 #include "skydrop/weather/weather_settings.h"
 
@@ -55,6 +56,7 @@ struct ViewSettings {
   bool vsync = true;
   double interfaceScale = 1;
   bool eyeAdaptation = true;  // in frames that follow each other
+  bool weatherBar = false;    // where there is weather data
   SplitSettings split;
 };
 
@@ -91,6 +93,7 @@ struct Settings {
   core::WindSettings wind;
   weather::WeatherSettings weather;
   weather::ForecastClock weatherFile;  // how time runs through the forecast of a file
+  weather::LiveSettings live;          // whether it is followed, and how a newer one comes
   weather::LightningSettings lightning;
   audio::AudioSettings audio;
   ViewSettings view;

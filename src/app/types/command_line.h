@@ -91,6 +91,27 @@ struct ElevationRequest {
   std::vector<glm::dvec2> at;  // north, east in degrees where both can be that; else east, north in metres
 };
 
+// A photograph beside the rendered picture.
+enum class PhotoView { none, overlay, wipe, beside };
+inline constexpr std::array<std::string_view, 4> kPhotoViewNames = {"none", "overlay", "wipe", "beside"};
+
+struct PhotoRequest {
+  std::filesystem::path file;  // PNG or JPEG
+  PhotoView view = PhotoView::none;
+  double share = 0.5;                          // opacity, or how much of the width the photograph has
+  std::optional<double> fieldDegrees;          // its horizontal field of view; without: that of the picture
+  std::optional<double> panoramaFromDegrees;   // it goes round the horizon from this heading at its left edge
+  std::optional<std::filesystem::path> mask;   // of the photograph: white is what counts, the sky
+  std::optional<std::filesystem::path> table;  // CSV, a line for each frame
+  std::optional<std::filesystem::path> plot;   // PNG of the table
+};
+
+// The service whose weather is flown in and renewed.
+struct LiveRequest {
+  forecast::FetchRequest fetch;  // without its key
+  std::optional<std::filesystem::path> keyFile;
+};
+
 struct CommandLine {
   Verb verb = Verb::fly;
 
@@ -110,6 +131,7 @@ struct CommandLine {
 
   // fly
   bool fullscreen = false;
+  std::optional<LiveRequest> live;
 
   // fly and render
   std::optional<Size> size;
@@ -126,6 +148,7 @@ struct CommandLine {
   double fps = 60;     // simulated frames a second, (0, 1000]
   double timeS = 0;    // simulated seconds before the first frame
   bool menu = false;
+  std::optional<PhotoRequest> photo;
   std::optional<std::string> split;  // SUBJECT=REFERENCE that the picture is compared with
 
   // simulate

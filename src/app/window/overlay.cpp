@@ -43,6 +43,7 @@ OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
   if (frame.begun) frame.begun();
   if (frame.split) result.divider = ui::drawSplitLabels(interface_, *frame.split);
   if (frame.costs) result.costsClosed = !ui::drawCostPanel(interface_, *frame.costs);
+  if (frame.weatherBar) result.weatherBar = weatherBar_.draw(interface_, *frame.weatherBar);
   if (menuOpen) {
     ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error, frame.tools};
     content.bindings = frame.bindings;
@@ -60,7 +61,8 @@ OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
     if (escapeOpen) data.paused = false;  // the small menu covers that place and says so itself
     const std::vector<ui::HelpRow> none;
     const auto menu = menuOpen ? std::optional(menu_.place()) : std::nullopt;
-    ui::drawHud(interface_, data, ui::layoutHud(interface_, data, helpOpen ? help_ : none, menu));
+    const float taken = frame.weatherBar ? ui::WeatherBar::height(interface_) : 0;
+    ui::drawHud(interface_, data, ui::layoutHud(interface_, data, helpOpen ? help_ : none, menu, taken));
   }
   interface_.endFrame();
   return result;

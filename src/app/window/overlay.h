@@ -20,6 +20,7 @@
 #include "skydrop/ui/loading_picture.h"
 #include "skydrop/ui/menu.h"
 #include "skydrop/ui/split_labels.h"
+#include "skydrop/ui/weather_bar.h"
 
 namespace skydrop::app {
 
@@ -34,7 +35,8 @@ struct OverlayFrame {
   const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
   ui::InterfaceScale scale = {};
   const ui::SplitLabels* split = nullptr;  // of the split view, which takes the place of the HUD; null: none
-  const ui::CostPanelContent* costs = nullptr;  // of the panel of costs; null: it is closed
+  const ui::CostPanelContent* costs = nullptr;        // of the panel of costs; null: it is closed
+  const ui::WeatherBarContent* weatherBar = nullptr;  // null: it is hidden, or there is no weather data
   std::function<void()> begun = nullptr;  // called when the frame has taken the input (EventFeed::frameBuilt)
 };
 
@@ -43,7 +45,8 @@ struct OverlayResult {
   ui::EscapeAction escape = ui::EscapeAction::none;
   std::optional<double> divider;  // where the split view's was dragged, 0 .. 1 of the width
   bool costsClosed = false;       // the cross of the panel of costs was clicked
-  bool fontsChanged = false;      // render::ImGuiPass::uploadFonts() is due before the frame is drawn
+  ui::WeatherBarResult weatherBar;
+  bool fontsChanged = false;  // render::ImGuiPass::uploadFonts() is due before the frame is drawn
 };
 
 class Overlay {
@@ -54,6 +57,7 @@ class Overlay {
   ui::ConfigurationMenu& menu() { return menu_; }
   // After the interface of another window (ui::Interface::makeCurrent).
   void makeCurrent() const { interface_.makeCurrent(); }
+  const ui::WeatherBar& weatherBar() const { return weatherBar_; }
   // Somebody looks at what the passes cost.
   bool showsCosts() const { return menuOpen && menu_.showsCosts(); }
 
@@ -91,6 +95,7 @@ class Overlay {
   ui::Interface interface_;
   ui::ConfigurationMenu menu_;
   ui::EscapeMenu escapeMenu_;
+  ui::WeatherBar weatherBar_;
 };
 
 }  // namespace skydrop::app

@@ -96,6 +96,7 @@ WindowGame::WindowGame(const CommandLine& line)
   tellOfSoftware();
   buildScene();
   attempt(part::kChange, [this] { renewBudget(); });
+  beginRenewal();
   loadedMs_ = 1000 * secondsSinceStart();
   if (!line_.replay) sceneFile_ = FileWatch(run_->setup.scene.file);
   if (run_->userFolder) playerFile_ = FileWatch(userSettingsFile(*run_->userFolder));
@@ -346,6 +347,14 @@ void WindowGame::handleAction(Action action) {
       toggle("audio.mute");
       notices_.add(run_->settings.audio.mute ? "Sound off" : "Sound on");
       break;
+    case Action::weatherBar:
+    case Action::weatherMode:
+    case Action::hourBack:
+    case Action::hourForward:
+    case Action::timeSlower:
+    case Action::timeFaster:
+      handleWeatherAction(action);
+      break;
     default:
       break;  // flight actions: PlayerInput::step
   }
@@ -479,6 +488,9 @@ OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double 
   if (labels) frame.split = &*labels;
   const std::optional<ui::CostPanelContent> costs = costs_ ? std::optional(costContent()) : std::nullopt;
   if (costs) frame.costs = &*costs;
+  const std::optional<ui::WeatherBarContent> weatherBar =
+      showsWeatherBar() ? std::optional(weatherBarContent(snapshot, size)) : std::nullopt;
+  if (weatherBar) frame.weatherBar = &*weatherBar;
   frame.begun = [this] { feed_->frameBuilt(); };
   const OverlayResult result = overlay_->build(frame);
   if (result.fontsChanged) sceneRenderer_->uploadFonts();
@@ -493,6 +505,7 @@ void WindowGame::serve(const OverlayResult& result) {
   }
   if (result.menu.preset) servePreset(*result.menu.preset);
   if (result.costsClosed) costs_.reset();
+  serve(result.weatherBar);
   if (result.divider && split_) dragDivider(*result.divider);
   if (std::exchange(menuWasOpen_, overlay_->menuOpen) && !overlay_->menuOpen) {
     nextWatch_ = {};  // an edit of a moment ago is read before what was chosen is added to it

@@ -35,11 +35,13 @@
 #include "app/window/notices.h"
 #include "app/window/overlay.h"
 #include "app/window/screenshots.h"
+#include "app/window/weather_bar_data.h"
 #include "skydrop/audio/audio_manager.h"
 #include "skydrop/audio/sound_scene.h"
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/output_file.h"
+#include "skydrop/forecast/renewal.h"
 
 namespace skydrop::app {
 
@@ -112,6 +114,16 @@ class WindowGame {
   void openSound();
   void apply(const SettingsChange& change);  // to all dependents
   void watchFiles();
+  void beginRenewal();
+  void followRenewal();
+  bool showsWeatherBar() const { return run_->settings.view.weatherBar && run_->setup.forecast && !split_; }
+  ui::WeatherBarContent weatherBarContent(const game::Snapshot& snapshot, Size size);
+  void serve(const ui::WeatherBarResult& asked);
+  void handleWeatherAction(Action action);
+  void moveForecastTo(double utcMs);
+  void paceForecastAt(double speed);
+  void followForecast(bool live);
+  void writeWeatherTo(core::WindowStatistics& window) const;
   void reloadSceneFile();
   void reloadPlayerFile();
   void servePreset(const ui::PresetRequest& request);
@@ -131,7 +143,9 @@ class WindowGame {
 
   // A pause holds everything; a freeze holds simulated time, and the keys move the free camera.
   bool isPaused() const { return paused_ || overlay_->escapeOpen; }
-  bool interfaceUsesPointer() const { return overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_; }
+  bool interfaceUsesPointer() const {
+    return overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_ || showsWeatherBar();
+  }
   bool isFrozen() const { return run_->settings.view.freezeTime; }
 
   CommandLine line_;
@@ -193,6 +207,9 @@ class WindowGame {
   double loadedMs_ = 0;
   std::int64_t programsLoaded_ = 0;
   FileWatch sceneFile_, playerFile_;
+  std::unique_ptr<forecast::Renewal> renewal_;  // with --live only
+  WeatherBarData weatherBarData_;
+  bool saidRenewalFailed_ = false;  // on stderr, of the failures since the last answer
 };
 
 }  // namespace skydrop::app

@@ -28,7 +28,7 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that 
 // Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
 void WindowGame::registerDependents() {
   simulationDependencies_.add(
-      {"effects", "aircraft", "package", "game", "autopilot", "wind", "weather", "landingLight"},
+      {"effects", "aircraft", "package", "game", "autopilot", "wind", "weather", "live", "landingLight"},
       [this](const SettingsChange& change) { simulation_->apply(change); });
   // The hour of a forecast follows the clock of the sky.
   simulationDependencies_.add({"weatherFile", "render.sun"}, [this](const SettingsChange& change) {
@@ -176,6 +176,7 @@ void WindowGame::watchFiles() {
   } else {
     faults_.set(part::kShaders, std::string(standing));  // another one may have been repaired
   }
+  followRenewal();
   if (sceneFile_.wasWritten()) attempt(part::kScene, [this] { reloadSceneFile(); });
   if (playerFile_.wasWritten()) attempt(part::kPlayersFile, [this] { reloadPlayerFile(); });
 }

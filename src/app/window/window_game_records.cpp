@@ -95,6 +95,7 @@ core::FrameStatistics WindowGame::statistics(std::size_t frames) {
   window.fault = faults_.shown();
   window.costRows = costs_ ? static_cast<std::int64_t>(costs_->history.rows().size()) : -1;
   if (budget_) budget_->writeTo(window.budget);
+  writeWeatherTo(window);
   window.splitShare = split_ ? split_->share() : -1;
   if (split_) split_->writeTo(statistics);
   window.loadedMs = loadedMs_;

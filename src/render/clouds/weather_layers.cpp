@@ -87,22 +87,30 @@ WeatherLayers::WeatherLayers(gl::Context& context, std::shared_ptr<const clouds:
 
 bool WeatherLayers::hasWeather(const FrameInput& frame) {
   const weather::Moment& moment = frame.game->weather;
+  const auto isClouded = [&](const weather::Forecast* forecast) {
+    return forecast ? weather::hasClouds(*forecast) : weather::hasClouds(*moment.settings);
+  };
   return moment &&
-         (moment.forecast ? weather::hasClouds(*moment.forecast) : weather::hasClouds(*moment.settings));
+         (isClouded(moment.forecast.get()) || (moment.handover && isClouded(moment.handover->from.get())));
 }
 
 namespace {
 
-// The states that a weather is mixed from: those of its sites, or of all hours of a forecast.
+// The states that a weather is mixed from: those of its sites, or of all hours of a forecast; while one takes
+// over from another, those of both.
 template <class Visit>
 void forEachState(const weather::Moment& moment, const Visit& visit) {
-  if (moment.forecast) {
-    for (const weather::Timeline* site : {&moment.forecast->near, &moment.forecast->far})
-      for (const weather::TimedState& timed : site->states()) visit(timed.state);
-  } else {
-    visit(weather::stateOf(moment.settings->sites[0]));
-    if (moment.settings->secondSite) visit(weather::stateOf(moment.settings->sites[1]));
-  }
+  const auto visitAll = [&](const weather::Forecast* forecast) {
+    if (forecast) {
+      for (const weather::Timeline* site : {&forecast->near, &forecast->far})
+        for (const weather::TimedState& timed : site->states()) visit(timed.state);
+    } else {
+      visit(weather::stateOf(moment.settings->sites[0]));
+      if (moment.settings->secondSite) visit(weather::stateOf(moment.settings->sites[1]));
+    }
+  };
+  visitAll(moment.forecast.get());
+  if (moment.handover) visitAll(moment.handover->from.get());
 }
 
 // Layers that may be volumes at some place or time.
@@ -159,9 +167,10 @@ void WeatherLayers::update(const FrameInput& frame) {
   const glm::dvec2 place(frame.view.position.x, frame.view.position.z);
   const bool isSame = moment.settings == moment_.settings && moment.seed == moment_.seed &&
                       moment.seconds == moment_.seconds && moment.forecast == moment_.forecast &&
-                      moment.clock == moment_.clock && place == place_;
+                      moment.clock == moment_.clock && moment.handover == moment_.handover && place == place_;
   if (isSame) return;
-  const bool isOther = moment.settings != moment_.settings || moment.forecast != moment_.forecast;
+  const bool isOther = moment.settings != moment_.settings || moment.forecast != moment_.forecast ||
+                       moment.handover != moment_.handover;
   moment_ = moment;
   place_ = place;
   if (isOther) mayOverlap_ = shellsMayOverlap(moment);
