@@ -215,7 +215,7 @@ class Parser {
     const auto angle = [&](const std::string& flag, std::optional<double>& target, double most,
                            const std::string& help) {
       addText(verb, flag, "DEGREES", help,
-           [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
+              [flag, &target, most](const std::string& t) { target = number(flag, t, -most, most); });
     };
     angle("--heading", heading_, 360, "of --camera by the compass: 0 north, 90 east (0)");
     angle("--pitch", pitch_, 90, "of --camera, up (0)");
@@ -276,8 +276,8 @@ class Parser {
     verb.add_option(
             "STUDY", line_.studies,
             "studies by name, or files of the same form; or cost alone: what each effect costs; or "
-            "calibrate alone: what a frame budget chooses from, for the cache folder. None named: all "
-            "but those two")
+            "calibrate alone: what a frame budget chooses from, for the cache folder; or judge alone: traces "
+            "the light in clouds that clouds-model is held against. None named: all but those three")
         ->type_name("NAME|FILE");
     verb.add_option_function<std::vector<std::string>>(
             "--scene",
@@ -286,7 +286,7 @@ class Parser {
               line_.scenes = all;
             },
             "a scene that cost measures, and no others (all), may stand several times; or that of calibrate "
-            "(fair)")
+            "(fair); or of judge, by its own names (all)")
         ->type_name("NAME|FILE")
         ->allow_extra_args(false)
         ->expected(1, 1000);
