@@ -121,7 +121,8 @@ TEST(Stability, C87_volumesWithTheSunAtTheHorizonAndAtTheZenith) {
   const CloudField field = quickField();
   const auto brightest = [&](const glm::dvec3& toSun) {
     float most = 0;
-    for (const LightVolume::Texel& texel : LightVolume(field, toSun).texels()) {
+    const LightVolume volume(field, toSun);
+    for (const LightVolume::Texel& texel : volume.texels()) {
       EXPECT_TRUE(isFinite(texel));
       most = std::max(most, texel.sun);
     }

@@ -164,7 +164,13 @@ void CloudSystem::takeVolumes(const FrameInput& frame) {
         }
         const LayerRange range = rangeOf(drawn.medium);
         key.layers.emplace_back(range.most);
-        key.layers.back()->layer.coverage = 0.5 * (range.leastCoverage + range.most.layer.coverage);
+        clouds::CloudLayerSettings& solved = key.layers.back()->layer;
+        solved.coverage = 0.5 * (range.leastCoverage + range.most.layer.coverage);
+        // A range has the extinction to an octave's quarter, which is enough for where there is cloud.
+        constexpr double kExtinctions = 16;  // an octave
+        const double extinction = drawn.medium.layer.extinction;
+        if (extinction > 0)
+          solved.extinction = std::exp2(std::round(std::log2(extinction) * kExtinctions) / kExtinctions);
       }
     }
     if (!volumes_) volumes_ = std::make_unique<LightVolumes>(context_, noise_);
