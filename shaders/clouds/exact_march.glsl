@@ -6,6 +6,7 @@
 #include "clouds/steps.glsl"
 #include "clouds/sun_depth.glsl"
 #include "clouds/tiles.glsl"
+#include "clouds/volume_light.glsl"
 #include "shared/cloud_march.glsl"
 
 struct March {
@@ -147,14 +148,23 @@ void marchOn(inout March march, vec3 direction, RaySpan span) {
     vec3 place = placeOnBentRay(direction, rayBend(direction), segment.moment / segment.opacity);
 #ifdef LAYERS
     iterations -= sunSamples * (LAYERS - 1);
-    SourceLight light = sourceLightAt(place);
-    march.gathered.light +=
-        segment.opacity * (light.sun * (scatteredSun(phases, sunDepth(place)) * sunOverLand(place)) + light.ambient);
+#ifdef LIGHT_VOLUME
+    march.gathered.light += segment.opacity * scatteredLightAt(place, phases, sunDepth(place), sunDepthOfOthers(place),
+                                                               exactSampleAt(place).extinction);
+#else
+    march.gathered.light += segment.opacity * scatteredLightAt(place, phases, sunDepth(place));
+#endif
 #else
     float height = heightFraction(place);
-    march.gathered.sun += segment.opacity * scatteredSun(phases, sunDepth(place, height)) * sunOverLand(place);
-    march.gathered.sky += segment.opacity * scatteredSky(height);
-    march.gathered.ground += segment.opacity * scatteredGround(height);
+    float depthToSun = sunDepth(place, height);
+#ifdef LIGHT_VOLUME
+    vec3 light = scatteredLightAt(place, height, phases, depthToSun, extinctionAt(place));
+#else
+    vec3 light = scatteredLightAt(height, phases, depthToSun);
+#endif
+    march.gathered.sun += segment.opacity * light.x * sunOverLand(place);
+    march.gathered.sky += segment.opacity * light.y;
+    march.gathered.ground += segment.opacity * light.z;
 #endif
     march.gathered.weight += segment.opacity;
     march.gathered.distance += segment.moment;

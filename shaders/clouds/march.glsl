@@ -8,6 +8,7 @@
 #include "clouds/land_shade.glsl"
 #include "clouds/steps.glsl"
 #include "clouds/tiles.glsl"
+#include "clouds/volume_light.glsl"
 #include "shared/cloud_march.glsl"
 
 layout(std430, binding = 1) readonly buffer Spans { vec2 spans[]; };
@@ -130,6 +131,10 @@ struct SunRay {
   float detail;  // detailLeft()
   float at;
   float depth;
+#if defined(LAYERS) && defined(LIGHT_VOLUME)
+  float top;    // of the place's own layer
+  float above;  // depth above that
+#endif
 };
 
 SunRay sunRayOf(vec2 segment, vec4 ray) {
@@ -144,7 +149,11 @@ SunRay sunRayOf(vec2 segment, vec4 ray) {
 #endif
   float detail = detailLeft(distanceM);
   float first = clouds.sunSteps.x * mix(clouds.farField.y, 1.0, detail) * inversesqrt(max(segment.x, 0.01));
+#if defined(LAYERS) && defined(LIGHT_VOLUME)
+  return SunRay(place, height, length, first, detail, 0.0, 0.0, topOfOwnShell(place), 0.0);
+#else
   return SunRay(place, height, length, first, detail, 0.0, 0.0);
+#endif
 }
 
 void stepTowardsSun(inout SunRay way) {
@@ -157,18 +166,28 @@ void stepTowardsSun(inout SunRay way) {
   MediumSample medium = sampleAt(place, way.detail);
 #endif
   way.depth += medium.extinction * length;
+#if defined(LAYERS) && defined(LIGHT_VOLUME)
+  way.above += place.y > way.top ? medium.extinction * length : 0.0;
+#endif
   way.at += max(step, clearDistance(medium, clouds.strides.z));
 }
 
 void addLight(inout Gathered gathered, vec2 segment, SunRay way, vec4 phases) {
-#ifdef LAYERS
-  SourceLight light = sourceLightAt(way.place);
-  gathered.light +=
-      segment.x * (light.sun * (scatteredSun(phases, way.depth) * sunOverLand(way.place)) + light.ambient);
+#if defined(LAYERS) && defined(LIGHT_VOLUME)
+  float extinction = sampleToSun(way.place, way.detail).extinction;
+  gathered.light += segment.x * scatteredLightAt(way.place, phases, way.depth, way.above, extinction);
+#elif defined(LAYERS)
+  gathered.light += segment.x * scatteredLightAt(way.place, phases, way.depth);
 #else
-  gathered.sun += segment.x * scatteredSun(phases, way.depth) * sunOverLand(way.place);
-  gathered.sky += segment.x * scatteredSky(way.height);
-  gathered.ground += segment.x * scatteredGround(way.height);
+#ifdef LIGHT_VOLUME
+  float extinction = sampleAt(way.place, way.detail).extinction;
+  vec3 light = scatteredLightAt(way.place, way.height, phases, way.depth, extinction);
+#else
+  vec3 light = scatteredLightAt(way.height, phases, way.depth);
+#endif
+  gathered.sun += segment.x * light.x * sunOverLand(way.place);
+  gathered.sky += segment.x * light.y;
+  gathered.ground += segment.x * light.z;
 #endif
   gathered.weight += segment.x;
   gathered.distance += segment.y;

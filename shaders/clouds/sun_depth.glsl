@@ -27,6 +27,15 @@ float sunDepth(vec3 place) {
 #undef DEPTH
   return depth;
 }
+
+// Of the layers that do not hold the place.
+float sunDepthOfOthers(vec3 place) {
+  float depth = 0.0;
+#define DEPTH(i) depth += isInShell(heightIn(clouds.layers[i], place)) ? 0.0 : sunDepthIn(i, place);
+  EACH_LAYER(DEPTH)
+#undef DEPTH
+  return depth;
+}
 #else
 
 float sunDepth(vec3 place, float height) {

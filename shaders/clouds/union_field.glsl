@@ -139,6 +139,15 @@ float extinctionAt(CloudLayer l, vec3 place) {
   return isInShell(height) ? extinctionIn(l, place, height, shapeIn(l, place, height), 1.0) : 0.0;
 }
 
+// Top above the eye of the highest shell that holds a place; without any, so high that nothing is above.
+float topOfOwnShell(vec3 place) {
+  float top = -1e9;
+#define TOP(i) top = isInShell(heightIn(clouds.layers[i], place)) ? max(top, clouds.layers[i].shell.x + clouds.layers[i].shell.y) : top;
+  EACH_LAYER(TOP)
+#undef TOP
+  return top < -1e8 ? 1e9 : top;
+}
+
 // Light at a place in clouds: illuminance of the sun, and radiance scattered from sky and ground.
 struct SourceLight {
   vec3 sun;

@@ -135,6 +135,23 @@ FN Real scatteredSky(Real heightFraction) {
 
 FN Real scatteredGround(Real heightFraction) { return (Real(1.0) - saturate(heightFraction)) / (Real(2.0) * kPi); }
 
+// The same where a light volume (clouds::LightVolume) has the mean radiance that the sun's light comes to after it was
+// scattered: light scattered once is exact, and the volume's is what is scattered again, of which coarse cells know too
+// little near the lit side of dense cloud. Constants: least squares against traced paths (docs/cloud-light.md).
+CONST Real kVolumeLight = Real(0.9);
+CONST Real kVolumeLightInDense = Real(0.56);
+CONST Real kVolumeNearSun = Real(1.14);
+CONST Real kVolumeDenseM = Real(60.0);
+CONST Real kVolumeRowM = Real(112.5);
+
+// rowM: height of the volume's rows; what thin ones do not resolve is less.
+FN Real scatteredSunOfVolume(Real phase, Real sunDepth, Real meanLight, Real extinction, Real rowM) {
+  Real depth = max(sunDepth, Real(0.0));
+  Real dense = Real(1.0) - exp(-kVolumeDenseM * sqrt(rowM / kVolumeRowM) * extinction);
+  Real near = kVolumeNearSun / (Real(4.0) * kPi) * exp(Real(-0.5) * depth);
+  return phase * exp(-depth) + kVolumeLight * meanLight + dense * (kVolumeLightInDense * meanLight + near);
+}
+
 // What is left of the sun's light below a cloud of an optical depth: some of it straight through; some scattered out of
 // the base, which thins as a two-stream layer of droplets (asymmetry 0.85) does.
 FN Real sunBelowCloud(Real depth) {

@@ -249,6 +249,12 @@ void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
                  {.help = "How exactly clouds are drawn: sets the rows of the march.",
                   .takesEffect = core::TakesEffect::variant,
                   .aliases = "quality, LOD"});
+  visitor.choice(
+      "light", s.light, kCloudLightNames,
+      {.help = "What light in clouds that is scattered more than once comes from: octaves of the sun's, or a "
+               "volume of it that is solved for weather and sun, nearer to what traced paths of light find.",
+       .takesEffect = core::TakesEffect::variant,
+       .aliases = "multiple scattering, light volume, path tracing, Wrenninge"});
   visitor.group("march", s.march, "How exactly clouds are drawn, row by row.");
   for (const std::string_view name :
        {"densityThreshold", "scale", "anisotropy", "extinction", "higherScale", "weatherScale", "cloudHeight",

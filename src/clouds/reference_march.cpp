@@ -53,8 +53,18 @@ double sunDepth(const MarchMedium& medium, const glm::dvec3& toSun, const glm::d
   return depth;
 }
 
+glm::dvec3 octavesOfLight(const LitPlace& at) {
+  return {f64::scatteredSun(f64::Vec4(at.sunPhases), at.sunDepth), f64::scatteredSky(at.heightFraction),
+          f64::scatteredGround(at.heightFraction)};
+}
+
 MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, const MarchRay& ray,
                            const MarchSteps& steps) {
+  return referenceMarch(medium, light, ray, steps, octavesOfLight);
+}
+
+MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, const MarchRay& ray,
+                           const MarchSteps& steps, const ScatteredLight& scattered) {
   requireUnit(light.toSun, "to the sun");
   requireUnit(ray.direction, "of the ray");
   const f64::RaySpan span = f64::overlap(
@@ -71,18 +81,20 @@ MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, c
   for (int i = 0; i < steps.steps; ++i) {
     const double at = span.begin + (i + 0.5) * step;
     const glm::dvec3 place = ray.origin + f64::placeOnBentRay(ray.direction, bend, at);
-    const double depth = medium.extinction(place) * f64::cloudFade(at, medium.fadeDistanceM) * step;
+    const double extinction = medium.extinction(place);
+    const double depth = extinction * f64::cloudFade(at, medium.fadeDistanceM) * step;
     const bool isBetween = medium.isShell && (place.y < medium.baseM || place.y > medium.topM);
     if (isBetween || !(depth > 0)) continue;
     // expm1 and one exp of the sum: the shared series is made for 32 bits.
     const double share = std::exp(-passed) * -std::expm1(-depth);
     passed += depth;
-    const double height = (place.y - medium.baseM) / thickness;
-    if (light.toSun.y > 0) {
-      result.sun += share * f64::scatteredSun(phases, sunDepth(medium, light.toSun, place, steps.sunSamples));
-    }
-    result.sky += share * f64::scatteredSky(height);
-    result.ground += share * f64::scatteredGround(height);
+    const bool isLit = light.toSun.y > 0;
+    const double sunDepthThere = isLit ? sunDepth(medium, light.toSun, place, steps.sunSamples) : 0;
+    const glm::dvec3 from =
+        scattered({place, (place.y - medium.baseM) / thickness, sunDepthThere, extinction, phases});
+    if (isLit) result.sun += share * from.x;
+    result.sky += share * from.y;
+    result.ground += share * from.z;
     opacity += share;
     distance += share * at;
   }

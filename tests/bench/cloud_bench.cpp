@@ -183,6 +183,39 @@ void farFieldOfClouds(benchmark::State& state) {
 }
 BENCHMARK(farFieldOfClouds)->DenseRange(0, 3)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
 
+// Clouds lit by a light volume against those lit by octaves: frames take turns.
+void lightOfClouds(benchmark::State& state) {
+  constexpr int kFrames = 6;
+  CloudStudy study({640, 360});
+  const CloudView& from = kCloudViews[static_cast<std::size_t>(state.range(0))];
+  for (auto _ : state) {
+    std::printf("%-8s %-9s %9s %9s %7s\n", "view", "tier", "volume ms", "octaves", "ratio");
+    for (const CloudTier tier : {CloudTier::low, CloudTier::medium, CloudTier::high}) {
+      const clouds::CloudSettings octaves = settingsOf(tier);
+      clouds::CloudSettings volume = octaves;
+      volume.light = clouds::CloudLight::volume;
+      Cost ofVolume, ofOctaves;
+      for (int i = 0; i < kFrames; ++i) {
+        study.use(octaves);
+        const Cost now = study.draw(from);
+        study.use(volume);
+        study.draw(from);  // solves it
+        const Cost then = study.draw(from);
+        if (i == 0) continue;  // makes programs and textures
+        ofOctaves = best(ofOctaves, now);
+        ofVolume = best(ofVolume, then);
+      }
+      const double ratio = ofVolume.processorMs / ofOctaves.processorMs;
+      std::printf("%-8s %-9s %9.1f %9.1f %7.2f\n", from.name, nameOf(tier), ofVolume.processorMs,
+                  ofOctaves.processorMs, ratio);
+      std::fflush(stdout);
+      state.counters[std::string(nameOf(tier)) + "Ratio"] = ratio;
+    }
+  }
+  state.SetLabel(std::string(from.name) + ", " + study.renderer());
+}
+BENCHMARK(lightOfClouds)->DenseRange(0, 3)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
+
 void memoryOfClouds(benchmark::State& state) {
   constexpr double kMiB = 1024 * 1024;
   for (auto _ : state) {

@@ -83,6 +83,9 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("afterRain", {"clouds.march.history=quarter"});
   draw("afterRain", {"clouds.tier=reference"});
   draw("fair", {"clouds.march.history=sixteenth", "clouds.march.resolution=full"});
+  draw("fair", {"clouds.light=volume"});
+  draw("afterRain", {"clouds.light=volume"});
+  draw("afterRain", {"clouds.light=volume", "clouds.tier=reference"});
   draw("cirrus", {"effects.clouds=true", "effects.halo=true"});
   draw("cirrus", {"iceClouds.resolution=quarter", "effects.haze=false"});
   for (const char* entry : kOfTools) note(entry, {});

@@ -24,6 +24,11 @@ inline constexpr std::array<std::string_view, 3> kMarchResolutionNames = {"full"
 enum class MarchHistory { off, quarter, sixteenth };
 inline constexpr std::array<std::string_view, 3> kMarchHistoryNames = {"off", "quarter", "sixteenth"};
 
+// What light in clouds that is scattered more than once is made of: octaves of what the sun sends, or a
+// volume of it that is solved for the weather and the sun (clouds::LightVolume).
+enum class CloudLight { octaves, volume };
+inline constexpr std::array<std::string_view, 2> kCloudLightNames = {"octaves", "volume"};
+
 // How layers are marched through: all that trades accuracy for time. Defaults are those of the tier high.
 // describe() enforces the ranges of these and of all below. docs/clouds.md tells what each is for.
 struct MarchSettings {
@@ -88,6 +93,7 @@ struct CloudSettings {
   std::array<CloudLayerSettings, kCloudLayers> layers;
   double fadeDistance = 60000;  // m from the eye, 1e3 .. 60e3: no layer is seen beyond it
   CloudTier tier = CloudTier::high;
+  CloudLight light = CloudLight::octaves;
   MarchSettings march;
 
   bool operator==(const CloudSettings&) const = default;

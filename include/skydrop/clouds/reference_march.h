@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "skydrop/clouds/cloud_field.h"
 
@@ -53,6 +54,25 @@ MarchMedium mediumOf(const CloudField& field);  // the field has to outlive it
 // cloud.
 MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, const MarchRay& ray,
                            const MarchSteps& steps = {});
+
+// What the march knows of a sample.
+struct LitPlace {
+  glm::dvec3 place{0};
+  double heightFraction = 0;  // in the layer
+  double sunDepth = 0;        // optical depth towards the sun
+  double extinction = 0;      // 1/m
+  glm::dvec4 sunPhases{0};    // of the ray: cloudPhases()
+};
+// Light of sun, sky and ground that turns into the ray there, per illuminance of each (1/sr).
+using ScatteredLight = std::function<glm::dvec3(const LitPlace&)>;
+// The game's octaves, and even light of sky and ground.
+glm::dvec3 octavesOfLight(const LitPlace& at);
+
+// The same with another model of scattered light, which is asked with a sun at the horizon and below too,
+// where the sun's part is not used.
+MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, const MarchRay& ray,
+                           const MarchSteps& steps, const ScatteredLight& scattered);
+
 // Optical depth from a place to the top of the layer, towards the sun. Parts as sunPartBegin() cuts them.
 double sunDepth(const MarchMedium& medium, const glm::dvec3& toSun, const glm::dvec3& place, int samples);
 

@@ -26,6 +26,7 @@ using core::UsageError;
 constexpr Size kQuickSize{160, 90}, kDefaultSize{320, 180};
 constexpr const char* kCost = "cost";
 constexpr const char* kCalibrate = "calibrate";
+constexpr const char* kJudge = "judge";
 
 void refuseWith(bool given, const std::string& flag, const std::string& with) {
   if (given) throw UsageError("accuracy: " + flag + " does not go with " + with);
@@ -62,6 +63,15 @@ int calibrate(const CommandLine& line) {
   refuseWith(line.quick, "--quick", "calibrate");
   refuseWith(!line.out.empty(), "--out", "calibrate, whose results belong to the cache folder");
   return calibrateBudget(line);
+}
+
+int judge(const CommandLine& line) {
+  if (line.studies.size() > 1) throw UsageError("accuracy: judge is done by itself, without other studies");
+  refuseWith(line.resume, "--resume", "judge");
+  refuseWith(line.parts > 1, "--part", "judge");
+  refuseWith(!line.merge.empty(), "--merge", "judge");
+  refuseWith(line.size.has_value(), "--size", "judge");
+  return judgeLight(line);
 }
 
 // Writes the report; a line for each case that failed, or whose reference is not justified, and then 1.
@@ -121,8 +131,9 @@ accuracy::Results resultsBefore(const CommandLine& line, const fs::path& folder,
 int accuracy(const CommandLine& line) {
   if (std::ranges::find(line.studies, kCost) != line.studies.end()) return costReport(line);
   if (std::ranges::find(line.studies, kCalibrate) != line.studies.end()) return calibrate(line);
+  if (std::ranges::find(line.studies, kJudge) != line.studies.end()) return judge(line);
   if (!line.scenes.empty())
-    throw UsageError("accuracy: --scene belongs to cost and calibrate, which are not named");
+    throw UsageError("accuracy: --scene belongs to cost, calibrate and judge, which are not named");
   const fs::path folder = line.out.empty() ? "accuracy" : line.out;
   if (!line.merge.empty()) return mergeReport(line, folder);
 

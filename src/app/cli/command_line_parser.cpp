@@ -297,8 +297,8 @@ class Parser {
     verb.add_option(
             "STUDY", line_.studies,
             "studies by name, or files of the same form; or cost alone: what each effect costs; or "
-            "calibrate alone: what a frame budget chooses from, for the cache folder. None named: all "
-            "but those two")
+            "calibrate alone: what a frame budget chooses from, for the cache folder; or judge alone: traces "
+            "the light in clouds that clouds-model is held against. None named: all but those three")
         ->type_name("NAME|FILE");
     verb.add_option_function<std::vector<std::string>>(
             "--scene",
@@ -307,7 +307,7 @@ class Parser {
               line_.scenes = all;
             },
             "a scene that cost measures, and no others (all), may stand several times; or that of calibrate "
-            "(fair)")
+            "(fair); or of judge, by its own names (all)")
         ->type_name("NAME|FILE")
         ->allow_extra_args(false)
         ->expected(1, 1000);

@@ -10,6 +10,7 @@ int render(const CommandLine& line);
 int simulate(const CommandLine& line);
 int accuracy(const CommandLine& line);
 int calibrateBudget(const CommandLine& line);  // accuracy calibrate
+int judgeLight(const CommandLine& line);       // accuracy judge
 int noise(const CommandLine& line);
 int generateNoise(const CommandLine& line);  // noise --generate
 int sky(const CommandLine& line);

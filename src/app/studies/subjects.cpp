@@ -21,6 +21,7 @@ constexpr std::array kMakers = {
     Maker{"sky", makeSkySubject},
     Maker{"march", makeMarchSubject},
     Maker{"cloudShade", makeCloudShadeSubject},
+    Maker{"cloudLight", makeCloudLightSubject},
     Maker{"landShade", makeLandShadeSubject},
     Maker{"glitter", makeGlitterSubject},
 };

@@ -52,6 +52,8 @@ std::unique_ptr<accuracy::Subject> makeSkySubject();
 std::unique_ptr<accuracy::Subject> makeMarchSubject();
 // What clouds leave of the sun on what flies below and in them: samples, sunElevationDegrees. Values.
 std::unique_ptr<accuracy::Subject> makeCloudShadeSubject();
+// Light scattered in clouds, by model, against traced paths: model, source, scene, view. Values.
+std::unique_ptr<accuracy::Subject> makeCloudLightSubject();
 // What mountains leave of the sun on the land: method, detail, rayStepM, sunElevationDegrees,
 // sunAzimuthDegrees. Values.
 std::unique_ptr<accuracy::Subject> makeLandShadeSubject();

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "render/clouds/cloud_history.h"
 #include "render/clouds/cloud_textures.h"
 #include "render/clouds/cloud_uniforms.h"
+#include "render/clouds/light_volumes.h"
 #include "render/clouds/march_plan.h"
 #include "render/clouds/sun_optical_depth_grid.h"
 #include "render/clouds/weather_layers.h"
@@ -22,7 +24,8 @@
 namespace skydrop::render {
 namespace {
 
-constexpr GLuint kSceneDepthUnit = 6, kLightUnit = 7, kDistancesUnit = 8;  // as in shaders/clouds
+constexpr GLuint kLightVolumesUnit = 4, kSceneDepthUnit = 6, kLightUnit = 7,
+                 kDistancesUnit = 8;  // as in shaders/clouds
 constexpr double kFineShadowMapM = 60, kFineShadowRadiusM = 6000, kCoarseShadowMapM = 240,
                  kCoarseShadowRadiusM = 24000;  // cells of shadows, how far they reach
 
@@ -141,7 +144,41 @@ std::vector<std::string> CloudSystem::definesOf(const FrameContext& context) con
   std::vector<std::string> defines = marchDefines(context.defines, settings_, flatLoops_);
   if (weather_) defines.push_back("LAYERS " + std::to_string(weather_->layers().size()));
   if (weather_ && weather_->mayOverlap()) defines.emplace_back("OVERLAPS");
+  if (hasVolumes_) defines.emplace_back("LIGHT_VOLUME");
   return defines;
+}
+
+void CloudSystem::takeVolumes(const FrameInput& frame) {
+  const bool hadVolumes = std::exchange(hasVolumes_, false);
+  if (settings_.light == clouds::CloudLight::volume) {
+    LightVolumesKey key;
+    key.sun = roundedSun(frame.toSun);
+    if (!weather_) {
+      key.layers.emplace_back(clouds::mediumOf(settings_, kMarchedLayer));
+    } else {
+      // Of the middle of a layer's range, so that they last while the weather changes a little.
+      for (const DrawnLayer& drawn : weather_->layers()) {
+        if (!drawn.isThere) {
+          key.layers.emplace_back();
+          continue;
+        }
+        const LayerRange range = rangeOf(drawn.medium);
+        key.layers.emplace_back(range.most);
+        clouds::CloudLayerSettings& solved = key.layers.back()->layer;
+        solved.coverage = 0.5 * (range.leastCoverage + range.most.layer.coverage);
+        // A range has the extinction to an octave's quarter, which is enough for where there is cloud.
+        constexpr double kExtinctions = 16;  // an octave
+        const double extinction = drawn.medium.layer.extinction;
+        if (extinction > 0)
+          solved.extinction = std::exp2(std::round(std::log2(extinction) * kExtinctions) / kExtinctions);
+      }
+    }
+    if (!volumes_) volumes_ = std::make_unique<LightVolumes>(context_, noise_);
+    hasVolumes_ = volumes_->update(key, !frame.followsLast);
+  } else {
+    volumes_.reset();
+  }
+  if (hasVolumes_ != hadVolumes) history_.reset();  // it is of another light
 }
 
 glm::dvec3 CloudSystem::inField(const glm::dvec3& place, const FrameInput& frame) const {
@@ -342,6 +379,7 @@ void CloudSystem::marchMultiDispatch() {
 
 void CloudSystem::draw(FrameContext& context) {
   prepare(context.frame);
+  takeVolumes(context.frame);
   const std::vector<std::string> defines = definesOf(context);
   beginHistory(context);
   resize(context.frame.view);
@@ -414,6 +452,7 @@ void CloudSystem::setUniforms(FrameContext& context) {
   const View& view = context.frame.view;
   textures_->bind(kMarchedLayer);
   context.sceneDepth.bind(kSceneDepthUnit);
+  if (hasVolumes_) volumes_->bind(kLightVolumesUnit);
   if (weather_) {
     constexpr GLuint kOccupancyUnit = 3;
     weather_->distances().bind(kOccupancyUnit);

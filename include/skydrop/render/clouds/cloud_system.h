@@ -28,6 +28,7 @@ namespace skydrop::render {
 
 class CloudHistory;
 class CloudTextures;
+class LightVolumes;
 class SunOpticalDepthGrid;
 class WeatherLayers;
 
@@ -98,6 +99,8 @@ class CloudSystem final : public Pass {
               const glm::dvec3& middle);
   CloudShadowMap shadowMapOfLayers(FrameContext& context);
   bool drawsWeather(const FrameInput& frame) const;
+  // Takes the light volumes of the frame, where they are asked for and there.
+  void takeVolumes(const FrameInput& frame);
   // The march's defines for the frame.
   std::vector<std::string> definesOf(const FrameContext& context) const;
   void setUniforms(FrameContext& context);
@@ -131,6 +134,8 @@ class CloudSystem final : public Pass {
   std::unique_ptr<CloudTextures> textures_;
   std::shared_ptr<const clouds::PackedCloudNoise> noise_;
   std::unique_ptr<WeatherLayers> weather_;         // null until a frame has weather
+  std::unique_ptr<LightVolumes> volumes_;          // null while they are not asked for
+  bool hasVolumes_ = false;                        // for this frame
   std::vector<clouds::LayerMedium> shadowLayers_;  // that the shadow maps are of; none without weather
   std::unique_ptr<CloudHistory> history_;          // null in frames that use none
   std::shared_ptr<const weather::WeatherSettings> historyWeather_;  // that it is of

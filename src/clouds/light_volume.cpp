@@ -1,0 +1,354 @@
+#include "skydrop/clouds/light_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "skydrop/clouds/raised_sun.h"
+#include "skydrop/core/shared.h"
+
+namespace skydrop::clouds {
+namespace {
+
+namespace f64 = core::shared::f64;
+
+constexpr int kSide = LightVolume::kSide, kRows = LightVolume::kRows;
+constexpr std::size_t kSlice = std::size_t{kSide} * kSide;  // cells of a row
+constexpr float kPi = glm::pi<float>();
+
+// Of a value a cell, row by row from the base, then z, then x.
+using Grid = std::vector<float>;
+
+struct Lengths {
+  float wideM, highM;  // of a cell
+};
+
+// Directions of equal weight in moments up to the fifth order (Lebedev's 14): along the axes and the
+// diagonals.
+constexpr float kAxisWeight = 1.0f / 15, kDiagonalWeight = 3.0f / 40;
+const float kDiagonalSine = 1 / std::sqrt(3.0f);
+
+// What is left of light straight through each cell along a length, and the share of what comes in that the
+// mean over the way has.
+struct Attenuation {
+  Grid left, kept;
+
+  explicit Attenuation(std::size_t cells) : left(cells), kept(cells) {}
+  void set(std::size_t cell, float attenuation) {
+    left[cell] = attenuation;
+    const float depth = -std::log(std::max(attenuation, 1e-30f));
+    kept[cell] = depth > 1e-3f ? (1 - attenuation) / depth : 1 - depth / 2;
+  }
+};
+
+// Samples of a cell along each axis, each the extinction of an eighth of it.
+constexpr int kSamples = 2, kFineSide = kSamples * kSide, kFineRows = kSamples * kRows;
+constexpr std::size_t kFineSlice = std::size_t{kFineSide} * kFineSide;
+
+// Extinction, 1/m, in eighths of cells.
+Grid fineExtinctionOf(const CloudField& field, const Lengths& lengths, const std::stop_token& stop) {
+  const auto most = static_cast<float>(field.layer().extinction);
+  const double wideM = static_cast<double>(lengths.wideM) / kSamples,
+               highM = static_cast<double>(lengths.highM) / kSamples, baseM = field.layer().cloudHeight;
+  Grid fine(kFineSlice * kFineRows);
+  for (int row = 0; row < kFineRows && !stop.stop_requested(); ++row) {
+    for (std::size_t i = 0; i < kFineSlice; ++i) {
+      const glm::dvec3 place((static_cast<double>(i % kFineSide) + 0.5) * wideM, baseM + (row + 0.5) * highM,
+                             (static_cast<double>(i / kFineSide) + 0.5) * wideM);
+      fine[static_cast<std::size_t>(row) * kFineSlice + i] = most * field.densityInFloat(place);
+    }
+  }
+  return fine;
+}
+
+// Where the eighths of a cell are in the fine grid.
+std::array<std::size_t, 8> eighthsOf(std::size_t cell) {
+  const std::size_t row = cell / kSlice, z = cell % kSlice / kSide, x = cell % kSide;
+  std::array<std::size_t, 8> all{};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = (row * 2 + (i >> 2)) * kFineSlice + (z * 2 + (i >> 1 & 1)) * kFineSide + x * 2 + (i & 1);
+  return all;
+}
+
+struct Cells {
+  Grid extinction = Grid(kSlice * kRows);  // mean, 1/m
+  Attenuation vertical{kSlice * kRows}, level{kSlice * kRows}, diagonal{kSlice * kRows};
+};
+
+// lessened: of the extinction, what counts as scattering evenly. Holes in a cell are left out: the mean of
+// exponentials erred by a twentieth more than that of the depths.
+Cells cellsOf(const Grid& fine, const Lengths& lengths, float lessened) {
+  Cells cells;
+  for (std::size_t cell = 0; cell < cells.extinction.size(); ++cell) {
+    float mean = 0;
+    for (const std::size_t eighth : eighthsOf(cell)) mean += fine[eighth] / 8;
+    cells.extinction[cell] = mean;
+    const float across = lessened * mean * lengths.highM;
+    cells.vertical.set(cell, std::exp(-across));
+    cells.level.set(cell, std::exp(-lessened * mean * lengths.wideM));
+    cells.diagonal.set(cell, std::exp(-across / kDiagonalSine));
+  }
+  return cells;
+}
+
+int wrapped(int i, int side = kSide) { return i & (side - 1); }
+
+// Optical depths from eighths of cells to the top of the layer, towards the sun, in steps of two thirds of an
+// eighth's shortest side.
+class SunDepths {
+ public:
+  SunDepths(const Grid& fine, const Lengths& lengths, const glm::dvec3& toSun) : fine_(fine) {
+    const glm::dvec3 inEighths =
+        raisedSun(toSun) * double{kSamples} /
+        glm::dvec3(static_cast<double>(lengths.wideM), static_cast<double>(lengths.highM),
+                   static_cast<double>(lengths.wideM));
+    const double stepM =
+        0.66 / std::max({std::abs(inEighths.x), std::abs(inEighths.y), std::abs(inEighths.z)});
+    step_ = glm::vec3(inEighths * stepM);
+    stepM_ = static_cast<float>(stepM);
+  }
+
+  float depth(std::size_t eighth) const {
+    glm::vec3 at(static_cast<float>(eighth % kFineSide) + 0.5f,
+                 static_cast<float>(eighth / kFineSlice) + 0.5f,
+                 static_cast<float>(eighth % kFineSlice / kFineSide) + 0.5f);
+    float sum = 0;
+    at += 0.5f * step_;
+    while (at.y < static_cast<float>(kFineRows)) {
+      const auto x = static_cast<std::size_t>(wrapped(static_cast<int>(std::floor(at.x)), kFineSide)),
+                 z = static_cast<std::size_t>(wrapped(static_cast<int>(std::floor(at.z)), kFineSide));
+      sum += fine_[static_cast<std::size_t>(at.y) * kFineSlice + z * kFineSide + x];
+      at += step_;
+    }
+    return sum * stepM_;
+  }
+
+ private:
+  const Grid& fine_;
+  glm::vec3 step_{0};
+  float stepM_ = 0;
+};
+
+// What the sun sends straight to the cloud in each cell.
+Grid sunOf(const Grid& fine, const Lengths& lengths, const glm::dvec3& toSun) {
+  Grid sun(kSlice * kRows, 0.0f);
+  const SunDepths depths(fine, lengths, toSun);
+  for (std::size_t cell = 0; cell < sun.size(); ++cell) {
+    float sum = 0, weight = 0;
+    for (const std::size_t eighth : eighthsOf(cell)) {
+      if (!(fine[eighth] > 0)) continue;
+      sum += fine[eighth] * std::exp(-depths.depth(eighth));
+      weight += fine[eighth];
+    }
+    if (weight > 0) sun[cell] = sum / weight;
+  }
+  return sun;
+}
+
+// The mean radiance of all directions in every cell, for a source a cell and radiance that comes in at the
+// top. Row by row, so that what a row needs stays in the processor's cache.
+class Sweep {
+ public:
+  Sweep(const Cells& cells, const Lengths& lengths) : cells_(cells) {
+    const float shift = std::min(lengths.highM / lengths.wideM, static_cast<float>(kPad - 2));
+    whole_ = static_cast<int>(shift);
+    share_ = shift - static_cast<float>(whole_);
+  }
+
+  void operator()(const Grid& source, float atTop, Grid& mean) {
+    std::ranges::fill(mean, 0.0f);
+    for (const bool down : {true, false}) {
+      for (Grid& in : in_) std::ranges::fill(in, down ? atTop : 0.0f);
+      for (int i = 0; i < kRows; ++i) {
+        const std::size_t first = static_cast<std::size_t>(down ? kRows - 1 - i : i) * kSlice;
+        pass(in_[4].data(), source.data(), cells_.vertical, first, kSlice, kAxisWeight, mean.data());
+        for (int k = 0; k < 4; ++k) {
+          Grid& in = in_[static_cast<std::size_t>(k)];
+          if (i > 0) move(in, (k & 1) * 2 - 1, (k & 2) - 1);
+          pass(in.data(), source.data(), cells_.diagonal, first, kSlice, kDiagonalWeight, mean.data());
+        }
+        if (down) level(source, first, mean);
+      }
+    }
+  }
+
+ private:
+  static constexpr int kPad = 16;
+
+  // Light through `count` cells that lie beside each other.
+  static void pass(float* in, const float* sources, const Attenuation& attenuation, std::size_t first,
+                   std::size_t count, float weight, float* means) {
+    const float *left = attenuation.left.data() + first, *kept = attenuation.kept.data() + first,
+                *source = sources + first;
+    float* mean = means + first;
+#ifdef __GNUC__
+#pragma GCC ivdep
+#endif
+    for (std::size_t i = 0; i < count; ++i) {
+      const float over = in[i] - source[i];
+      mean[i] += weight * (source[i] + over * kept[i]);
+      in[i] = source[i] + over * left[i];
+    }
+  }
+
+  // From the middle of a row to that of the next light goes as far east or west, and north or south, as rows
+  // are high.
+  void move(Grid& in, int toX, int toZ) {
+    const auto moved = [](int i, int by) { return static_cast<std::size_t>(wrapped(i - by)) * kSide; };
+    std::array<float, kSide + 2 * kPad> line{};
+    float* inner = line.data() + kPad;
+    for (int z = 0; z < kSide; ++z) {
+      const float *near = in.data() + moved(z, toZ * whole_), *far = in.data() + moved(z, toZ * (whole_ + 1));
+      for (int x = 0; x < kSide; ++x) inner[x] = near[x] + (far[x] - near[x]) * share_;
+      for (int i = 0; i < kPad; ++i) {
+        inner[kSide + i] = inner[i];
+        inner[-1 - i] = inner[kSide - 1 - i];
+      }
+      const float *nearX = inner - toX * whole_, *farX = inner - toX * (whole_ + 1);
+      float* out = moved_.data() + static_cast<std::size_t>(z) * kSide;
+      for (int x = 0; x < kSide; ++x) out[x] = nearX[x] + (farX[x] - nearX[x]) * share_;
+    }
+    std::swap(in, moved_);
+  }
+
+  // Along a row; light that has gone round a period begins anew with what the first way round found.
+  void level(const Grid& source, std::size_t first, Grid& mean) {
+    for (const bool forward : {true, false}) {
+      std::array<float, kSide> in{};
+      for (int turn = 0; turn < 2; ++turn) {
+        for (int i = 0; i < kSide; ++i) {
+          const std::size_t line = first + static_cast<std::size_t>(forward ? i : kSide - 1 - i) * kSide;
+          pass(in.data(), source.data(), cells_.level, line, kSide, turn == 1 ? kAxisWeight : 0.0f,
+               mean.data());
+        }
+      }
+      // All lines beside each other: cells of a line wait for one another.
+      in = {};
+      for (int turn = 0; turn < 2; ++turn) {
+        const float weight = turn == 1 ? kAxisWeight : 0.0f;
+        for (int i = 0; i < kSide; ++i) {
+          const auto x = static_cast<std::size_t>(forward ? i : kSide - 1 - i);
+          for (std::size_t z = 0; z < kSide; ++z) {
+            const std::size_t cell = first + z * kSide + x;
+            const float over = in[z] - source[cell];
+            mean[cell] += weight * (source[cell] + over * cells_.level.kept[cell]);
+            in[z] = source[cell] + over * cells_.level.left[cell];
+          }
+        }
+      }
+    }
+  }
+
+  const Cells& cells_;
+  int whole_ = 0;
+  float share_ = 0;
+  std::array<Grid, 5> in_ = {Grid(kSlice), Grid(kSlice), Grid(kSlice), Grid(kSlice), Grid(kSlice)};
+  Grid moved_ = Grid(kSlice);
+};
+
+// Mean radiance in every cell of what has been scattered, or of all where light comes from outside: the fixed
+// point of a sweep, with the last two turns mixed so that what they still change is least (Anderson 1965).
+// `mean` is where it begins.
+Grid solve(Sweep& sweep, const Grid& first, float atTop, Grid mean, const std::stop_token& stop) {
+  const std::size_t count = first.size();
+  Grid source(count), swept(count), lastSwept, lastChange(count);
+  for (int i = 0; i < LightVolume::kIterations && !stop.stop_requested(); ++i) {
+    for (std::size_t k = 0; k < count; ++k) source[k] = first[k] + mean[k];
+    sweep(source, atTop, swept);
+    double product = 0, square = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const float change = swept[k] - mean[k];
+      const auto difference = static_cast<double>(change - lastChange[k]);
+      product += static_cast<double>(change) * difference;
+      square += difference * difference;
+      lastChange[k] = change;
+    }
+    const bool mixes = !lastSwept.empty() && square > 0;
+    const auto share = mixes ? static_cast<float>(product / square) : 0.0f;
+    if (lastSwept.empty()) lastSwept = swept;
+    for (std::size_t k = 0; k < count; ++k)
+      mean[k] = std::max(0.0f, swept[k] + share * (lastSwept[k] - swept[k]));
+    std::swap(lastSwept, swept);
+  }
+  return mean;
+}
+
+// Light of the sky if every column were an even layer: diffusion between the black ends of Milne's problem.
+Grid layeredSky(const Grid& extinction, float lessenedM) {
+  constexpr float kEnd = 0.7104f;
+  Grid mean(extinction.size());
+  for (std::size_t column = 0; column < kSlice; ++column) {
+    float all = 0, below = 0;
+    for (std::size_t row = 0; row < kRows; ++row) all += lessenedM * extinction[row * kSlice + column];
+    for (std::size_t row = 0; row < kRows; ++row) {
+      const float depth = lessenedM * extinction[row * kSlice + column];
+      mean[row * kSlice + column] = (below + 0.5f * depth + kEnd) / (all + 2 * kEnd) / kPi;
+      below += depth;
+    }
+  }
+  return mean;
+}
+
+}  // namespace
+
+LightVolume::LightVolume(const CloudField& field, const glm::dvec3& toSun, std::stop_token stop)
+    : baseM_(field.layer().cloudHeight),
+      thicknessM_(field.layer().thickness),
+      periodM_(weatherPeriod(field.medium())),
+      texels_(kSlice * kRows) {
+  const Lengths lengths{static_cast<float>(periodM_ / kSide), static_cast<float>(thicknessM_ / kRows)};
+  const CloudLayerSettings& layer = field.layer();
+  // What scatters onwards by a mean cosine g counts as scattering evenly at (1 - g) of the extinction.
+  const double g = std::lerp(layer.anisotropy, f64::kForwardAnisotropy, layer.forwardShare);
+  const Grid fine = fineExtinctionOf(field, lengths, stop);
+  if (stop.stop_requested()) return;
+  const Cells cells = cellsOf(fine, lengths, static_cast<float>(1 - g));
+  Sweep sweep(cells, lengths);
+  const Grid none(kSlice * kRows, 0.0f);
+  Grid sun = none;
+  if (toSun.y > 0) {
+    Grid first = sunOf(fine, lengths, toSun);
+    for (float& light : first) light /= 4 * kPi;
+    sun = solve(sweep, first, 0, none, stop);
+  }
+  const Grid sky = solve(sweep, none, 1 / kPi,
+                         layeredSky(cells.extinction, static_cast<float>(1 - g) * lengths.highM), stop);
+  if (stop.stop_requested()) return;
+  for (std::size_t i = 0; i < texels_.size(); ++i) {
+    const std::size_t row = i / kSlice, z = i % kSlice / kSide, x = i % kSide;
+    // Nothing absorbs: of even light from above and below there is as much in cloud as outside.
+    const float ofSky = std::min(sky[i], 1 / kPi);
+    texels_[(z * kRows + row) * kSide + x] = {sun[i], ofSky, 1 / kPi - ofSky, cells.extinction[i]};
+  }
+  isSolved_ = true;
+}
+
+LightVolume::Texel LightVolume::at(const glm::dvec3& place) const {
+  const auto level = [&](double metres) {
+    const double turns = metres / periodM_;
+    return (turns - std::floor(turns)) * kSide - 0.5;
+  };
+  const glm::dvec3 cell(level(place.x),
+                        std::clamp((place.y - baseM_) / thicknessM_ * kRows - 0.5, 0.0, kRows - 1.0),
+                        level(place.z));
+  const glm::dvec3 low = glm::floor(cell);
+  const glm::vec3 share(cell - low);
+  Texel sum;
+  for (int corner = 0; corner < 8; ++corner) {
+    const int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
+    const auto x = static_cast<std::size_t>(wrapped(static_cast<int>(low.x) + dx)),
+               y = static_cast<std::size_t>(std::min(static_cast<int>(low.y) + dy, kRows - 1)),
+               z = static_cast<std::size_t>(wrapped(static_cast<int>(low.z) + dz));
+    const float weight =
+        (dx ? share.x : 1 - share.x) * (dy ? share.y : 1 - share.y) * (dz ? share.z : 1 - share.z);
+    const Texel& texel = texels_[(z * kRows + y) * kSide + x];
+    sum.sun += weight * texel.sun;
+    sum.sky += weight * texel.sky;
+    sum.ground += weight * texel.ground;
+    sum.extinction += weight * texel.extinction;
+  }
+  return sum;
+}
+
+}  // namespace skydrop::clouds
