@@ -56,7 +56,7 @@ void describe(core::SettingsVisitor& visitor, CloudLightParameters& p) {
                   {.unit = "1", .min = -1, .max = 5, .help = "Of the scene's pictures; -1: all of them."});
 }
 
-constexpr clouds::MarchSteps kSteps{512, 48};
+constexpr clouds::MarchSteps kSteps{256, 32};
 constexpr double kLeastOpacity = 0.01;  // of pixels that count
 
 // A scene with all that is made of it.
