@@ -63,8 +63,9 @@ TEST(InstalledProgram, hasWhatADesktopLooksFor) {
   // The program has no domain of its own to name itself by: that is the one warning.
   std::istringstream lines(valid.out);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("W: ") || line.starts_with("E: "))
+    if (line.starts_with("W: ") || line.starts_with("E: ")) {
       EXPECT_NE(line.find("cid-desktopapp-is-not-rdns"), std::string::npos) << line;
+    }
   }
   EXPECT_NE(valid.out.find("cid-desktopapp-is-not-rdns"), std::string::npos) << valid.out << valid.err;
 }
