@@ -277,12 +277,12 @@ TEST_F(UserSettingsTest, aChangeThatIsNotSavedYetOutlivesAnEditByHand) {
   change(*run, "aircraft.pitchSpeed=22");
   run->bindings.bind(Action::camera, keyInput('V'), 0);
   folder.write("settings.json",
-               R"({"schema": 1, "settings": {"aircraft": {"mass": 1200}}, "bindings": {"mute": ["N"]}})");
+               R"({"schema": 1, "settings": {"aircraft": {"mass": 1200}}, "bindings": {"mute": ["K"]}})");
   reloadPlayer(*run);
   EXPECT_EQ(run->settings.aircraft.mass, 1200);
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 22);
   EXPECT_EQ(run->bindings.actionOf(keyInput('V')), Action::camera);
-  EXPECT_EQ(run->bindings.actionOf(keyInput('N')), Action::mute);
+  EXPECT_EQ(run->bindings.actionOf(keyInput('K')), Action::mute);
   save(*run);
   EXPECT_EQ(kept()["settings"]["aircraft"], nlohmann::json({{"mass", 1200}, {"pitchSpeed", 22}}));
   EXPECT_EQ(kept()["bindings"].size(), 2u) << kept();
@@ -363,7 +363,7 @@ TEST_F(UserSettingsTest, boundKeysComeBack) {
   nlohmann::json edited = kept();
   edited["bindings"]["hover"] = {"H"};
   edited["bindings"]["camera"] = {"ANY"};
-  edited["bindings"]["mute"] = {"N"};
+  edited["bindings"]["mute"] = {"K"};
   const auto next = start(edited.dump());
   ASSERT_TRUE(next->warning);
   EXPECT_THAT(*next->warning, testing::HasSubstr("bindings.hover: is no action"));
@@ -373,12 +373,12 @@ TEST_F(UserSettingsTest, boundKeysComeBack) {
   save(*next);
   EXPECT_EQ(kept()["bindings"]["hover"], nlohmann::json({"H"}));
   EXPECT_EQ(kept()["bindings"]["camera"], nlohmann::json({"ANY"}));
-  EXPECT_EQ(kept()["bindings"]["mute"], nlohmann::json({"N"}));
+  EXPECT_EQ(kept()["bindings"]["mute"], nlohmann::json({"K"}));
   EXPECT_EQ(start()->bindings, next->bindings);
   folder.write("settings.json", R"({"schema": 1, "bindings": {"camera": ["V"]}})");
   reloadPlayer(*next);
   EXPECT_EQ(next->bindings.actionOf(keyInput('V')), Action::camera);
-  EXPECT_EQ(next->bindings.actionOf(keyInput('N')), std::nullopt)
+  EXPECT_EQ(next->bindings.actionOf(keyInput('K')), std::nullopt)
       << "what the file no longer changes is at its default";
 }
 

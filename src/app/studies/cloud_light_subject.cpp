@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <map>
 #include <memory>
+#include <thread>
 
 #include "app/studies/light_scenes.h"
 #include "app/studies/subjects.h"
@@ -81,6 +83,8 @@ struct Prepared {
   clouds::CloudField field;
   clouds::MarchMedium medium;
   std::unique_ptr<clouds::LightVolume> solved;  // null until it is asked for
+  std::map<LightModel, std::vector<std::vector<clouds::MarchResult>>>
+      marched;  // by view and pixel, once asked for
 };
 
 // A draw of the standard normal distribution (Box and Muller 1958).
@@ -148,8 +152,7 @@ class CloudLightSubject final : public TableSubject<CloudLightParameters> {
     for (std::size_t v = 0; v < of.views.size(); ++v) {
       if (p.view >= 0 && v != static_cast<std::size_t>(p.view)) continue;
       for (std::size_t i = 0; i < of.views[v].rays.size(); ++i) {
-        if (1 - of.judged.views[v][i].mean.transmittance > kLeastOpacity)
-          use(of.views[v].rays[i], of.judged.views[v][i]);
+        if (1 - of.judged.views[v][i].mean.transmittance > kLeastOpacity) use(v, i);
       }
     }
   }
@@ -161,16 +164,16 @@ class CloudLightSubject final : public TableSubject<CloudLightParameters> {
     const bool isJudge = p.model == LightModel::judge || p.model == LightModel::judgeDoubled;
     // Twice as many paths, half of them these: the mean would change by this share of its error bars.
     const double noise = p.model == LightModel::judgeDoubled ? std::sqrt(0.5) : 0;
-    const clouds::ScatteredLight scattered = isJudge ? nullptr : scatteringOf(p.model, of);
-    const clouds::MarchLight light = lightOf(of);
-    eachPixel(p, of, [&](const clouds::MarchRay& ray, const clouds::TracedPixel& judged) {
+    const std::vector<std::vector<clouds::MarchResult>>* marched =
+        isJudge ? nullptr : &marchedBy(p.model, of);
+    eachPixel(p, of, [&](std::size_t view, std::size_t pixel) {
       if (isJudge) {
+        const clouds::TracedPixel& judged = of.judged.views[view][pixel];
         observation.values.push_back(judged.mean.*kTraced[source] + noise *
                                                                         normal(observation.values.size()) *
                                                                         judged.error.*kTraced[source]);
       } else {
-        observation.values.push_back(clouds::referenceMarch(of.medium, light, ray, kSteps, scattered).*
-                                     kMarched[source]);
+        observation.values.push_back((*marched)[view][pixel].*kMarched[source]);
       }
     });
     return observation;
@@ -191,6 +194,25 @@ class CloudLightSubject final : public TableSubject<CloudLightParameters> {
       sum += light.x + light.y + light.z;
     }
     return sum;
+  }
+
+  // Every pixel of a scene by a model, which is the same march for all sources of light and all views.
+  const std::vector<std::vector<clouds::MarchResult>>& marchedBy(LightModel model, Prepared& of) {
+    std::vector<std::vector<clouds::MarchResult>>& views = of.marched[model];
+    if (!views.empty()) return views;
+    const clouds::ScatteredLight scattered = scatteringOf(model, of);
+    const clouds::MarchLight light = lightOf(of);
+    for (const LightView& view : of.views) {
+      std::vector<clouds::MarchResult>& results = views.emplace_back(view.rays.size());
+      std::atomic<std::size_t> next = 0;
+      const auto march = [&] {
+        for (std::size_t i = next++; i < results.size(); i = next++)
+          results[i] = clouds::referenceMarch(of.medium, light, view.rays[i], kSteps, scattered);
+      };
+      const std::jthread beside(march);  // the same bits, whoever marches a ray
+      march();
+    }
+    return views;
   }
 
   static clouds::MarchLight lightOf(const Prepared& of) {
