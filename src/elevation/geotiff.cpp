@@ -368,7 +368,12 @@ std::shared_ptr<const Raster> openGeoTiff(const std::filesystem::path& file) {
   // m: not mapped into memory, where a file that becomes shorter ends the program.
   TiffHandle tiff(TIFFOpenExt(name.c_str(), "rm", options));
   TIFFOpenOptionsFree(options);
-  if (!tiff) throw DataError(name, "", message->empty() ? "is not a TIFF" : *message);
+  if (!tiff) {
+    const std::string_view said = *message;
+    const bool namesFile = said.starts_with(name + ": ");
+    throw DataError(name, "header",
+                    said.empty() ? "is not a TIFF" : said.substr(namesFile ? name.size() + 2 : 0));
+  }
   const GeoTiff::Layout layout = layoutOf(tiff.get(), name);
   requireBlocks(tiff.get(), layout, std::filesystem::file_size(file), name);
   if (!message->empty()) throw DataError(name, layout.isTiled ? "tiles" : "strips", *message);
