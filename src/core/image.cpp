@@ -31,6 +31,12 @@
 namespace skydrop::core {
 namespace {
 
+// Of stb_image, which does not always give one.
+const char* failureReason() {
+  const char* const reason = stbi_failure_reason();
+  return reason != nullptr ? reason : "cannot be decoded";
+}
+
 constexpr int kMaxSide = 16384;
 constexpr std::uint64_t kMostRowBytes = std::uint64_t{1} << 29;  // stb_image takes chunks of up to a gigabyte
 constexpr std::uint64_t kMostDeflated = 1032;  // bytes that a byte of a deflate stream can stand for
@@ -55,7 +61,7 @@ std::vector<std::byte> rowsOf(const PngContent& content, std::string_view name) 
   const int inflated = stbi_zlib_decode_buffer(
       reinterpret_cast<char*>(rows.data()), static_cast<int>(rows.size()),
       reinterpret_cast<const char*>(content.compressed.data()), static_cast<int>(content.compressed.size()));
-  if (inflated < 0) throw DataError(name, "pixels", stbi_failure_reason());
+  if (inflated < 0) throw DataError(name, "pixels", failureReason());
   if (static_cast<std::size_t>(inflated) < rows.size()) throw DataError(name, "pixels", kCutOff);
   if (!matchesChecksum(rows, content.compressed)) throw DataError(name, "pixels", "their checksum is wrong");
   return rows;
@@ -80,7 +86,7 @@ Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
                              &width, &height, &channels)) {
-    throw DataError(name, "chunk IHDR", stbi_failure_reason());
+    throw DataError(name, "chunk IHDR", failureReason());
   }
   // Inflated once, for the check: stb_image gets the rows as they are.
   const std::vector<std::byte> stored = withStoredRows(content, rowsOf(content, name));
@@ -88,7 +94,7 @@ Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
   const int size = static_cast<int>(stored.size());
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
-  if (!pixels) throw DataError(name, "pixels", stbi_failure_reason());
+  if (!pixels) throw DataError(name, "pixels", failureReason());
   Image image(width, height);
   std::memcpy(image.rgba.data(), pixels.get(), image.rgba.size());
   return image;

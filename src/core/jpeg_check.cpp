@@ -32,6 +32,7 @@ class Walk {
       if (length < 2) fail("a segment of " + std::to_string(length) + " bytes");
       if (length > bytes_.size() - at_) fail("is cut off");
       if (isFrame(marker)) readFrame(marker, length);
+      if (marker == kHuffmanTables) checkHuffmanTables(at_ + 2, at_ + length);
       if (marker == kScan && !size_) fail("a scan before the frame");
       at_ += length;
       if (marker == kScan) skipScan();
@@ -70,6 +71,23 @@ class Walk {
       fail("has " + std::to_string(size.components) + " components, not 1 or 3");
     size_ = size;
   }
+  // A decoder has room for 256 codes, and trusts their lengths (ISO/IEC 10918-1, B.2.4.2 and C.2).
+  void checkHuffmanTables(std::size_t from, std::size_t end) const {
+    while (from < end) {
+      std::size_t codes = 0, used = 0;  // `used` of the 2^length codes that there are
+      if (end - from < 17) fail("a Huffman table that is cut off");
+      for (std::size_t length = 1; length <= 16; ++length) {
+        const auto count = static_cast<std::size_t>(byteAt(from + length));
+        codes += count;
+        used = 2 * used + count;
+        if (used > std::size_t{1} << length) fail("more Huffman codes than there are");
+      }
+      if (codes > 256) fail("a Huffman table of " + std::to_string(codes) + " codes");
+      if (codes > end - from - 17) fail("a Huffman table that is cut off");
+      from += 17 + codes;
+    }
+  }
+
   // To the next marker that ends the coded data: FF 00 and restarts belong to them.
   void skipScan() {
     hasScan_ = true;

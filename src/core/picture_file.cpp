@@ -51,7 +51,11 @@ Image decodeJpeg(std::span<const std::byte> bytes, std::string_view name) {
       stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
                             &width, &height, &channels, 4),
       stbi_image_free);
-  if (!pixels) throw DataError(name, "pixels", stbi_failure_reason());
+  if (!pixels) {
+    const char* const reason =
+        stbi_failure_reason();  // null where it gives none, or the last one that it gave
+    throw DataError(name, "pixels", reason != nullptr ? reason : "cannot be decoded");
+  }
   Image image(width, height);
   std::memcpy(image.rgba.data(), pixels.get(), image.rgba.size());
   return image;
