@@ -6,7 +6,8 @@ set -euo pipefail
 build=(g++ cmake ninja-build pkg-config ccache)
 libraries=(libglfw3-dev libglm-dev libimgui-dev libstb-dev libassimp-dev zlib1g-dev libopenal-dev libsndfile1-dev
            libegl-dev libgl-dev libegl1 libgl1 libgl1-mesa-dri nlohmann-json3-dev libcli11-dev
-           libcurl4-openssl-dev libtiff-dev libgeotiff-dev libproj-dev proj-data libzip-dev)
+           libcurl4-openssl-dev libtiff-dev libgeotiff-dev libproj-dev proj-data libzip-dev
+           libturbojpeg0-dev)
 tests=(libgtest-dev libgmock-dev libbenchmark-dev libosmesa6 xvfb xauth xdotool x11-utils glslang-tools
        python3 python3-numpy python3-jsonschema appstream chromium snakemake)
 

@@ -50,6 +50,17 @@ else()
 endif()
 add_library(skydrop::libzip ALIAS skydrop_libzip)
 
+# JPEG: Debian has a pkg-config file, vcpkg a CMake config.
+add_library(skydrop_turbojpeg INTERFACE)
+pkg_check_modules(TURBOJPEG QUIET IMPORTED_TARGET libturbojpeg)
+if(TARGET PkgConfig::TURBOJPEG)
+  target_link_libraries(skydrop_turbojpeg INTERFACE PkgConfig::TURBOJPEG)
+else()
+  find_package(libjpeg-turbo CONFIG REQUIRED)
+  target_link_libraries(skydrop_turbojpeg INTERFACE libjpeg-turbo::turbojpeg)
+endif()
+add_library(skydrop::turbojpeg ALIAS skydrop_turbojpeg)
+
 # Dear ImGui: vcpkg has a CMake config, Debian a pkg-config file.
 find_package(imgui CONFIG QUIET)
 add_library(skydrop_imgui INTERFACE)

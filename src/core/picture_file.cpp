@@ -1,28 +1,14 @@
 #include "skydrop/core/picture_file.h"
 
-#include <cstring>
+#include <turbojpeg.h>
+
 #include <memory>
+#include <new>
 #include <string>
 
 #include "core/jpeg_check.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
-
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#endif
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_JPEG
-#define STBI_NO_STDIO
-#include <stb_image.h>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
 
 namespace skydrop::core {
 namespace {
@@ -46,18 +32,15 @@ Image decodeJpeg(std::span<const std::byte> bytes, std::string_view name) {
   if (bytes.size() > kMostBytes) throw DataError(name, "", "is larger than 256 MiB");
   if (pixelCount / (size.isProgressive ? kMostPixelsAByteInScans : kMostPixelsAByte) > bytes.size())
     throw DataError(name, "", "is cut off");
-  int width = 0, height = 0, channels = 0;
-  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
-                            &width, &height, &channels, 4),
-      stbi_image_free);
-  if (!pixels) {
-    const char* const reason =
-        stbi_failure_reason();  // null where it gives none, or the last one that it gave
-    throw DataError(name, "pixels", reason != nullptr ? reason : "cannot be decoded");
-  }
-  Image image(width, height);
-  std::memcpy(image.rgba.data(), pixels.get(), image.rgba.size());
+  const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
+  if (!decoder) throw std::bad_alloc();
+  Image image(size.width, size.height);
+  // What libjpeg would only warn of is a picture that was made up in part.
+  if (tjDecompress2(decoder.get(), reinterpret_cast<const unsigned char*>(bytes.data()),
+                    static_cast<unsigned long>(bytes.size()), image.rgba.data(), size.width, 4 * size.width,
+                    size.height, TJPF_RGBA,
+                    TJFLAG_STOPONWARNING | TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0)
+    throw DataError(name, "pixels", tjGetErrorStr2(decoder.get()));
   return image;
 }
 
