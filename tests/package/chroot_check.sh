@@ -7,8 +7,11 @@ deb=$(realpath "$1") zip=$(realpath "$2") root=$3
 
 mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
 debootstrap --variant=minbase bookworm "$root" "$mirror" >/dev/null
+mount -t proc proc "$root/proc"  # by which a program knows where it lies
+trap 'umount "$root/proc"' EXIT
 inside() { chroot "$root" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 # The proxy and certificates of this machine's apt, where it has them.
+rm -f "$root/etc/apt/sources.list"
 for part in /etc/apt/apt.conf.d /etc/apt/sources.list /etc/apt/sources.list.d /etc/ssl/certs; do
   [ ! -e "$part" ] || cp -rL "$part" "$root/$(dirname "$part")/"
 done
@@ -35,6 +38,6 @@ mkdir "$root/opt/somewhere"
 python3 -c 'import sys, zipfile; zipfile.ZipFile(sys.argv[1]).extractall(sys.argv[2])' "$zip" "$root/opt/somewhere"
 program=$(cd "$root" && find opt/somewhere -path '*/bin/skydrop')
 chmod +x "$root/$program"
-inside "/$program" info | head -n 2
+inside "/$program" info | sed -n 1,2p
 inside "/$program" render --scene duskPlanes --size 160x90 --out /tmp/moved.png
 echo "== all is well"
