@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <utility>
 
-#include "skydrop/core/error.h"
 #include "ui/field_label.h"
 #include "ui/menu_item.h"
 #include "ui/row_editor.h"
+#include "ui/texture_id.h"
+#include "ui/tool_row.h"
 
 namespace skydrop::ui {
 namespace {
@@ -17,15 +18,6 @@ namespace {
 constexpr float kListLines = 17, kKnobLines = 11.5f, kLabelLines = 9, kColumnLines = 22;
 constexpr ImGuiWindowFlags kFixed = (ImGuiWindowFlags_NoDecoration & ~ImGuiWindowFlags_NoScrollbar) |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-
-// ImTextureID is a pointer in some versions of Dear ImGui and an integer in others.
-template <class Id>
-Id textureId(std::uint32_t name) {
-  if constexpr (std::is_pointer_v<Id>)
-    return reinterpret_cast<Id>(static_cast<std::uintptr_t>(name));
-  else
-    return static_cast<Id>(name);
-}
 
 // Where the picture and the knobs begin, pixels.
 struct Split {
@@ -81,25 +73,10 @@ void LabView::Parts::list(const LabContent& content, LabResult& result) {
 }
 
 void LabView::Parts::row(const core::Field& field, float labelWidth, LabResult& result) {
-  ImGui::PushID(field.path.c_str());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(humanName(field.name).c_str());
-  tooltip(tooltipText(field));
-  ImGui::SameLine(labelWidth);
-  ScreenRect place;
-  const RowOutcome outcome = rows.draw(field, place);
-  places[field.path] = place;
-  try {
-    if (outcome.before) core::setField(field, *outcome.before);
-    if (outcome.value) core::setField(field, *outcome.value);
-    if (outcome.typed) core::setField(field, withoutUnit(field, *outcome.typed));
-    result.changed = result.changed || outcome.before || outcome.value || outcome.typed;
-  } catch (const core::RangeError& refusal) {
-    result.refusal = refusal.what();
-  }
-  result.held = result.held || outcome.held;
-  if (outcome.wantsToType) rows.type(field);
-  ImGui::PopID();
+  ToolRow drawn = drawToolRow(rows, field, labelWidth, places);
+  result.changed = result.changed || drawn.changed;
+  result.held = result.held || drawn.held;
+  if (drawn.refusal) result.refusal = std::move(drawn.refusal);
 }
 
 void LabView::Parts::knobs(const LabContent& content, float line, LabResult& result) {
@@ -133,7 +110,7 @@ void LabView::Parts::picture(const LabContent& content, float line, LabResult& r
   const ImVec2 from = ImGui::GetCursorScreenPos(), to{from.x + size.x, from.y + size.y};
   if (size.x < 1 || size.y < 1) return;
   if (content.texture != 0)
-    ImGui::GetWindowDrawList()->AddImage(textureId<ImTextureID>(content.texture), from, to, {0, 1}, {1, 0});
+    ImGui::GetWindowDrawList()->AddImage(textureId(content.texture), from, to, {0, 1}, {1, 0});
   ImGui::InvisibleButton("picture", size);
   places["picture"] = lastItemRect();
   const ImGuiIO& io = ImGui::GetIO();

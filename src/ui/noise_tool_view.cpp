@@ -5,27 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <type_traits>
+#include <utility>
 
-#include "skydrop/core/error.h"
-#include "ui/field_label.h"
 #include "ui/menu_item.h"
 #include "ui/row_editor.h"
+#include "ui/texture_id.h"
+#include "ui/tool_row.h"
 
 namespace skydrop::ui {
 namespace {
 
 constexpr float kPanelLines = 27, kLabelLines = 9, kHistogramLines = 4;
 constexpr ImU32 kSky = IM_COL32(92, 142, 196, 255), kGround = IM_COL32(20, 24, 30, 255);
-
-// ImTextureID is a pointer in some versions of Dear ImGui and an integer in others.
-template <class Id>
-Id textureId(std::uint32_t name) {
-  if constexpr (std::is_pointer_v<Id>)
-    return reinterpret_cast<Id>(static_cast<std::uintptr_t>(name));
-  else
-    return static_cast<Id>(name);
-}
 
 }  // namespace
 
@@ -41,28 +32,11 @@ struct NoiseToolView::Parts {
 NoiseToolView::NoiseToolView() : parts_(std::make_unique<Parts>()) {}
 NoiseToolView::~NoiseToolView() = default;
 
-void NoiseToolView::Parts::row(const core::Field& described, float labelWidth, NoiseToolResult& result) {
-  core::Field field = described;
-  field.takesEffect = core::TakesEffect::live;  // a slider's every step is shown
-  ImGui::PushID(field.path.c_str());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(humanName(field.name).c_str());
-  tooltip(tooltipText(described));
-  ImGui::SameLine(labelWidth);
-  ScreenRect place;
-  const RowOutcome outcome = rows.draw(field, place);
-  places[field.path] = place;
-  try {
-    if (outcome.before) core::setField(field, *outcome.before);
-    if (outcome.value) core::setField(field, *outcome.value);
-    if (outcome.typed) core::setField(field, withoutUnit(field, *outcome.typed));
-    result.changed = result.changed || outcome.before || outcome.value || outcome.typed;
-  } catch (const core::RangeError& refusal) {
-    result.refusal = refusal.what();
-  }
-  result.held = result.held || outcome.held;
-  if (outcome.wantsToType) rows.type(field);
-  ImGui::PopID();
+void NoiseToolView::Parts::row(const core::Field& field, float labelWidth, NoiseToolResult& result) {
+  ToolRow drawn = drawToolRow(rows, field, labelWidth, places);
+  result.changed = result.changed || drawn.changed;
+  result.held = result.held || drawn.held;
+  if (drawn.refusal) result.refusal = std::move(drawn.refusal);
 }
 
 void NoiseToolView::Parts::panel(const NoiseToolContent& content, float line, NoiseToolResult& result) {
@@ -122,7 +96,7 @@ NoiseToolResult NoiseToolView::draw(const Interface& context, const NoiseToolCon
     if (picture.overSky) list.AddRectFilled(from, to, kSky);
     const float end = picture.tiled ? 2.0f : 1.0f;
     if (picture.texture != 0 && side > 0) {
-      list.AddImage(textureId<ImTextureID>(picture.texture), from, to, {0, picture.upsideDown ? end : 0},
+      list.AddImage(textureId(picture.texture), from, to, {0, picture.upsideDown ? end : 0},
                     {end, picture.upsideDown ? 0 : end});
     }
     (sideBySide ? left : top) += side + margin;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "app/cli/accuracy_flags.h"
 #include "app/cli/elevation_flags.h"
 #include "app/cli/flag_options.h"
 #include "app/cli/flag_values.h"
@@ -85,7 +86,8 @@ class Parser {
       verb->add_flag("--progress", line_.progress,
                      "tell how far it is, each second, where there is no terminal");
     }
-    addAccuracy(*accuracy);
+    addAccuracyFlags(*accuracy, line_);
+    addSize(*accuracy);
     addText(*info, "--backend", "egl|osmesa|window", "the back-end to ask",
             [this](const std::string& t) { line_.backend = parseBackend(t); });
     info->add_option("PICTURE", line_.picture, "a PNG file: print what it says about how it was made");
@@ -293,55 +295,6 @@ class Parser {
             });
   }
 
-  void addAccuracy(CLI::App& verb) {
-    verb.add_option(
-            "STUDY", line_.studies,
-            "studies by name, or files of the same form; or cost alone: what each effect costs; or "
-            "calibrate alone: what a frame budget chooses from, for the cache folder; or judge alone: traces "
-            "the light in clouds that clouds-model is held against. None named: all but those three")
-        ->type_name("NAME|FILE");
-    verb.add_option_function<std::vector<std::string>>(
-            "--scene",
-            [this](const std::vector<std::string>& all) {
-              if (std::ranges::find(all, "") != all.end()) throw UsageError("--scene: the name is empty");
-              line_.scenes = all;
-            },
-            "a scene that cost measures, and no others (all), may stand several times; or that of calibrate "
-            "(fair); or of judge, by its own names (all)")
-        ->type_name("NAME|FILE")
-        ->allow_extra_args(false)
-        ->expected(1, 1000);
-    verb.add_flag("--quick", line_.quick, "small pictures (160x90) and three repeats instead of five");
-    addSize(verb);
-    addText(
-        verb, "--out", "DIR|FILE|-",
-        "the folder of results and report (accuracy); of cost a file (accuracy.md) or - for standard output",
-        [this](const std::string& t) {
-          if (t.empty()) throw UsageError("--out: the path is empty");
-          line_.out = t;
-        });
-    addText(verb, "--format", "markdown|json|csv", "of the report of cost (markdown)",
-            [this](const std::string& t) { line_.reportFormat = parseReportFormat(t); });
-    verb.add_flag("--resume", line_.resume, "go on with the results in the folder");
-    addText(verb, "--part", "K/N", "measure every Nth case, beginning with the Kth",
-            [this](const std::string& t) { parsePart(t); });
-    verb.add_option_function<std::vector<std::string>>(
-            "--merge",
-            [this](const std::vector<std::string>& all) { line_.merge.assign(all.begin(), all.end()); },
-            "make one report of these folders of shares")
-        ->type_name("DIR..")
-        ->expected(1, 1000);
-    verb.preparse_callback([this](std::size_t) { line_.out.clear(); });
-  }
-
-  void parsePart(const std::string& t) {
-    const std::size_t slash = t.find('/');
-    if (slash == std::string::npos) throw UsageError("--part: '" + t + "' is not K/N");
-    line_.parts = integer("--part", t.substr(slash + 1), 1, 10000);
-    line_.part = integer("--part", t.substr(0, slash), 1, line_.parts);
-  }
-
-  // "N" or "A..B"
   void parseFrames(const std::string& t) {
     constexpr int kMost = 1000000;
     const std::size_t dots = t.find("..");

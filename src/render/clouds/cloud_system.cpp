@@ -15,7 +15,6 @@
 #include "render/clouds/sun_optical_depth_grid.h"
 #include "render/clouds/weather_layers.h"
 #include "skydrop/clouds/raised_sun.h"
-#include "skydrop/clouds/sun_depth.h"
 #include "skydrop/core/shared.h"
 #include "skydrop/core/shared_clouds.h"
 #include "skydrop/game/snapshot.h"
@@ -26,9 +25,6 @@ namespace {
 
 constexpr GLuint kLightVolumesUnit = 4, kSceneDepthUnit = 6, kLightUnit = 7,
                  kDistancesUnit = 8;  // as in shaders/clouds
-constexpr double kFineShadowMapM = 60, kFineShadowRadiusM = 6000, kCoarseShadowMapM = 240,
-                 kCoarseShadowRadiusM = 24000;  // cells of shadows, how far they reach
-
 struct TilesHeader {
   Groups ofOne, ofFour;
 };
@@ -60,24 +56,6 @@ bool missesLayer(const View& view, const clouds::CloudLayerSettings& layer, doub
   return (steepest - bend * lowest) * lowest <= above;
 }
 
-// Samples along a sun ray through a layer of the weather, fine and coarse map.
-constexpr double kFineSampleM = 90, kCoarseSampleM = 180;
-
-// What shadow maps are made of: rounded, so that they are not filled in every frame of a weather that
-// changes.
-clouds::LayerMedium inShadowMap(const clouds::LayerMedium& medium) {
-  constexpr double kCoverages = 128, kHeightM = 10, kExtinctions = 8;  // an octave
-  const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
-  clouds::LayerMedium out = medium;
-  clouds::CloudLayerSettings& s = out.layer;
-  s.coverage = rounded(s.coverage, 1 / kCoverages);
-  const double top = rounded(s.cloudHeight + s.thickness, kHeightM);
-  s.cloudHeight = rounded(s.cloudHeight, kHeightM);
-  s.thickness = std::max(top - s.cloudHeight, kHeightM);
-  if (s.extinction > 0) s.extinction = std::exp2(rounded(std::log2(s.extinction), 1 / kExtinctions));
-  return out;
-}
-
 }  // namespace
 
 CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise,
@@ -93,11 +71,6 @@ CloudSystem::CloudSystem(gl::Context& context, std::shared_ptr<const clouds::Pac
 }
 
 CloudSystem::~CloudSystem() = default;
-
-void CloudSystem::forgetShadowMap() {
-  fineShadowMap_ = std::make_unique<SunOpticalDepthGrid>("fine cloud shadow map");
-  coarseShadowMap_ = std::make_unique<SunOpticalDepthGrid>("coarse cloud shadow map");
-}
 
 void CloudSystem::apply(const clouds::CloudSettings& settings, const core::WindSettings& wind) {
   bool forgetsLight = settings.march.detail != settings_.march.detail;
@@ -151,29 +124,10 @@ std::vector<std::string> CloudSystem::definesOf(const FrameContext& context) con
 void CloudSystem::takeVolumes(const FrameInput& frame) {
   const bool hadVolumes = std::exchange(hasVolumes_, false);
   if (settings_.light == clouds::CloudLight::volume) {
-    LightVolumesKey key;
-    key.sun = roundedSun(frame.toSun);
-    if (!weather_) {
-      key.layers.emplace_back(clouds::mediumOf(settings_, kMarchedLayer));
-    } else {
-      // Of the middle of a layer's range, so that they last while the weather changes a little.
-      for (const DrawnLayer& drawn : weather_->layers()) {
-        if (!drawn.isThere) {
-          key.layers.emplace_back();
-          continue;
-        }
-        const LayerRange range = rangeOf(drawn.medium);
-        key.layers.emplace_back(range.most);
-        clouds::CloudLayerSettings& solved = key.layers.back()->layer;
-        solved.coverage = 0.5 * (range.leastCoverage + range.most.layer.coverage);
-        // A range has the extinction to an octave's quarter, which is enough for where there is cloud.
-        constexpr double kExtinctions = 16;  // an octave
-        const double extinction = drawn.medium.layer.extinction;
-        if (extinction > 0)
-          solved.extinction = std::exp2(std::round(std::log2(extinction) * kExtinctions) / kExtinctions);
-      }
-    }
     if (!volumes_) volumes_ = std::make_unique<LightVolumes>(context_, noise_);
+    const LightVolumesKey key =
+        weather_ ? lightVolumesKey(weather_->layers(), frame.toSun)
+                 : lightVolumesKey(clouds::mediumOf(settings_, kMarchedLayer), frame.toSun);
     hasVolumes_ = volumes_->update(key, !frame.followsLast);
   } else {
     volumes_.reset();
@@ -220,138 +174,6 @@ void CloudSystem::resize(const View& view) {
     const std::size_t most = all * static_cast<std::size_t>(side * side / (spacing * spacing));
     list = gl::Buffer(context_, sizeof(Groups) + most * sizeof(GLuint), gl::Buffer::Use::write, "cloud rays");
   }
-}
-
-void CloudSystem::update(FrameContext& context, SunOpticalDepthGrid& grid, double cellM, double radiusM,
-                         const glm::dvec3& middle) {
-  grid.update(context_, context.shaders,
-              sunOpticalDepthGridLayout(layer(), clouds::raisedSun(context.light.direct.toSun), cellM,
-                                        std::min(radiusM, settings_.fadeDistance), middle),
-              layer(), settings_, textures_->meanDetail());
-}
-
-std::optional<std::string> CloudSystem::shadowSkipReason(const FrameInput& frame) const {
-  if (settings_.tier == clouds::CloudTier::off) return "switched off";
-  if (drawsWeather(frame)) {
-    const std::vector<DrawnLayer> layers =
-        WeatherLayers::mediaOf(frame.game->weather, {frame.view.position.x, frame.view.position.z});
-    if (std::ranges::none_of(layers, &DrawnLayer::isThere)) return "no cloud anywhere";
-    if (frame.view.position.y > hullOf(layers).cloudHeight + settings_.fadeDistance)
-      return "the eye is too far above";
-    return std::nullopt;
-  }
-  if (textures_->isEmpty(kMarchedLayer)) return "no cloud anywhere";
-  if (frame.view.position.y > layer().cloudHeight + settings_.fadeDistance) return "the eye is too far above";
-  return std::nullopt;
-}
-
-CloudShadowMap CloudSystem::shadowMapOfLayers(FrameContext& context) {
-  std::vector<DrawnLayer> layers = weather_->layers();
-  std::vector<clouds::LayerMedium> media;
-  for (DrawnLayer& layer : layers) {
-    layer.medium = inShadowMap(layer.medium);
-    media.push_back(layer.isThere ? layer.medium : clouds::LayerMedium{});
-  }
-  if (media != shadowLayers_) {
-    shadowLayers_ = std::move(media);
-    fineShadowMap_->forget();
-    coarseShadowMap_->forget();
-  }
-  const glm::dvec3 eye = eyeInField(context.frame);
-  const clouds::CloudLayerSettings hull = hullOf(layers);
-  CloudShadowMap::Layers channels;
-  channels.count = static_cast<int>(layers.size());
-  channels.overcast = glm::vec2(overcastOf(layers), clouds::raisedSun(context.light.direct.toSun).y);
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const clouds::CloudLayerSettings& s = layers[i].medium.layer;
-    const int channel = static_cast<int>(i);
-    channels.bases[channel] = static_cast<float>(s.cloudHeight - context.frame.view.position.y);
-    channels.inverseThicknesses[channel] = static_cast<float>(1 / s.thickness);
-    const double period = weatherPeriod(layers[i].medium);
-    const glm::dvec2 periods = glm::dvec2(eye.x, eye.z) / period;
-    channels.skyPlaces[i] =
-        glm::vec4(glm::vec2(periods - glm::floor(periods)), static_cast<float>(1 / period),
-                  static_cast<float>(settings_.fadeDistance));
-  }
-  const CloudShadowMap::Sky sky{&weather_->skyShares(), glm::vec4(0)};
-  const glm::dvec2 baseAndThickness(hull.cloudHeight - context.frame.view.position.y,
-                                    std::max(hull.thickness, 1.0));
-  CloudShadowMap shadows(sky, baseAndThickness);
-  if (context.frame.toSun.y > 0) {
-    textures_->bind(kMarchedLayer);
-    const glm::dvec3 toSun = clouds::raisedSun(context.light.direct.toSun);
-    const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (hull.cloudHeight / toSun.y);
-    const auto map = [&](SunOpticalDepthGrid& grid, double cellM, double radiusM, double sampleM) {
-      const double reach = std::min(radiusM, settings_.fadeDistance);
-      grid.update(context_, context.shaders, sunOpticalDepthGridLayout(hull, toSun, cellM, reach, middle),
-                  layers, settings_, textures_->meanDetail(), sampleM);
-      const std::array<glm::vec4, 3> rows = toSunOpticalDepthGrid(grid.layout(), eye);
-      return CloudShadowMap::Map{&grid.depths(), {rows[0], rows[1]}, reach};
-    };
-    const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadowRadiusM, kFineSampleM);
-    shadows = CloudShadowMap(sky, baseAndThickness, fine,
-                             map(*coarseShadowMap_, kCoarseShadowMapM, kCoarseShadowRadiusM, kCoarseSampleM));
-  }
-  shadows.setLayers(channels);
-  return shadows;
-}
-
-CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
-  prepare(context.frame);
-  if (weather_) return shadowMapOfLayers(context);
-  if (!shadowLayers_.empty()) {
-    shadowLayers_.clear();
-    fineShadowMap_->forget();
-    coarseShadowMap_->forget();
-  }
-  const glm::dvec3 eye = eyeInField(context.frame);
-  const clouds::SkyCover& skyCover = textures_->skyCover(kMarchedLayer);
-  const glm::dvec2 periods = glm::dvec2(eye.x, eye.z) / skyCover.periodM();
-  CloudShadowMap::Sky sky{
-      &textures_->skyShares(kMarchedLayer),
-      glm::vec4(glm::vec2(periods - glm::floor(periods)), static_cast<float>(1 / skyCover.periodM()),
-                static_cast<float>(settings_.fadeDistance))};
-  const glm::dvec2 baseAndThickness(layer().cloudHeight - context.frame.view.position.y, layer().thickness);
-  if (context.frame.toSun.y <= 0) return CloudShadowMap(sky, baseAndThickness);
-  textures_->bind(kMarchedLayer);
-  // What shades the land around the eye stands where the sun's rays to that land pass the base.
-  const glm::dvec3 toSun = clouds::raisedSun(context.light.direct.toSun);
-  const glm::dvec3 middle = eye + glm::dvec3(toSun.x, 0, toSun.z) * (layer().cloudHeight / toSun.y);
-  const auto map = [&](SunOpticalDepthGrid& grid, double cellM, double radiusM) {
-    const double reach = std::min(radiusM, settings_.fadeDistance);
-    update(context, grid, cellM, reach, middle);
-    const std::array<glm::vec4, 3> rows = toSunOpticalDepthGrid(grid.layout(), eye);
-    return CloudShadowMap::Map{&grid.depths(), {rows[0], rows[1]}, reach};
-  };
-  const CloudShadowMap::Map fine = map(*fineShadowMap_, kFineShadowMapM, kFineShadowRadiusM);
-  return CloudShadowMap(sky, baseAndThickness, fine,
-                        map(*coarseShadowMap_, kCoarseShadowMapM, kCoarseShadowRadiusM));
-}
-
-LightShares CloudSystem::lightAt(const glm::dvec3& place, const FrameInput& frame) const {
-  const double distance = glm::distance(place, frame.view.position);
-  const double reach = core::shared::f64::cloudFade(distance, settings_.fadeDistance);
-  if (reach <= 0) return {};
-  const glm::dvec3 at = inField(place, frame);
-  if (weather_) {
-    double depth = 0, sky = 1;
-    for (std::size_t i = 0; i < weather_->layers().size(); ++i) {
-      const DrawnLayer& drawn = weather_->layers()[i];
-      if (!drawn.isThere) continue;
-      const clouds::CloudLayerSettings& s = drawn.medium.layer;
-      depth += clouds::sunOpticalDepth(weather_->field(i), at, clouds::raisedSun(frame.toSun));
-      const double above = 1 - std::clamp((at.y - s.cloudHeight) / s.thickness, 0.0, 1.0);
-      sky *= 1 - (1 - drawn.skyShare({at.x, at.z})) * above;
-    }
-    const double sun = core::shared::f64::sunBelowLayers(depth, clouds::raisedSun(frame.toSun).y,
-                                                         overcastOf(weather_->layers()));
-    return {std::lerp(1.0, sun, reach), std::lerp(1.0, sky, reach)};
-  }
-  const double depth =
-      clouds::sunOpticalDepth(textures_->field(kMarchedLayer), at, clouds::raisedSun(frame.toSun));
-  const double above = 1 - std::clamp((at.y - layer().cloudHeight) / layer().thickness, 0.0, 1.0);
-  const double sky = 1 - (1 - textures_->skyCover(kMarchedLayer).share({at.x, at.z})) * above;
-  return {std::lerp(1.0, core::shared::f64::sunBelowCloud(depth), reach), std::lerp(1.0, sky, reach)};
 }
 
 void CloudSystem::marchMultiDispatch() {

@@ -39,6 +39,30 @@ glm::dvec3 toRoundedSun(const glm::ivec2& sun) {
   return {std::cos(height) * std::cos(azimuth), std::sin(height), std::cos(height) * std::sin(azimuth)};
 }
 
+LightVolumesKey lightVolumesKey(const clouds::LayerMedium& medium, const glm::dvec3& toSun) {
+  return {{medium}, roundedSun(toSun)};
+}
+
+LightVolumesKey lightVolumesKey(std::span<const DrawnLayer> layers, const glm::dvec3& toSun) {
+  LightVolumesKey key{{}, roundedSun(toSun)};
+  for (const DrawnLayer& drawn : layers) {
+    if (!drawn.isThere) {
+      key.layers.emplace_back();
+      continue;
+    }
+    const LayerRange range = rangeOf(drawn.medium);
+    key.layers.emplace_back(range.most);
+    clouds::CloudLayerSettings& solved = key.layers.back()->layer;
+    solved.coverage = 0.5 * (range.leastCoverage + range.most.layer.coverage);
+    // A range has the extinction to an octave's quarter, which is enough for where there is cloud.
+    constexpr double kExtinctions = 16;  // an octave
+    const double extinction = drawn.medium.layer.extinction;
+    if (extinction > 0)
+      solved.extinction = std::exp2(std::round(std::log2(extinction) * kExtinctions) / kExtinctions);
+  }
+  return key;
+}
+
 LightVolumes::LightVolumes(gl::Context& context, std::shared_ptr<const clouds::PackedCloudNoise> noise)
     : context_(context),
       job_([noise = std::move(noise), last = Solved{}](const LightVolumesKey& key,

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "render/clouds/weather_layers.h"
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/clouds/light_volume.h"
 #include "skydrop/core/latest_job.h"
@@ -27,6 +28,11 @@ struct LightVolumesKey {
 };
 glm::ivec2 roundedSun(const glm::dvec3& toSun);
 glm::dvec3 toRoundedSun(const glm::ivec2& sun);
+
+// Of the one layer of the settings.
+LightVolumesKey lightVolumesKey(const clouds::LayerMedium& medium, const glm::dvec3& toSun);
+// Of the weather's: rounded, so that they last while it changes a little.
+LightVolumesKey lightVolumesKey(std::span<const DrawnLayer> layers, const glm::dvec3& toSun);
 
 class LightVolumes {
  public:
