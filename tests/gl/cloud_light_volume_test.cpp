@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <tuple>
 
 #include "render/clouds/light_volumes.h"
 #include "support/cloud_layers.h"
@@ -48,6 +49,20 @@ TEST_F(CloudLightVolumeGLTest, aFrameThatFollowsNoneWaitsForTheVolume) {
   }
   EXPECT_EQ(lit(CloudLight::volume, below()), volume);
   EXPECT_EQ(lit(CloudLight::octaves, below()), octaves);
+}
+
+TEST_F(CloudLightVolumeGLTest, withOctavesNothingOfAVolumeIsThere) {
+  addClouds(test::sharedNoise());
+  const auto held = [&] {
+    return std::tuple(context().resources().live(gl::ObjectKind::texture),
+                      context().resources().live(gl::ObjectKind::buffer), context().resources().bytes());
+  };
+  lit(CloudLight::octaves, below());
+  const auto without = held();
+  lit(CloudLight::volume, below());
+  EXPECT_GT(std::get<2>(held()), std::get<2>(without));
+  lit(CloudLight::octaves, below());
+  EXPECT_EQ(held(), without);
 }
 
 TEST_F(CloudLightVolumeGLTest, untilTheVolumeIsThereFlightHasTheOctaves) {
