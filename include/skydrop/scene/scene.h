@@ -8,14 +8,14 @@
 //     "start": {"position": [x, y, z],            metres; with terrain, y is above the ground or the sea
 //               "heading": 90,                    compass degrees
 //               "speed": 70},                     m/s
-//     "weatherFile": "bern.json",                 a forecast or report, beside the scene's file, for the
-//     effect "farWeatherFile": ["a.json", "b.json"],     weather, or several of one place; and those of a
-//     second site "elevationFile": ["a.tif", "b.tif"],     elevation data, beside the scene's file, for the
-//     effect terrain "settings": {"aircraft": {...}, ...}        overrides of described settings (app checks
-//     names, ranges)
+//     "weatherFile": "bern.json",                 forecast or report, or several of one place
+//     "farWeatherFile": ["a.json", "b.json"],     those of a second site; both for the effect weather
+//     "elevationFile": ["a.tif", "b.tif"],        elevation data, for the effect terrain
+//     "settings": {"aircraft": {...}, ...}        overrides of described settings (app checks them)
 //   }
 //
-// Only `schema` must be there. Unknown members are refused.
+// Files are named from the folder of the scene's file. Only `schema` must be there. Unknown members are
+// refused.
 #pragma once
 
 #include <cstddef>
