@@ -70,14 +70,27 @@ vec2 sunDepthInClouds(vec3 relative) {
   return vec2(depthAbove(relative, depths), insideShadowMap(inCoarseShadowMap, relative, shadowRadii.y));
 }
 
+float sunBelow(float depth) {
+#ifdef CLOUD_LAYERS
+  return sunBelowLayers(depth, overcastSky.y, overcastSky.x);
+#else
+  return sunBelowCloud(depth);
+#endif
+}
+
+// Straight and scattered together.
 float sunThroughClouds(vec3 relative) {
   vec2 depth = sunDepthInClouds(relative);
-#ifdef CLOUD_LAYERS
-  return mix(1.0, sunBelowLayers(depth.x, overcastSky.y, overcastSky.x), depth.y);
-#else
-  return mix(1.0, sunBelowCloud(depth.x), depth.y);
-#endif
+  return mix(1.0, sunBelow(depth.x), depth.y);
+}
+
+// Of the sun straight (x) and scattered (z), of the sky (y): as frame.glsl has them.
+vec3 lightThroughClouds(vec3 relative) {
+  vec2 depth = sunDepthInClouds(relative);
+  float straight = sunStraightThroughCloud(depth.x);
+  return vec3(mix(1.0, straight, depth.y), skyThroughClouds(relative), max(sunBelow(depth.x) - straight, 0.0) * depth.y);
 }
 #else
 float sunThroughClouds(vec3 relative) { return 1.0; }  // it is below the horizon
+vec3 lightThroughClouds(vec3 relative) { return vec3(1.0, skyThroughClouds(relative), 0.0); }
 #endif

@@ -35,7 +35,8 @@ vec3 modelLight(Material material, vec3 normal, vec3 relative) {
   float facing = max(dot(normal, frame.toSun.xyz), 0.0);
   vec3 shine = fresnel(material.reflectance, dot(normal, toEye), material.gloss);
   vec3 light = shadeLambert(material.albedo * (1.0 - shine), normal, lightShares) +
-               shine * surroundings(mirrored, material.gloss) * lightShares.y +
+               shine * (surroundings(mirrored, material.gloss) * lightShares.y +
+                        diffuseSunTowards(mirrored, lightShares) * smoothstep(-0.10, 0.02, mirrored.y)) +
                shine * frame.sunLight.xyz * (lightShares.x * facing * highlight(normal, toEye, material.gloss));
 #ifdef MODEL_LAMPS
   light += material.albedo / kPi * lampsOn(relative, normal);

@@ -1,2 +1,2 @@
-// Shares of the light of the sun, and of sky and ground, that reach a model.
-uniform vec2 lightShares;
+// Shares of the light that reach a model (frame.glsl).
+uniform vec3 lightShares;

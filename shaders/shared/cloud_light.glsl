@@ -159,6 +159,9 @@ FN Real sunBelowCloud(Real depth) {
   return Real(0.65) * exp(-x) + Real(0.35) / (Real(1.0) + Real(0.11) * x);
 }
 
+// Of it, what comes straight through (Beer and Lambert); the rest is scattered and comes from all of the sky.
+FN Real sunStraightThroughCloud(Real depth) { return exp(-max(depth, Real(0.0))); }
+
 // The way towards the sun is cut into n parts that grow with the distance: part i, 0 .. n - 1, begins here and ends
 // where the next begins.
 FN Real sunPartBegin(Real i, Real n, Real wayM) {

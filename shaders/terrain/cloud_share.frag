@@ -2,9 +2,6 @@
 #include "clouds/shadow_map.glsl"
 #include "terrain/surface.glsl"
 
-out vec2 shares;
+out vec3 shares;
 
-void main() {
-  vec3 place = landPlace(ivec2(gl_FragCoord.xy));
-  shares = vec2(sunThroughClouds(place), skyThroughClouds(place));
-}
+void main() { shares = lightThroughClouds(landPlace(ivec2(gl_FragCoord.xy))); }

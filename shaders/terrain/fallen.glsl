@@ -7,11 +7,15 @@ uniform vec4 fallenSky;  // rgb: radiance that puddles mirror
 
 const float kPuddleF0 = 0.02;  // of water, seen straight down
 
-// What it makes of a surface, and the light that it mirrors towards the eye beside the surface's own.
+// What it makes of a surface, and how much of the sky it mirrors towards the eye beside the surface's own light.
 struct Fallen {
   LandSurface land;
-  vec3 mirrored;
+  float mirrors;
 };
+
+vec3 mirroredSky(Fallen lying, vec3 lightShares) {
+  return (fallenSky.xyz * lightShares.y + diffuseSunTowards(vec3(0.0, 1.0, 0.0), lightShares)) * lying.mirrors;
+}
 
 Fallen fallenOn(LandSurface land, float heightM, vec3 normal, LandNoise noise, vec3 toEye) {
   float drift = driftNoise(noise);
@@ -27,7 +31,7 @@ Fallen fallenOn(LandSurface land, float heightM, vec3 normal, LandNoise noise, v
   // A film mirrors a little everywhere, puddles all that water does (Schlick 1994).
   float aside = 1.0 - saturate(dot(normal, toEye));
   float fresnel = kPuddleF0 + (1.0 - kPuddleF0) * aside * aside * aside * aside * aside;
-  result.mirrored = fallenSky.xyz * (fresnel * (0.25 * wet * (1.0 - land.wooded) + 0.75 * puddle));
+  result.mirrors = fresnel * (0.25 * wet * (1.0 - land.wooded) + 0.75 * puddle);
   return result;
 }
 #endif

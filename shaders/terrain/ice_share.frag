@@ -2,6 +2,6 @@
 #include "clouds/ice_shade_map.glsl"
 #include "terrain/surface.glsl"
 
-out vec2 shares;
+out vec3 shares;
 
-void main() { shares = lightBelowIce(landPlace(ivec2(gl_FragCoord.xy))); }
+void main() { shares = lightBelowIce(landPlace(ivec2(gl_FragCoord.xy))).xyx; }

@@ -118,9 +118,8 @@ LandNoise coarseNoise(LandSight sight) {
   return noise;
 }
 
-vec3 litLand(LandSurface land, vec3 normal, vec3 relative, vec2 lightShares) {
-  vec3 light = frame.sunLight.xyz * (max(dot(normal, frame.toSun.xyz), 0.0) * lightShares.x) +
-               mix(frame.groundLight.xyz, frame.skyLight.xyz, 0.5 + 0.5 * normal.y) * (land.open * lightShares.y);
+vec3 litLand(LandSurface land, vec3 normal, vec3 relative, vec3 lightShares) {
+  vec3 light = irradianceOf(normal, land.open, lightShares);
 #ifdef SPOT_LIGHT
   light += spotOn(relative, normal);
 #endif
@@ -131,12 +130,12 @@ vec3 litLand(LandSurface land, vec3 normal, vec3 relative, vec2 lightShares) {
 }
 
 // Light from the land (or the sea's floor) at a place `relative` to the eye, without what lies between;
-// `lightShares` of the sun, and of sky and ground, reach it.
+// `lightShares` reach it.
 #ifdef RICH_LAND
 const float kClodMetres = 8.0;
 const float kGrainMetres = 1.333;
 
-vec3 landLight(vec3 relative, vec2 lightShares) {
+vec3 landLight(vec3 relative, vec3 lightShares) {
   LandSight sight = landSight(relative);
   LandNoise noise = coarseNoise(sight);
   vec4 clod = spaceNoiseAt(sight.place, sight.heightM, 120) * resolved(kClodMetres, sight.footprint);
@@ -164,19 +163,19 @@ vec3 landLight(vec3 relative, vec2 lightShares) {
   vec3 bumped = normalize(normal - (slope - normal * dot(slope, normal)));
   vec3 light = litLand(land, bumped, relative, lightShares);
 #ifdef FALLEN_WATER
-  light += lying.mirrored * lightShares.y;
+  light += mirroredSky(lying, lightShares);
 #endif
   return light;
 }
 #else
-vec3 landLight(vec3 relative, vec2 lightShares) {
+vec3 landLight(vec3 relative, vec3 lightShares) {
   LandSight sight = landSight(relative);
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
   LandNoise noise = coarseNoise(sight);
   LandSurface land = landSurface(growthHeight(sight.heightM), sight.normal.y, 0.0, noise, 0.0, noCrowns, 0.0);
 #ifdef FALLEN_WATER
   Fallen lying = fallenOn(land, sight.heightM, sight.normal, noise, -relative / length(relative));
-  return litLand(lying.land, sight.normal, relative, lightShares) + lying.mirrored * lightShares.y;
+  return litLand(lying.land, sight.normal, relative, lightShares) + mirroredSky(lying, lightShares);
 #else
   return litLand(land, sight.normal, relative, lightShares);
 #endif

@@ -9,4 +9,4 @@ vec3 surfacePlace(ivec2 pixel) {
   return ray * min(landViewZ(pixel), min(seaViewZ, 1e9));
 }
 
-vec2 sharesPastLand(ivec2 pixel) { return vec2(sunPastLand(surfacePlace(pixel)), 1.0); }
+vec3 sharesPastLand(ivec2 pixel) { return vec3(sunPastLand(surfacePlace(pixel)), 1.0, 1.0); }

@@ -47,8 +47,8 @@ struct SeaLight {
   vec3 passed;  // share of the floor's light that comes through
 };
 
-// At a place of the surface `relative` to the eye, over a floor at a depth; `shares` of sun and sky reach it.
-SeaLight seaLight(vec3 relative, float depthM, vec2 shares) {
+// At a place of the surface `relative` to the eye, over a floor at a depth; `shares` of the light reach it.
+SeaLight seaLight(vec3 relative, float depthM, vec3 shares) {
   float distanceM = length(relative);
   vec3 toEye = -relative / distanceM;
   Waves waves = wavesAt(eyeFromBase.xz + relative.xz, distanceM * frame.depthToSea.w / max(toEye.y, 0.05));
@@ -58,7 +58,7 @@ SeaLight seaLight(vec3 relative, float depthM, vec2 shares) {
 
   vec3 mirrored = reflect(-toEye, normal);
   mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.02), mirrored.z));
-  vec3 sky = skyTowards(mirrored) * shares.y;
+  vec3 sky = skyTowards(mirrored) * shares.y + diffuseSunTowards(mirrored, shares);
 
   vec3 glitter = frame.sunLight.xyz * (shares.x * sunGlitter(toEye, frame.toSun.xyz, frame.toSun.w, waves.slope,
                                                              waves.hidden, waves.all));
@@ -85,7 +85,7 @@ SeaLight seaLight(vec3 relative, float depthM, vec2 shares) {
 struct SeaSight {
   vec3 relative;
   float floorShare;
-  vec2 shares;  // of sun and sky that shadows leave, told by the floor's
+  vec3 shares;  // of the light that shadows leave, told by the floor's
 };
 
 SeaSight seaSightOf(vec3 fragCoord) {

@@ -2,10 +2,10 @@
 #include "shadow/cast_shadows.glsl"
 #include "terrain/surface.glsl"
 
-out vec2 shares;
+out vec3 shares;
 
 void main() {
   BehindCaster at = behindCaster(landPlace(ivec2(gl_FragCoord.xy)));
   if (!mayBeInShadow(at)) discard;
-  shares = vec2(shareOfSun(at), 1.0);
+  shares = vec3(shareOfSun(at), 1.0, 1.0);
 }

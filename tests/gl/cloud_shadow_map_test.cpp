@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "skydrop/render/clouds/cloud_shade_pass.h"
 #include "skydrop/render/frame/fullscreen_triangle.h"
@@ -20,15 +21,19 @@ class ShadeOfASquare final : public Pass {
       : triangle_(context), corner_(corner), spacing_(spacing) {}
 
   void moveTo(const glm::dvec3& corner) { corner_ = corner; }
+  // From now on it shows what a slope of this unit normal receives.
+  void lightSlope(const glm::dvec3& normal) { normal_ = normal; }
 
   std::string_view name() const override { return "shade"; }
   RenderStage stage() const override { return RenderStage::terrain; }
   void draw(FrameContext& context) override {
     const CloudShadowMap& map = context.resources.get<CloudShadowMap>();
-    gl::Shader& shader =
-        context.shaders.shader("fullscreen.vert", test::sourceDir() + "/tests/gl/shaders/cloud_shade.frag",
-                               map.defines(map.hasSun()));
+    gl::Shader& shader = context.shaders.shader(
+        "fullscreen.vert",
+        test::sourceDir() + "/tests/gl/shaders/" + (normal_ ? "cloud_lit_slope.frag" : "cloud_shade.frag"),
+        map.defines(map.hasSun()));
     shader.use();
+    if (normal_) shader.setVec3("normal", glm::vec3(*normal_));
     shader.setVec3("corner", relativeToEye(context.frame.view, corner_));
     shader.setFloat("spacing", spacing_);
     map.bind(shader);
@@ -40,6 +45,7 @@ class ShadeOfASquare final : public Pass {
   FullscreenTriangle triangle_;
   glm::dvec3 corner_;
   float spacing_;
+  std::optional<glm::dvec3> normal_;
 };
 
 using CloudShadowMapGLTest = test::CloudFrameTest;
@@ -95,20 +101,25 @@ TEST_F(CloudShadowMapGLTest, surfacesAndModelsAreInTheSameShade) {
     const std::vector<glm::vec4> light = sceneFrom(view);
     FrameInput frame = gameFrame(snapshot_, view, features_);
     frame.toSun = directionToSun(settings_.sun);
-    double largest = 0, square = 0, least = 1;
+    double largest = 0, square = 0, straightSquare = 0, least = 1;
     for (int y = 0; y < 45; ++y) {
       for (int x = 0; x < 80; ++x) {
         const glm::vec4& there = light[static_cast<std::size_t>(y * 80 + x)];
         const LightShares shares = system_->lightAt(corner + glm::dvec3(x, 0, y) * double{kSpacing}, frame);
         largest = std::max(largest, std::abs(static_cast<double>(there.y) - shares.sky));
-        square += std::pow(static_cast<double>(there.x) - shares.sun, 2) / (80 * 45);
-        least = std::min({least, shares.sun, shares.sky});
+        const double sun = shares.sun + shares.diffuseSun;
+        square += std::pow(static_cast<double>(there.x) - sun, 2) / (80 * 45);
+        straightSquare += std::pow(static_cast<double>(there.z) - shares.sun, 2) / (80 * 45);
+        least = std::min({least, sun, shares.sky});
       }
     }
     EXPECT_LT(largest, 0.005) << height;
     if (height == 0) {
       RecordProperty("sunRms", std::to_string(std::sqrt(square)));
       EXPECT_LT(std::sqrt(square), 0.08);
+      // Without the part that changes slowly, steps at edges weigh 1 / .65 as much.
+      RecordProperty("straightRms", std::to_string(std::sqrt(straightSquare)));
+      EXPECT_LT(std::sqrt(straightSquare), 0.08 / 0.65);
     }
     if (height < base + thickness) {
       EXPECT_LT(least, 0.7) << height;
@@ -138,6 +149,54 @@ TEST_F(CloudShadowMapGLTest, theSkyStaysDimWhenTheSunSets) {
     least = std::min(least, night[i].y);
   }
   EXPECT_LT(least, 0.8f);
+}
+
+TEST_F(CloudShadowMapGLTest, underAThickDeckLightComesFromAllOfTheSky) {
+  // Below an even deck of optical depth over 15, slopes of 40 degrees towards the sun and away from it
+  // receive the same, where in the open the one has over four times the light of the other; the slope away is
+  // not bluer than level ground, where in the open its light is that of the blue sky alone. Level ground
+  // receives the shares of sun and sky that it would if all came straight from the sun.
+  settings_.sun = {40, 90};
+  const double tilt = glm::radians(40.0);
+  const glm::dvec3 towards(std::sin(tilt), std::cos(tilt), 0), away(-towards.x, towards.y, 0);
+  const View view = pose({0, 300, 0}, 0, -90, 0, 8, 8);
+  clouds_ = test::plainSettings();
+  clouds_.layers[0].extinction = 0.05;
+  addClouds(test::plainNoise());
+  renderer().add(std::make_unique<CloudShadowPass>(*system_));
+  auto pass = std::make_unique<ShadeOfASquare>(context(), glm::dvec3(-40, 0, -40), 10.0f);
+  ShadeOfASquare& slope = *pass;
+  renderer().add(std::move(pass));
+  const auto mean = [&] {
+    glm::dvec3 sum(0);
+    const std::vector<glm::vec4> light = sceneFrom(view);
+    for (const glm::vec4& there : light) sum += glm::dvec3(there) / static_cast<double>(light.size());
+    return sum;
+  };
+  const auto on = [&](const glm::dvec3& normal) {
+    slope.lightSlope(normal);
+    return mean();
+  };
+  const auto blueOverRed = [](const glm::dvec3& light) { return light.z / light.x; };
+
+  const glm::dvec3 shares = mean();
+  const glm::dvec3 level = on({0, 1, 0}), lit = on(towards), dark = on(away);
+  EXPECT_LT(shares.z, 1e-6) << "straight from the sun";
+  EXPECT_NEAR(lit.y / dark.y, 1, 0.01);
+  EXPECT_NEAR(blueOverRed(dark) / blueOverRed(level), 1, 0.05);
+  RecordProperty("blueOverRedOfTheSlopeAway", std::to_string(blueOverRed(dark)));
+
+  clouds_.layers[0].extinction = 1e-7;  // as good as none
+  system_->apply(clouds_, wind_);
+  const glm::dvec3 openLevel = on({0, 1, 0}), openLit = on(towards), openDark = on(away);
+  EXPECT_GT(openLit.y / openDark.y, 4);
+  EXPECT_GT(blueOverRed(openDark) / blueOverRed(openLevel), 1.5);
+  const SkyLight sky = skyLight(settings_, 300);
+  const glm::dvec3 ofSky = openLevel - sky.direct.sun * sky.direct.toSun.y * sky.exposure;
+  const glm::dvec3 expected = (openLevel - ofSky) * shares.x + ofSky * shares.y;
+  for (int channel = 0; channel < 3; ++channel) {
+    EXPECT_NEAR(level[channel] / expected[channel], 1, 0.01) << channel;
+  }
 }
 
 }  // namespace

@@ -40,6 +40,13 @@ clouds::LayerMedium inShadowMap(const clouds::LayerMedium& medium) {
   return out;
 }
 
+// Below clouds of an optical depth towards the sun that leave so much of sun and sky. reach: [0, 1], how much
+// of that counts.
+LightShares sharesBelow(double depth, double sun, double sky, double reach) {
+  const double straight = core::shared::f64::sunStraightThroughCloud(depth);
+  return {std::lerp(1.0, straight, reach), std::lerp(1.0, sky, reach), std::max(sun - straight, 0.0) * reach};
+}
+
 }  // namespace
 
 void CloudSystem::forgetShadowMap() {
@@ -170,13 +177,13 @@ LightShares CloudSystem::lightAt(const glm::dvec3& place, const FrameInput& fram
     }
     const double sun = core::shared::f64::sunBelowLayers(depth, clouds::raisedSun(frame.toSun).y,
                                                          overcastOf(weather_->layers()));
-    return {std::lerp(1.0, sun, reach), std::lerp(1.0, sky, reach)};
+    return sharesBelow(depth, sun, sky, reach);
   }
   const double depth =
       clouds::sunOpticalDepth(textures_->field(kMarchedLayer), at, clouds::raisedSun(frame.toSun));
   const double above = 1 - std::clamp((at.y - layer().cloudHeight) / layer().thickness, 0.0, 1.0);
   const double sky = 1 - (1 - textures_->skyCover(kMarchedLayer).share({at.x, at.z})) * above;
-  return {std::lerp(1.0, core::shared::f64::sunBelowCloud(depth), reach), std::lerp(1.0, sky, reach)};
+  return sharesBelow(depth, core::shared::f64::sunBelowCloud(depth), sky, reach);
 }
 
 }  // namespace skydrop::render

@@ -100,6 +100,7 @@ LightShares IceShadePass::at(const glm::dvec3& place) const {
   LightShares shares = before_ ? before_->at(place) : LightShares{};
   const LightShares ice = below(place);
   shares.sun *= ice.sun;
+  shares.diffuseSun *= ice.sun;
   shares.sky *= ice.sky;
   return shares;
 }

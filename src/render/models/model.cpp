@@ -130,7 +130,7 @@ void Model::draw(gl::ShaderCache& shaders, const std::string& vertex, const std:
       shader.use();
       shader.setMatrix("toEye", meshToEye);
       shader.setMatrix("normalToEye", glm::inverseTranspose(glm::mat3(meshToEye)));
-      shader.setVec2("lightShares", {static_cast<float>(light.sun), static_cast<float>(light.sky)});
+      shader.setVec3("lightShares", glm::vec3(glm::dvec3(light.sun, light.sky, light.diffuseSun)));
       if (lamps) {
         shader.setVec4s("lampPlaces", lamps->places);
         shader.setVec4s("lampLights", lamps->lights);

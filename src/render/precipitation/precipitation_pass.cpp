@@ -126,7 +126,7 @@ void PrecipitationPass::draw(FrameContext& context) {
   const float grey = glm::dot(glm::vec3(block.ambient), glm::vec3(0.2126f, 0.7152f, 0.0722f));
   block.ambient = glm::mix(glm::vec4(grey), block.ambient, static_cast<float>(shares.sky));
   block.ambient.w = static_cast<float>(settings_.rangeM);
-  block.sun = light.sunLight * static_cast<float>(shares.sun);
+  block.sun = light.sunLight * static_cast<float>(shares.sun + shares.diffuseSun);
   block.sun.w = static_cast<float>(settings_.shutterS);
   block.sets = sets.sets;
   uniforms_.writeValue(0, block);

@@ -58,8 +58,11 @@ void SplashPass::draw(FrameContext& context) {
   shader.setVec4("splashCells",
                  {f(firstX * cell - view.position.x), f(firstZ * cell - view.position.z), f(cell), f(side)});
   shader.setVec4("splashRain", {f(std::min(rate / kFullRate, 1.0)), f(spans - span), f(kRangeM), 0});
-  const auto share = static_cast<float>(lightAt(context.resources, view.position).sky / std::numbers::pi);
-  shader.setVec4("splashLight", context.uniforms.skyLight * share);
+  const LightShares shares = lightAt(context.resources, view.position);
+  const FrameUniforms& light = context.uniforms;
+  const glm::vec4 above = light.skyLight * f(shares.sky) +
+                          light.sunLight * (std::max(light.toSun.y, 0.0f) * f(shares.diffuseSun));
+  shader.setVec4("splashLight", above / std::numbers::pi_v<float>);
   context.sceneDepth.bind(kDepthUnit);
   const gl::Functions& gl = context.gl.api();
   gl.Enable(GL_BLEND);

@@ -144,8 +144,8 @@ void TerrainPass::drawDepth(FrameContext& context) {
   const View& view = context.frame.view;
   if (!surface_) {
     surface_ =
-        gl::FrameBuffer(context_, view.width, view.height, {GL_RG16F, GL_DEPTH_COMPONENT32F}, "land surface");
-    surface_.setClearColor(1, 1, 1, 1);
+        gl::FrameBuffer(context_, view.width, view.height, {GL_RGBA16F, GL_DEPTH_COMPONENT32F}, "land surface");
+    surface_.setClearColor(1, 1, 0, 1);  // kOpenSky
   }
   surface_.resize(view.width, view.height);
   surface_.bind();
@@ -157,7 +157,7 @@ void TerrainPass::drawDepth(FrameContext& context) {
   if (context.frame.features.landShadows)  // in every frame: none is compiled when the sun sinks
     context.shaders.shader("fullscreen.vert", "terrain/land_shade.frag");
   if (const auto* shadowMap = context.resources.find<LandShadowMap>())
-    drawLandShadows(context, *shadowMap, !cloudShadows);
+    drawLandShadows(context, *shadowMap);
   if (const auto* ice = context.resources.find<IceShade>()) drawIceShade(context, *ice);
   if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
   surface_.unBind();
@@ -194,13 +194,13 @@ void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& 
   drawShares(true);
 }
 
-void TerrainPass::drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap, bool isFirst) {
+void TerrainPass::drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap) {
   const View& view = context.frame.view;
   gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land_shade.frag");
   shader.use();
   setSurface(shader, view);
   shadowMap.bind(shader, {view.position.x, view.position.z});
-  drawShares(isFirst);
+  drawShares(false);
 }
 
 void TerrainPass::drawIceShade(FrameContext& context, const IceShade& ice) {
@@ -211,11 +211,11 @@ void TerrainPass::drawIceShade(FrameContext& context, const IceShade& ice) {
   drawShares(false);
 }
 
-void TerrainPass::drawShares(bool isFirst) {
+void TerrainPass::drawShares(bool replaces) {
   const gl::Functions& api = context_.api();
   api.DepthMask(GL_FALSE);
   api.Disable(GL_DEPTH_TEST);
-  if (!isFirst) {
+  if (!replaces) {
     api.Enable(GL_BLEND);
     api.BlendFunc(GL_ZERO, GL_SRC_COLOR);
   }

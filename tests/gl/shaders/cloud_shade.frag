@@ -1,4 +1,4 @@
-// What clouds leave of the light of sun (red) and sky (green) on a level square, a place a pixel.
+// What clouds leave of the light of the sun (red; blue: straight) and the sky (green) on a level square, a place a pixel.
 #include "frame.glsl"
 #include "shared/cloud_medium.glsl"
 #include "shared/cloud_light.glsl"
@@ -12,5 +12,5 @@ out vec4 color;
 void main() {
   vec2 place = floor(gl_FragCoord.xy) * spacing;
   vec3 relative = corner + vec3(place.x, 0.0, place.y);
-  color = vec4(sunThroughClouds(relative), skyThroughClouds(relative), 0.0, 1.0);
+  color = vec4(sunThroughClouds(relative), skyThroughClouds(relative), lightThroughClouds(relative).x, 1.0);
 }

@@ -10,6 +10,7 @@ namespace skydrop::render {
 // of the sun, [0, 2] of the sky, which what ice scatters makes more.
 struct LightShares {
   double sun = 1, sky = 1;
+  double diffuseSun = 0;  // of the sun's light, what clouds have scattered: it comes from all of the sky
 };
 
 // Tells what dims the light over more than a model's length, before the shadows that models cast. A resource

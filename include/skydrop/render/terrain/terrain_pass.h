@@ -61,11 +61,10 @@ class TerrainPass final : public Pass {
   void drawLitLand(FrameContext& context);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
-  void drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap, bool isFirst);
+  void drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap);
   void drawIceShade(FrameContext& context, const IceShade& ice);
-  // Of all pixels, with a program that is in use; multiplied with what the mask has, if this is not the
-  // first.
-  void drawShares(bool isFirst);
+  // Of all pixels, with a program that is in use: what was there is replaced, or multiplied.
+  void drawShares(bool replaces);
   void drawSea(FrameContext& context);
   void drawLines(FrameContext& context);
 
