@@ -13,6 +13,7 @@
 #include "skydrop/render/frame/light_shares.h"
 #include "skydrop/render/sky/halo_pass.h"
 #include "skydrop/render/sky/rainbow_pass.h"
+#include "support/margin.h"
 #include "support/plains_test.h"
 #include "support/row_steps.h"
 
@@ -243,6 +244,7 @@ TEST_F(AtmosphericOpticsGLTest, noReasonHidesAVisibleHaloOrBow) {
 TEST_F(AtmosphericOpticsGLTest, S63_framesAreFiniteWhereverLightAndEyeAre) {
   // Light in zenith, nadir, at and around the horizon; towards it and away from it; from 80 km, -50 m and 1e9
   // m; six stops over: finite and within the format.
+  test::noFaults("S63", "values that are not finite");
   halo_ = {.opticalDepth = 1, .plates = 0.5, .heightM = 15000};
   rainbow_ = {.extinction = 0.01, .dropRadiusMm = 1, .nearM = 0, .farM = 50000, .topM = 10000};
   settings_.exposureStops = 6;
@@ -262,6 +264,7 @@ TEST_F(AtmosphericOpticsGLTest, S63_framesAreFiniteWhereverLightAndEyeAre) {
 
 TEST_F(AtmosphericOpticsGLTest, S63_picturesFarOutAreThoseOfTheOrigin) {
   // 1e9 m out, bit for bit.
+  test::noFaults("S63", "violations");
   halo_.plates = 0.3;
   for (const double yaw : {0.0, 180.0})
     EXPECT_TRUE(frame(view(300, yaw, 5)) == frame(view(300, yaw, 5, 1e9)));

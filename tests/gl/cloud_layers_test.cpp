@@ -10,6 +10,7 @@
 #include "skydrop/clouds/raised_sun.h"
 #include "skydrop/clouds/reference_march.h"
 #include "skydrop/core/shared_clouds.h"
+#include "support/margin.h"
 #include "support/shared_noise.h"
 
 namespace skydrop::render {
@@ -74,7 +75,8 @@ TEST_F(CloudLayersGLTest, W24_overlappingLayersAreTheSumOfTheirDensities) {
         const double exact = gather(layers, ray, 8192, 1).transmittance;
         const double through = static_cast<double>(found[static_cast<std::size_t>(y * view.width + x)].w);
         worst = std::max(worst, std::abs(through - exact));
-        EXPECT_NEAR(through, exact, 2e-3) << "pixel " << x << ' ' << y;
+        EXPECT_TRUE(test::holds("W24", test::apart(through, exact), test::atMost(2e-3), "transmittance"))
+            << "pixel " << x << ' ' << y;
         clouded += exact < 0.99;
       }
     }
@@ -186,7 +188,7 @@ TEST_F(CloudLayersGLTest, W20_layersWithoutCoverAreNotThere) {
   setWeather({kCumulus, faint});
   const std::vector<glm::vec4> withFaint = cloudsFrom(below());
   EXPECT_TRUE(areFinite(withFaint));
-  EXPECT_LT(difference(withFaint, alone), 1);
+  EXPECT_TRUE(test::holds("W20", difference(withFaint, alone), test::below(1), "of 255"));
 }
 
 TEST_F(CloudLayersGLTest, W21_twoIdenticalLayersAreOneOfTwiceTheDensity) {
@@ -204,8 +206,11 @@ TEST_F(CloudLayersGLTest, W21_twoIdenticalLayersAreOneOfTwiceTheDensity) {
     float brightest = 0;
     for (const glm::vec4& ray : one) brightest = std::max(brightest, ray.y);
     for (std::size_t i = 0; i < one.size(); ++i) {
-      ASSERT_NEAR(two[i].w, one[i].w, 2e-3) << i;
-      ASSERT_NEAR(two[i].y, one[i].y, 0.02f * brightest) << i;
+      ASSERT_TRUE(test::holds("W21", test::apart(two[i].w, one[i].w), test::atMost(2e-3), "transmittance"))
+          << i;
+      ASSERT_TRUE(
+          test::holds("W21", test::apart(two[i].y, one[i].y), test::atMost(0.02f * brightest), "light"))
+          << i;
     }
   }
 }
@@ -222,7 +227,9 @@ TEST_F(CloudLayersGLTest, W22_landWithinALayerHidesWhatIsBeyond) {
   const std::vector<glm::vec4> upper = cloudsFrom(down);
   setWeather({kCumulus, kAltocumulus});
   const std::vector<glm::vec4> both = cloudsFrom(down);
-  for (std::size_t i = 0; i < both.size(); ++i) ASSERT_NEAR(both[i].w, upper[i].w, 1e-3) << i;
+  for (std::size_t i = 0; i < both.size(); ++i)
+    ASSERT_TRUE(test::holds("W22", test::apart(both[i].w, upper[i].w), test::atMost(1e-3), "transmittance"))
+        << i;
 }
 
 TEST_F(CloudLayersGLTest, W23_theEyeOnABoundaryOfAnyLayerSeesWhatIsBesideIt) {
@@ -235,7 +242,9 @@ TEST_F(CloudLayersGLTest, W23_theEyeOnABoundaryOfAnyLayerSeesWhatIsBesideIt) {
       const std::vector<glm::vec4> on = cloudsFrom(small({0, height, 0}, 40, pitch));
       EXPECT_TRUE(areFinite(on));
       for (const double beside : {-1e-3, 1e-3}) {
-        EXPECT_LT(meanDifference(cloudsFrom(small({0, height + beside, 0}, 40, pitch)), on), 0.2)
+        EXPECT_TRUE(test::holds("W23",
+                                meanDifference(cloudsFrom(small({0, height + beside, 0}, 40, pitch)), on),
+                                test::below(0.2), "of 255"))
             << height << ' ' << pitch;
       }
     }
@@ -251,12 +260,15 @@ TEST_F(CloudLayersGLTest, W25_theRangeOfAnOccupancyIsNotSeen) {
     setWeather({{weather::Genus::cumulus, base, base + 1800, cover, 1}, kAltocumulus});
     return sceneFrom(below());
   };
-  EXPECT_LT(meanDifference(with(0.5 - 1e-6, 1555), with(0.5 + 1e-6, 1555)), 0.5);
-  EXPECT_LT(meanDifference(with(0.45, 1574.999), with(0.45, 1575.001)), 0.5);
+  EXPECT_TRUE(test::holds("W25", meanDifference(with(0.5 - 1e-6, 1555), with(0.5 + 1e-6, 1555)),
+                          test::below(0.5), "of 255"));
+  EXPECT_TRUE(test::holds("W25", meanDifference(with(0.45, 1574.999), with(0.45, 1575.001)), test::below(0.5),
+                          "of 255"));
 }
 
 TEST_F(CloudLayersGLTest, W26_layersAFullTurnAwayAreTheSame) {
   // 1e9 m out: finite, and a frame again is the same bits.
+  test::noFaults("W26", "differences");
   addClouds(test::sharedNoise());
   clouds_.march = test::rowsOf(CloudTier::high);
   setWeather({kCumulus, kAltocumulus, kTower});
@@ -269,6 +281,7 @@ TEST_F(CloudLayersGLTest, W26_layersAFullTurnAwayAreTheSame) {
 
 TEST_F(CloudLayersGLTest, W27_aFrameIsAFunctionOfItsState) {
   // However the weather came to it: straight away, or through minutes of change with work made ahead.
+  test::noFaults("W27", "differences");
   addClouds(test::sharedNoise());
   clouds_.march = test::rowsOf(CloudTier::low);
   weather::WeatherSettings settings;

@@ -10,6 +10,7 @@
 #include "skydrop/clouds/reference_march.h"
 #include "skydrop/core/shared.h"
 #include "support/cloud_frame_test.h"
+#include "support/margin.h"
 #include "support/shared_noise.h"
 #include "support/temporary_folder.h"
 
@@ -149,6 +150,7 @@ TEST_F(CloudReferenceGLTest, C34_theExactMarchBendsAsTheMarchInDoubles) {
   // enter it again), from within and from just over the top, to 60 km: as near as those of the other views,
   // in steps that do not grow to more than 8 m. (The tier's own, 64 m long out there, are off by up to .006
   // of the transmittance of single rays.)
+  test::noFaults("C34", "violations");
   addClouds(test::sharedNoise());
   clouds_.march = test::rowsOf(clouds::CloudTier::reference);
   clouds_.march.stepGrowth = 0.0002;
@@ -427,6 +429,7 @@ TEST_F(CloudCountGLTest, theTiersToPlayWithNeedOneDispatch) {
 TEST_F(CloudCountGLTest, C24_aRayThatMeetsNothingKeepsTheFarMarker) {
   // The mean distance of light that is not there is 65 km, which a half float keeps; of light that is there
   // it lies where the clouds are.
+  test::noFaults("C24", "violations");
   const Dispatches& dispatches = countFrom(small({0, 600, 0}, 40, 14));
   int met = 0, clear = 0;
   for (const CountingPass::Ray& ray : dispatches.back()) {

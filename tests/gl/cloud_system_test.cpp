@@ -8,6 +8,7 @@
 #include "skydrop/core/settings_table.h"
 #include "support/frame_test.h"
 #include "support/light_probe.h"
+#include "support/margin.h"
 #include "support/shared_noise.h"
 
 namespace skydrop::render {
@@ -55,6 +56,7 @@ TEST_F(CloudSystemGLTest, C34_theLayerIsInViewWhereTheEarthBringsItThere) {
   // In the distance the layer is 282 m lower. From 200 m below the base, a view of a degree whose upper edge
   // lies .05 degrees below the horizon sees it; one that lies .5 degrees below does not. From 200 m over the
   // top a view just below the horizon sees none (it would of a flat layer); from 10 m it does.
+  test::noFaults("C34", "violations");
   settings_.camera.fovDegrees = 1;
   clouds_.layers[0].coverage = 1;
   const auto reasonAt = [&](double height, double pitch) {
@@ -72,6 +74,7 @@ TEST_F(CloudSystemGLTest, C34_theLayerIsInViewWhereTheEarthBringsItThere) {
 
 TEST_F(CloudSystemGLTest, C31_dispatchesNothingWhereNoCloudCanBeSeen) {
   // A clear sky, a layer outside the picture or faded, and the tier off: no dispatch at all, and a reason.
+  test::noFaults("C31", "violations");
   const auto dispatches = [&](const View& view) {
     lightFrom(view);
     const auto& passes = context().resources().passes();
@@ -116,6 +119,7 @@ TEST_F(CloudSystemGLTest, everyEndOfEverySliderDrawsFiniteLight) {
 
 TEST_F(CloudSystemGLTest, C28_repeatedFramesAreBitIdentical) {
   // A hundred frames of one view equal the first: no missing barrier, nothing read before it was written.
+  test::noFaults("C28", "differences");
   const std::vector<glm::vec4> first = lightFrom(below());
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(lightFrom(below()) == first) << "frame " << i;
 }

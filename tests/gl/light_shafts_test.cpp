@@ -23,6 +23,7 @@
 #include "support/frame_test.h"
 #include "support/hills_source.h"
 #include "support/light_probe.h"
+#include "support/margin.h"
 #include "support/plains_pass.h"
 #include "support/row_steps.h"
 #include "support/temporary_folder.h"
@@ -288,6 +289,7 @@ class StabilityGL : public LightShaftsGLTest {};
 TEST_F(StabilityGL, S65_shaftsAreFiniteWithTheSunAtTheHorizonInTheZenithAndTheNadir) {
   // In every direction, from the land to 80 km and from 50 m below the sea, over a plain that nothing cuts
   // off: each pixel has light, more than none (what is no number would be stored as none), and finite.
+  test::noFaults("S65", "values that are not finite");
   addSky();
   addLand(test::makeHillsSource());
   plains_ = {{0, glm::vec3(1000)}};
@@ -328,7 +330,7 @@ TEST_F(StabilityGL, S66_shaftsFarOutAreThoseAtTheOrigin) {
     all += glm::dot(loss, loss);
   }
   EXPECT_GT(all, 0.1);
-  EXPECT_LT(std::sqrt(square / all), 2e-4);
+  EXPECT_TRUE(test::holds("S66", std::sqrt(square / all), test::below(2e-4), "relative"));
 }
 
 TEST_F(LightShaftsGLTest, everyTenthOfEveryRowMakesADifference) {

@@ -10,6 +10,7 @@
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/gl/shader.h"
 #include "support/gl_test.h"
+#include "support/margin.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::render::gl {
@@ -132,8 +133,11 @@ TEST_F(SharedGLTest, C01_phaseFunctionAgreesUpToItsLimit) {
   }
   run(rows, "r = vec4(henyeyGreenstein(a.x, a.y), rayleighPhase(a.x), 0.0, 0.0);");
   for (std::size_t i = 0; i < kCount; ++i) {
-    ASSERT_NEAR(result_[i].x / shared::henyeyGreenstein(rows[i].x, rows[i].y), 1, 1e-5f);
-    ASSERT_NEAR(result_[i].y / shared::rayleighPhase(rows[i].x), 1, 1e-6f);
+    ASSERT_TRUE(test::holds("C01",
+                            test::apart(result_[i].x / shared::henyeyGreenstein(rows[i].x, rows[i].y), 1),
+                            test::atMost(1e-5f), "relative"));
+    ASSERT_TRUE(test::holds("C01", test::apart(result_[i].y / shared::rayleighPhase(rows[i].x), 1),
+                            test::atMost(1e-6f), "relative"));
   }
 }
 
@@ -144,7 +148,8 @@ TEST_F(SharedGLTest, C14_distanceComesBackFromDepth) {
   run(rows,
       "r.x = distanceOfDepth(depthOfViewZ(a.x / a.y, 0.1), 0.1, a.y); r.y = distanceOfDepth(0.0, 0.1, a.y);");
   for (std::size_t i = 0; i < kCount; ++i) {
-    ASSERT_NEAR(result_[i].x / rows[i].x, 1, 1e-4f);
+    ASSERT_TRUE(
+        test::holds("C14", test::apart(result_[i].x / rows[i].x, 1), test::atMost(1e-4f), "relative"));
     ASSERT_EQ(result_[i].y, 1e30f);
   }
 }
@@ -243,7 +248,10 @@ TEST_F(SharedGLTest, C03_C04_opacityOfAStepDoesNotCancel) {
   run(rows, "r.x = stepOpacity(a.x);");
   for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_EQ(result_[i].x, edges[i].second) << edges[i].first;
   for (std::size_t i = edges.size(); i < kCount; ++i) {
-    ASSERT_NEAR(result_[i].x / -std::expm1(-static_cast<double>(rows[i].x)), 1, 1e-5) << rows[i].x;
+    ASSERT_TRUE(test::holds("C03 C04",
+                            test::apart(result_[i].x / -std::expm1(-static_cast<double>(rows[i].x)), 1),
+                            test::atMost(1e-5), "relative"))
+        << rows[i].x;
   }
 }
 
@@ -267,11 +275,16 @@ TEST_F(SharedGLTest, C05_C06_cloudDensityAgreesAndIsAShare) {
     const glm::vec4 &a = rows[i], &r = result_[i];
     const shared::CloudMedium medium{0.4f, a.y, 0.1f, 0.35f};
     const shared::Vec4 weather(a.z, 0, a.w, 1);
-    ASSERT_NEAR(r.x, shared::cloudShapeDensity(medium, a.x, weather, a.w * 0.7f + 0.4f), 2e-5f);
-    ASSERT_NEAR(r.y, shared::cloudDensity(medium, a.x, weather, a.w * 0.7f + 0.4f, a.z - std::floor(a.z)),
-                2e-5f);
+    ASSERT_TRUE(test::holds(
+        "C05 C06", test::apart(r.x, shared::cloudShapeDensity(medium, a.x, weather, a.w * 0.7f + 0.4f)),
+        test::atMost(2e-5f), "density"));
+    ASSERT_TRUE(test::holds("C05 C06",
+                            test::apart(r.y, shared::cloudDensity(medium, a.x, weather, a.w * 0.7f + 0.4f,
+                                                                  a.z - std::floor(a.z))),
+                            test::atMost(2e-5f), "density"));
     ASSERT_EQ(r.z, a.x < a.w ? 0.25f : 0.75f) << "equal bounds are a step";
-    ASSERT_NEAR(r.w, shared::cloudProfile(a.x, a.w), 2e-5f);
+    ASSERT_TRUE(test::holds("C05 C06", test::apart(r.w, shared::cloudProfile(a.x, a.w)), test::atMost(2e-5f),
+                            "density"));
     for (const float share : {r.x, r.y, r.w}) ASSERT_TRUE(share >= 0 && share <= 1);
     ASSERT_TRUE(a.y * a.z > 0 || (r.x == 0 && r.y == 0)) << "cloud without coverage";
     clouds += r.y > 0;
@@ -316,8 +329,8 @@ TEST_F(SharedGLTest, C09_stretchInABoxIsThatOfDoubles) {
     ASSERT_EQ(result_[i].z, 0);
     hits += isHit;
     if (!isHit) continue;
-    ASSERT_NEAR(result_[i].x, exact.begin, 1e-4 * scale);
-    ASSERT_NEAR(result_[i].y, exact.end, 1e-4 * scale);
+    ASSERT_TRUE(test::holds("C09", test::apart(result_[i].x, exact.begin), test::atMost(1e-4 * scale), "m"));
+    ASSERT_TRUE(test::holds("C09", test::apart(result_[i].y, exact.end), test::atMost(1e-4 * scale), "m"));
   }
   EXPECT_TRUE(hits > 500 && hits < 1600) << hits;
 }

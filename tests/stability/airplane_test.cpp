@@ -15,6 +15,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/flight/environment.h"
 #include "skydrop/flight/rotation.h"
+#include "support/margin.h"
 #include "support/soak.h"
 
 namespace skydrop::flight {
@@ -55,13 +56,15 @@ TEST(Stability, P04_anHourOfScriptedFlightStaysFinite) {
     fastest = std::max(fastest, glm::length(airplane.body().velocity()));
   }
   EXPECT_TRUE(isFinite(airplane.body().state()));
-  EXPECT_NEAR(glm::length(airplane.body().orientation()), 1, 1e-12);
+  EXPECT_TRUE(test::holds("P04", test::apart(glm::length(airplane.body().orientation()), 1),
+                          test::atMost(1e-12), "of length 1"));
   EXPECT_LT(fastest, 220);  // m/s: thrust and weight against drag, straight down
 }
 
 TEST(Stability, P04_noAircraftClimbsOutOfTheWorldThatIsDrawn) {
   // Ten minutes upwards with the strongest engine that can be set, from just below the thin air: it stays
   // below the ceiling, and comes down again when the engine idles.
+  test::noFaults("P04", "violations");
   AirplaneSettings settings;
   settings.maxThrottle = 1000;
   BodyState start = flyingNorth(250);
@@ -90,10 +93,12 @@ double terminalSpeed(Integrator integrator, int rate) {
 TEST(Stability, P08_terminalSpeedDoesNotDependOnTheStep) {
   // Full throttle until steady at 8 to 240 Hz: the same 120 m/s within .01 %.
   const double reference = terminalSpeed(Integrator::rkmk4, 480);
-  EXPECT_NEAR(reference, 120, 0.012);
+  EXPECT_TRUE(test::holds("P08", test::apart(reference, 120), test::atMost(0.012), "m/s"));
   for (const Integrator integrator : {Integrator::rk4, Integrator::rkmk4}) {
     for (const int rate : {8, 10, 15, 30, 60, 120, 240}) {
-      EXPECT_NEAR(terminalSpeed(integrator, rate) / reference, 1, 1e-4) << rate;
+      EXPECT_TRUE(test::holds("P08", test::apart(terminalSpeed(integrator, rate) / reference, 1),
+                              test::atMost(1e-4), "relative"))
+          << rate;
     }
   }
 }
@@ -122,8 +127,12 @@ TEST(Stability, P09_stiffModesDecayRightAtTheShippedStepAndStayStableAtEightTime
     const double d = 0.3, damped = w * std::sqrt(1 - d * d);
     const double envelope = 0.1 * std::exp(-d * w) / std::sqrt(1 - d * d);
     const double truth = 0.1 * std::exp(-d * w) * (std::cos(damped) + d * w / damped * std::sin(damped));
-    EXPECT_NEAR(swingAfter(w, d, 1, 120), truth, 0.01 * envelope) << w;
-    EXPECT_LT(std::abs(swingAfter(w, d, 20, 15)), 0.1 * 1e-3) << w;
+    EXPECT_TRUE(test::holds("P09", test::apart(swingAfter(w, d, 1, 120), truth),
+                            test::atMost(0.01 * envelope), "of the swing"))
+        << w;
+    EXPECT_TRUE(
+        test::holds("P09", std::abs(swingAfter(w, d, 20, 15)), test::below(0.1 * 1e-3), "of the swing"))
+        << w;
   }
 }
 
@@ -141,7 +150,9 @@ TEST(Stability, P09_rollRateDecaysRightWithATimeConstantOfATwentiethOfASecond) {
         return Wrench{glm::dvec3(0), -20.0 * s.angularVelocity};
       });
     }
-    EXPECT_NEAR(body.state().angularVelocity.z, 2 * std::exp(-20 * seconds), 0.01 * 2 * std::exp(-2)) << rate;
+    EXPECT_TRUE(test::holds("P09", test::apart(body.state().angularVelocity.z, 2 * std::exp(-20 * seconds)),
+                            test::atMost(0.01 * 2 * std::exp(-2)), "rad/s"))
+        << rate;
   }
 }
 
@@ -162,9 +173,11 @@ TEST(Stability, P09_theAircraftTunedStiffFliesAtEightTimesTheStep) {
     }
     ends.push_back(attitudeOf(airplane.body().orientation()));
   }
-  EXPECT_NEAR(ends[0].bankRad * kDegrees, ends[1].bankRad * kDegrees, 0.1);
-  EXPECT_NEAR(ends[0].pitchRad * kDegrees, ends[1].pitchRad * kDegrees, 0.1);
-  EXPECT_NEAR(ends[0].bankRad * kDegrees, 0, 1);
+  EXPECT_TRUE(test::holds("P09", test::apart(ends[0].bankRad * kDegrees, ends[1].bankRad * kDegrees),
+                          test::atMost(0.1), "degrees"));
+  EXPECT_TRUE(test::holds("P09", test::apart(ends[0].pitchRad * kDegrees, ends[1].pitchRad * kDegrees),
+                          test::atMost(0.1), "degrees"));
+  EXPECT_TRUE(test::holds("P09", test::apart(ends[0].bankRad * kDegrees, 0), test::atMost(1), "degrees"));
 }
 
 TEST(Stability, P10_attitudeReadsRightAtEveryHeadingUpToNearlyStraightUp) {
@@ -183,9 +196,15 @@ TEST(Stability, P10_attitudeReadsRightAtEveryHeadingUpToNearlyStraightUp) {
         const glm::dmat3 axes(glm::dvec3(wing), glm::dvec3(roof), -glm::dvec3(forward));
         const Attitude read = attitudeOf(glm::normalize(glm::quat_cast(axes)));
         const auto apart = [](double a, double b2) { return std::remainder(a - b2, 360.0); };
-        EXPECT_NEAR(apart(read.headingRad * kDegrees, heading), 0, 1e-4) << pitch << " " << bank;
-        EXPECT_NEAR(read.pitchRad * kDegrees, pitch, 1e-4) << heading << " " << bank;
-        EXPECT_NEAR(apart(read.bankRad * kDegrees, bank), 0, 1e-4) << heading << " " << pitch;
+        EXPECT_TRUE(test::holds("P10", test::apart(apart(read.headingRad * kDegrees, heading), 0),
+                                test::atMost(1e-4), "degrees"))
+            << pitch << " " << bank;
+        EXPECT_TRUE(
+            test::holds("P10", test::apart(read.pitchRad * kDegrees, pitch), test::atMost(1e-4), "degrees"))
+            << heading << " " << bank;
+        EXPECT_TRUE(test::holds("P10", test::apart(apart(read.bankRad * kDegrees, bank), 0),
+                                test::atMost(1e-4), "degrees"))
+            << heading << " " << pitch;
       }
     }
   }
@@ -205,18 +224,24 @@ TEST(Stability, P11_everyAttitudeGivesAnOrthonormalFrameAndFiniteAngles) {
     const glm::dmat3 m = glm::mat3_cast(q);
     const glm::dmat3 unit = glm::transpose(m) * m;
     for (int column = 0; column < 3; ++column) {
-      for (int row = 0; row < 3; ++row) EXPECT_NEAR(unit[column][row], column == row ? 1 : 0, 1e-6);
+      for (int row = 0; row < 3; ++row)
+        EXPECT_TRUE(test::holds("P11", test::apart(unit[column][row], column == row ? 1 : 0),
+                                test::atMost(1e-6), "of a unit matrix"));
     }
-    EXPECT_NEAR(glm::determinant(m), 1, 1e-6);
+    EXPECT_TRUE(
+        test::holds("P11", test::apart(glm::determinant(m), 1), test::atMost(1e-6), "of a unit matrix"));
     const Attitude read = attitudeOf(q);
     ASSERT_TRUE(std::isfinite(read.headingRad) && std::isfinite(read.pitchRad) &&
                 std::isfinite(read.bankRad));
-    EXPECT_LT(glm::length(logarithmMap(glm::normalize(glm::conjugate(q) * orientationOf(read)))), 1e-6);
+    EXPECT_TRUE(
+        test::holds("P11", glm::length(logarithmMap(glm::normalize(glm::conjugate(q) * orientationOf(read)))),
+                    test::below(1e-6), "rad"));
   }
 }
 
 TEST(Stability, P12_stepsOfNoTimeOrNonsenseLeaveTheAircraftAsItWas) {
   // dt = 0, negative, NaN, infinite: position, throttle and attitude keep every bit.
+  test::noFaults("P12", "violations");
   Airplane airplane({}, flyingNorth(70));
   airplane.step({.thrust = 1, .roll = 1}, kCalm, 1.0 / 120);
   const BodyState before = airplane.body().state();
@@ -229,6 +254,7 @@ TEST(Stability, P12_stepsOfNoTimeOrNonsenseLeaveTheAircraftAsItWas) {
 
 TEST(Stability, P13_unusableSettingsAndPosesAreRefusedAndChangeNothing) {
   // No mass, no wing, NaN anywhere: RangeError at the door, at construction and while flying.
+  test::noFaults("P13", "inputs accepted");
   AirplaneSettings noMass, noWing, nanDrag;
   noMass.mass = 0;
   noWing.wingArea = -1;
@@ -265,9 +291,12 @@ TEST(Stability, P19_airForcesVanishContinuouslyAndReversedFlowIsFinite) {
                   std::isfinite(flow.loadFactor));
       if (speed <= 1e-3) {
         // 1e3 kg/m of area, density and coefficients is generous: force < 1e3 v^2.
-        EXPECT_LE(glm::length(w.force - weight), 1e3 * speed * speed + 1e-11) << speed;
+        EXPECT_TRUE(
+            test::holds("P19", glm::length(w.force - weight), test::atMost(1e3 * speed * speed + 1e-11), "N"))
+            << speed;
         // Damping against the path's own turning leaves a torque proportional to the speed.
-        EXPECT_LE(glm::length(w.torque), 1e4 * speed + 1e-11) << speed;
+        EXPECT_TRUE(test::holds("P19", glm::length(w.torque), test::atMost(1e4 * speed + 1e-11), "N m"))
+            << speed;
       }
     }
   }
@@ -287,9 +316,12 @@ TEST(Stability, P19_anAircraftThatHangsInTheAirFallsAndFliesOn) {
       ASSERT_TRUE(isFinite(airplane.body().state()));
     }
     EXPECT_GT(airplane.body().position().y, -1500);
-    EXPECT_NEAR(attitudeOf(airplane.body().orientation()).bankRad * kDegrees, 0, 5);
-    EXPECT_NEAR(airplane.body().velocity().y, 0, 3);
-    EXPECT_NEAR(glm::length(airplane.body().velocity()), 70, 15);
+    EXPECT_TRUE(test::holds("P19",
+                            test::apart(attitudeOf(airplane.body().orientation()).bankRad * kDegrees, 0),
+                            test::atMost(5), "degrees"));
+    EXPECT_TRUE(test::holds("P19", test::apart(airplane.body().velocity().y, 0), test::atMost(3), "m/s"));
+    EXPECT_TRUE(test::holds("P19", test::apart(glm::length(airplane.body().velocity()), 70), test::atMost(15),
+                            "m/s"));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/chunk_data.h"
+#include "support/margin.h"
 
 namespace skydrop::terrain {
 namespace {
@@ -23,18 +24,22 @@ TEST(Stability, T17_aTiltedPlaneHasItsNormal) {
   const double length = std::sqrt(0.3 * 0.3 + 0.2 * 0.2 + 1);
   const glm::dvec3 truth(-0.3 / length, 1 / length, 0.2 / length);
   const glm::dvec3 normal = normalOf(plane->sample({12, 34}));
-  EXPECT_NEAR(normal.x, truth.x, 1e-6);
-  EXPECT_NEAR(normal.y, truth.y, 1e-6);
-  EXPECT_NEAR(normal.z, truth.z, 1e-6);
+  EXPECT_TRUE(test::holds("T17", test::apart(normal.x, truth.x), test::atMost(1e-6), "of length 1"));
+  EXPECT_TRUE(test::holds("T17", test::apart(normal.y, truth.y), test::atMost(1e-6), "of length 1"));
+  EXPECT_TRUE(test::holds("T17", test::apart(normal.z, truth.z), test::atMost(1e-6), "of length 1"));
   const ChunkData chunk = makeChunk(*plane, {0, 0, 0});
   const int reach = normalReach(0);
   for (int row = -reach; row < kChunkSamples + reach; ++row) {
     for (int column = -reach; column < kChunkSamples + reach; ++column)
-      ASSERT_LT(degreesBetween(decodeNormal(chunk.normals[normalAt(column, row)]), truth), 0.6);
+      ASSERT_TRUE(test::holds("T17",
+                              degreesBetween(decodeNormal(chunk.normals[normalAt(column, row)]), truth),
+                              test::below(0.6), "degrees"));
   }
   // The stored heights rise along the columns and fall along the rows.
-  EXPECT_NEAR(chunk.height(at(100, 0)) - chunk.height(at(0, 0)), 120.0, chunk.heightRange.step());
-  EXPECT_NEAR(chunk.height(at(0, 100)) - chunk.height(at(0, 0)), -80.0, chunk.heightRange.step());
+  EXPECT_TRUE(test::holds("T17", test::apart(chunk.height(at(100, 0)) - chunk.height(at(0, 0)), 120.0),
+                          test::atMost(chunk.heightRange.step()), "m"));
+  EXPECT_TRUE(test::holds("T17", test::apart(chunk.height(at(0, 100)) - chunk.height(at(0, 0)), -80.0),
+                          test::atMost(chunk.heightRange.step()), "m"));
 }
 
 TEST(Stability, T17_storedNormalsAreNeverFarOff) {
@@ -46,12 +51,13 @@ TEST(Stability, T17_storedNormalsAreNeverFarOff) {
       worst = std::max(worst, degreesBetween(decodeNormal(encodeNormal(sample.gradient)), normalOf(sample)));
     }
   }
-  EXPECT_LT(worst, 0.6);
+  EXPECT_TRUE(test::holds("T17", worst, test::below(0.6), "degrees"));
 }
 
 TEST(Stability, T17_aRidgeIsSymmetric) {
   // A ridge on the chunk's middle column: heights equal, normals mirrored, sample by sample; upright on the
   // crest.
+  test::noFaults("T17", "violations");
   const auto ridge = makeRidgeSource(480, 300, 0.5, 0);
   const ChunkData chunk = makeChunk(*ridge, {0, 0, 0});
   for (int row = 0; row < kChunkSamples; row += 16) {
@@ -72,6 +78,7 @@ TEST(Stability, T17_aRidgeIsSymmetric) {
 
 TEST(Stability, T17_aStepStandsWhereItStands) {
   // The sample on the edge belongs to the east; no sample has a height between the two.
+  test::noFaults("T17", "violations");
   const auto step = makeStepSource(400, 10, 90);
   const ChunkData chunk = makeChunk(*step, {0, -1, 0});
   for (int row = 0; row < kChunkSamples; ++row) {

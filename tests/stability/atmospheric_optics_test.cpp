@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "skydrop/core/shared_optics.h"
+#include "support/margin.h"
 
 namespace skydrop::core::shared {
 namespace {
@@ -20,11 +21,14 @@ TEST(Stability, S60_angleFromTheLightIsRightNextToItAndOppositeToIt) {
     for (const double angle : {0.0, 1e-6, 1e-4, 1e-3, 0.38, 1.5, 3.0}) {
       const glm::dvec3 seen = std::cos(angle) * light + std::sin(angle) * aside;
       const double rounding = 1.2e-7 * 2;
-      EXPECT_NEAR(static_cast<double>(f32::angleBetween(single(seen), single(light))), angle,
-                  rounding + 1e-6 * angle);
+      EXPECT_TRUE(test::holds(
+          "S60", test::apart(static_cast<double>(f32::angleBetween(single(seen), single(light))), angle),
+          test::atMost(rounding + 1e-6 * angle), "rad"));
       const double pi = 3.14159265358979;
-      EXPECT_NEAR(static_cast<double>(f32::angleBetween(single(seen), single(-light))), pi - angle,
-                  rounding + 4e-7);
+      EXPECT_TRUE(test::holds(
+          "S60",
+          test::apart(static_cast<double>(f32::angleBetween(single(seen), single(-light))), pi - angle),
+          test::atMost(rounding + 4e-7), "rad"));
     }
   }
 }
@@ -37,13 +41,17 @@ TEST(Stability, S61_sunDogsHaveAPlaceForAnyLightAndAnyDirection) {
     for (const glm::vec3& seen : directions) {
       const glm::vec3 at = f32::sunDogDegrees(seen, light);
       EXPECT_TRUE(std::isfinite(at.x + at.y + at.z)) << light.x << light.y << ' ' << seen.x << seen.y;
-      EXPECT_NEAR(at.z, std::asin(light.y) / f32::kDegree, 1e-3f);
-      EXPECT_NEAR(at.y + at.z, std::asin(seen.y) / f32::kDegree, 1e-3f);
+      EXPECT_TRUE(test::holds("S61", test::apart(at.z, std::asin(light.y) / f32::kDegree),
+                              test::atMost(1e-3f), "degrees"));
+      EXPECT_TRUE(test::holds("S61", test::apart(at.y + at.z, std::asin(seen.y) / f32::kDegree),
+                              test::atMost(1e-3f), "degrees"));
     }
     EXPECT_TRUE(std::isfinite(f32::leastSunDogAzimuth(light.y)));
   }
-  EXPECT_NEAR(f32::leastSunDogAzimuth(1) / f32::kDegree, 120, 1e-3f);
-  EXPECT_NEAR(f32::leastSunDogAzimuth(0) / f32::kDegree, 21.6f, 0.05f);
+  EXPECT_TRUE(test::holds("S61", test::apart(f32::leastSunDogAzimuth(1) / f32::kDegree, 120),
+                          test::atMost(1e-3f), "degrees"));
+  EXPECT_TRUE(test::holds("S61", test::apart(f32::leastSunDogAzimuth(0) / f32::kDegree, 21.6f),
+                          test::atMost(0.05f), "degrees"));
 }
 
 TEST(Stability, S62_iceAndRainAreFiniteFromAnyHeightAndOnLevelRays) {
@@ -78,7 +86,8 @@ TEST(Stability, S62_iceAndRainAreFiniteFromAnyHeightAndOnLevelRays) {
     EXPECT_TRUE(f32::rainScattering(depth) >= 0 && f32::rainScattering(depth) <= 0.5f + 1e-6f) << depth;
     EXPECT_TRUE(f32::iceScattering(depth) >= 0 && f32::iceScattering(depth) <= 0.37f) << depth;
   }
-  EXPECT_NEAR(f32::rainScattering(1e-6f) / 1e-6f, 1, 1e-5f);
+  EXPECT_TRUE(test::holds("S62", test::apart(f32::rainScattering(1e-6f) / 1e-6f, 1), test::atMost(1e-5f),
+                          "relative"));
 }
 
 TEST(AtmosphericOptics, rainPathIsThatOfStepsThroughTheRain) {

@@ -15,6 +15,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/game/world.h"
 #include "skydrop/terrain/analytic_height_sources.h"
+#include "support/margin.h"
 
 namespace skydrop::render {
 namespace {
@@ -53,9 +54,10 @@ TEST(Stability, P11_posesOfEveryAttitudeAreRotations) {
     const double pitch = i < 100 ? (i % 2 ? kPi / 2 : -kPi / 2) : (random.nextUnit() - 0.5) * 4 * kPi;
     camera.setPose({0, 0, 0}, random.nextUnit() * 20 - 10, pitch, i % 3 ? random.nextUnit() * 7 : kPi);
     const View view = camera.view({}, {}, 320, 180);
-    ASSERT_LT(rotationError(view.worldToView), 1e-6);
+    ASSERT_TRUE(test::holds("P11", rotationError(view.worldToView), test::below(1e-6), "of a unit matrix"));
     // The camera looks where the formula of the free camera says.
-    ASSERT_LT(glm::distance(view.forward(), camera.direction()), 1e-12);
+    ASSERT_TRUE(test::holds("P11", glm::distance(view.forward(), camera.direction()), test::below(1e-12),
+                            "of length 1"));
   }
 }
 
@@ -76,19 +78,23 @@ TEST(Stability, P11_camerasOnTheAircraftHaveNoSingularAttitude) {
       Camera camera;
       camera.setMode(mode);
       const View view = camera.view(snapshot, {}, 320, 180);
-      ASSERT_LT(rotationError(view.worldToView), 1e-6);
-      ASSERT_LT(glm::distance(view.forward(), q * glm::dvec3(0, 0, -1)), 1e-9);
-      ASSERT_LT(glm::distance(view.up(), q * glm::dvec3(0, 1, 0)), 1e-9);
+      ASSERT_TRUE(test::holds("P11", rotationError(view.worldToView), test::below(1e-6), "of a unit matrix"));
+      ASSERT_TRUE(test::holds("P11", glm::distance(view.forward(), q * glm::dvec3(0, 0, -1)),
+                              test::below(1e-9), "of length 1"));
+      ASSERT_TRUE(test::holds("P11", glm::distance(view.up(), q * glm::dvec3(0, 1, 0)), test::below(1e-9),
+                              "of length 1"));
     }
     // Turning fast, the chase camera hangs back by any angle and stays a rotation.
     snapshot.aircraft.trailingOrientation =
         glm::normalize(q * glm::angleAxis(random.nextUnit() * kPi, glm::normalize(glm::dvec3(2, -3, 5))));
-    ASSERT_LT(rotationError(Camera().view(snapshot, {}, 320, 180).worldToView), 1e-6);
+    ASSERT_TRUE(test::holds("P11", rotationError(Camera().view(snapshot, {}, 320, 180).worldToView),
+                            test::below(1e-6), "of a unit matrix"));
   }
 }
 
 TEST(Stability, P11_freeCameraKeepsItsPitchWithinFortyFiveDegrees) {
   // However hard the mouse pulls, and whatever pose came before.
+  test::noFaults("P11", "violations");
   Camera camera;
   camera.setPose({0, 0, 0}, 0, kPi / 2, 1);
   camera.turn(0, 10);
@@ -101,6 +107,7 @@ TEST(Stability, P11_freeCameraKeepsItsPitchWithinFortyFiveDegrees) {
 
 TEST(Stability, C27_cameraThatIsNotFiniteIsRejected) {
   // A NaN camera can draw a plausible picture; it is refused before anything is drawn, in one line.
+  test::noFaults("C27", "values that are not finite");
   Camera camera;
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     EXPECT_THROW(camera.setPose({bad, 0, 0}, 0, 0, 0), core::RangeError);
@@ -119,6 +126,7 @@ TEST(Stability, C27_cameraThatIsNotFiniteIsRejected) {
 
 TEST(Stability, C27_viewsThatCannotBeDrawnAreRejected) {
   // Every field at its edge: scaled, mirrored or NaN rotations, no field of view, no pixels, no near plane.
+  test::noFaults("C27", "inputs accepted");
   const auto refuses = [](auto change) {
     View view;
     change(view);

@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "support/margin.h"
+
 namespace skydrop::terrain {
 namespace {
 
@@ -28,6 +30,7 @@ void expectExact(double metres) {
 TEST(Stability, T04_chunkIndexIsTheExactFloorOnAndBesideEveryBorder) {
   // On a border, one unit in the last place beside it and a micrometre beside it, from 0 to 1e12 m and beyond
   // 2^31 chunks: the index is the floor.
+  test::noFaults("T04", "violations");
   const double kInfinity = std::numeric_limits<double>::infinity();
   for (const std::int64_t chunk :
        {std::int64_t{0}, std::int64_t{1}, std::int64_t{2083}, std::int64_t{1} << 31,
@@ -48,6 +51,7 @@ TEST(Stability, T04_chunkIndexIsTheExactFloorOnAndBesideEveryBorder) {
 
 TEST(Stability, T04_chunkIndexIsTheExactFloorAtRandomPositions) {
   // A million positions, uniform in the logarithm of their distance from 1 mm to 1e15 m.
+  test::noFaults("T04", "violations");
   core::RandomStream random{4, 0};
   for (int i = 0; i < 1000000; ++i) {
     const double distance = std::pow(10.0, random.nextUnit() * 18.0 - 3.0);
@@ -58,6 +62,7 @@ TEST(Stability, T04_chunkIndexIsTheExactFloorAtRandomPositions) {
 
 TEST(Stability, T04_parentCoversItsFourChildren) {
   // Also for negative indices: the parent of a child is the chunk that the child was made from.
+  test::noFaults("T04", "violations");
   for (const ChunkKey key : {ChunkKey{0, 0, 1}, ChunkKey{-1, -1, 1}, ChunkKey{-7, 5, 3}}) {
     for (int quadrant = 0; quadrant < 4; ++quadrant) {
       const ChunkKey child = childOf(key, quadrant);
@@ -83,8 +88,10 @@ TEST(Stability, T21_hashesOfNeighbouringChunksDifferAndSpread) {
         }
       }
       EXPECT_EQ(values.size(), 441u);
-      EXPECT_LE(*std::max_element(low.begin(), low.end()), 6);
-      EXPECT_LE(*std::max_element(high.begin(), high.end()), 6);
+      EXPECT_TRUE(test::holds("T21", *std::max_element(low.begin(), low.end()), test::atMost(6),
+                              "of 441 hashes in one bucket"));
+      EXPECT_TRUE(test::holds("T21", *std::max_element(high.begin(), high.end()), test::atMost(6),
+                              "of 441 hashes in one bucket"));
     }
   }
 }

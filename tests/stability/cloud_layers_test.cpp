@@ -10,6 +10,7 @@
 #include "skydrop/core/shared_clouds.h"
 #include "skydrop/game/flown_clouds.h"
 #include "support/cloud_noise.h"
+#include "support/margin.h"
 
 namespace skydrop {
 namespace {
@@ -53,6 +54,7 @@ TEST(CloudForm, thePlainFormIsTheMediumBitForBit) {
 TEST(Stability, W28_anOccupancyHoldsForAllLayersOfItsRange) {
   // Of each genus: any cover up to that of the occupancy, base and top within its slack. Wherever such a
   // layer has cloud, the cell at that share of its height is occupied.
+  test::noFaults("W28", "violations");
   constexpr double kSlackM = 25;
   core::RandomStream random{7, 0};
   for (const Usual& usual : kUsual) {
@@ -98,7 +100,8 @@ TEST(Stability, W29_floatsAndDoublesGiveTheDensityOfEachGenus) {
                                usual.baseM + random.nextUnit() * (usual.topM - usual.baseM),
                                -far + random.nextUnit() * 1e5);
         const double density = field.density(place);
-        EXPECT_NEAR(static_cast<double>(field.densityInFloat(place)), density, 2e-5);
+        EXPECT_TRUE(test::holds("W29", test::apart(static_cast<double>(field.densityInFloat(place)), density),
+                                test::atMost(2e-5), "density"));
         EXPECT_GE(density, 0);
         EXPECT_LE(density, 1);
       }

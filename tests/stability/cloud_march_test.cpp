@@ -16,6 +16,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
 #include "support/cloud_noise.h"
+#include "support/margin.h"
 
 namespace skydrop::clouds {
 namespace {
@@ -85,6 +86,7 @@ double sunThrough(double extinction, const MarchLight& light, const MarchRay& ra
 
 TEST(Stability, C02_noExtinctionLeavesTheBackground) {
   // Exactly, from anywhere and for any number of steps.
+  test::noFaults("C02", "violations");
   for (const int steps : {1, 16, 2048}) {
     expectBackground(referenceMarch(slab(0), afternoon(), slantedRay(), {steps, 4}));
     expectBackground(referenceMarch(slab(0), afternoon(), {{0, 2000, 0}, {1, 0, 0}, 0, 1e5}, {steps, 4}));
@@ -101,8 +103,8 @@ TEST(Stability, C03_opacityOfAStepDoesNotCancel) {
     worst = std::max(worst, std::abs(f64::stepOpacity(depth) / exact - 1));
     worstFloat = std::max(worstFloat, std::abs(f32::stepOpacity(depthFloat) / exact - 1));
   }
-  EXPECT_LT(worst, 1e-5);
-  EXPECT_LT(worstFloat, 1e-5);
+  EXPECT_TRUE(test::holds("C03", worst, test::below(1e-5), "relative"));
+  EXPECT_TRUE(test::holds("C03", worstFloat, test::below(1e-5), "relative"));
 }
 
 TEST(Stability, C04_extinctionWithoutBoundTendsToTheSource) {
@@ -114,10 +116,16 @@ TEST(Stability, C04_extinctionWithoutBoundTendsToTheSource) {
       const MarchResult result = referenceMarch(slab(extinction), afternoon(), along, {steps, 16});
       ASSERT_TRUE(isFinite(result));
       EXPECT_EQ(result.transmittance, 0);
-      EXPECT_NEAR(result.sky / f64::scatteredSky(0.6), 1, 1e-4) << steps;
-      EXPECT_NEAR(result.ground / f64::scatteredGround(0.6), 1, 1e-4) << steps;
-      EXPECT_NEAR(result.sun, 0, 1e-12) << "light through an opaque layer";
-      EXPECT_NEAR(result.distanceM, 2500.0 / steps, 1e-9) << "not in the first step";
+      EXPECT_TRUE(test::holds("C04", test::apart(result.sky / f64::scatteredSky(0.6), 1), test::atMost(1e-4),
+                              "relative"))
+          << steps;
+      EXPECT_TRUE(test::holds("C04", test::apart(result.ground / f64::scatteredGround(0.6), 1),
+                              test::atMost(1e-4), "relative"))
+          << steps;
+      EXPECT_TRUE(test::holds("C04", test::apart(result.sun, 0), test::atMost(1e-12), "light"))
+          << "light through an opaque layer";
+      EXPECT_TRUE(test::holds("C04", test::apart(result.distanceM, 2500.0 / steps), test::atMost(1e-9), "m"))
+          << "not in the first step";
     }
     // Level with the sun's way out nothing is in between: the source is all of the sun.
     const MarchMedium sheet{[=](const glm::dvec3& place) { return place.y > 2499.9 ? 0 : extinction; }, 1500,
@@ -125,7 +133,10 @@ TEST(Stability, C04_extinctionWithoutBoundTendsToTheSource) {
     const MarchLight zenith{{0, 1, 0}, 0.2, 0.15};
     const MarchRay grazing{{0, 2499.9, 0}, {1, 0, 0}, 0, 5000};
     const f64::Vec4 phases = f64::cloudPhases(0, zenith.anisotropy, zenith.forwardShare);
-    EXPECT_NEAR(referenceMarch(sheet, zenith, grazing, {3, 8}).sun / f64::scatteredSun(phases, 0), 1, 1e-4);
+    EXPECT_TRUE(test::holds(
+        "C04",
+        test::apart(referenceMarch(sheet, zenith, grazing, {3, 8}).sun / f64::scatteredSun(phases, 0), 1),
+        test::atMost(1e-4), "relative"));
   }
 }
 
@@ -177,6 +188,7 @@ bool hitOf(const glm::vec3& origin, const glm::vec3& direction, const glm::vec3&
 
 TEST(Stability, C09_intervalInABoxIsThatOfASearchInDoubles) {
   // A million random rays at scales from a metre to a hundred kilometres; floats.
+  test::noFaults("C09", "violations");
   core::RandomStream random{1, 0};
   const auto unit = [&] { return static_cast<float>(2 * random.nextUnit() - 1); };
   const auto vector = [&] { return glm::vec3(unit(), unit(), unit()); };
@@ -197,6 +209,7 @@ TEST(Stability, C09_raysAlongFacesEdgesAndThroughCornersAreNoLuck) {
   // Every ray from a lattice that holds the faces, edges and corners of the box, inside and out, in every
   // direction between lattice points: parallel to faces, in faces, along edges, through corners. All numbers
   // are exact in 32 bits. A box without thickness is a sheet, one turned inside out is empty.
+  test::noFaults("C09", "violations");
   const std::array<float, 7> lattice = {-2, -1, -0.5f, 0, 0.5f, 1, 2};
   const std::array<float, 5> steps = {-2, -1, 0, 1, 2};
   const auto points = [](const auto& values, const auto& visit) {
@@ -227,6 +240,7 @@ TEST(Stability, C09_raysAlongFacesEdgesAndThroughCornersAreNoLuck) {
 }
 
 TEST(Stability, C11_noStepsOrNoLengthLeaveTheBackground) {
+  test::noFaults("C11", "violations");
   const MarchMedium medium = slab(0.05);
   expectBackground(referenceMarch(medium, afternoon(), slantedRay(), {0, 16}));
   expectBackground(referenceMarch(medium, afternoon(), slantedRay(), {-3, 16}));
@@ -259,7 +273,8 @@ TEST(Stability, C21_sunBelowTheHorizonLightsNothingAndTheZenithIsNoSpecialCase) 
   // A grazing sun is worked out at 2 degrees, from its own compass direction.
   const glm::dvec3 place(0, 2400, 0);
   const double grazing = sunDepth(medium, glm::normalize(glm::dvec3(-1, 1e-6, 1)), place, 8);
-  EXPECT_NEAR(grazing, 0.004 * 100 / f64::kLeastSunSine, 1e-9);
+  EXPECT_TRUE(test::holds("C21", test::apart(grazing, 0.004 * 100 / f64::kLeastSunSine), test::atMost(1e-9),
+                          "of optical depth"));
   const MarchMedium westOnly{[](const glm::dvec3& at) { return at.x < 0 ? 0.004 : 0.0; }, 1500, 2500};
   EXPECT_GT(sunDepth(westOnly, glm::dvec3(-1, 0, 0), place, 8), 10);
   EXPECT_EQ(sunDepth(westOnly, glm::dvec3(1, 0, 0), place, 8), 0);
@@ -277,7 +292,8 @@ TEST(Stability, C23_deepAndDenormalDepthsNeitherStallNorGrow) {
   for (const int steps : {1, 10, 2048}) {
     const MarchResult deep = referenceMarch(slab(0.2), afternoon(), {{0, 1500, 0}, {0, 1, 0}}, {steps, 64});
     EXPECT_LE(deep.transmittance, 1e-38);
-    EXPECT_NEAR(deep.transmittance / std::exp(-200), 1, 1e-9);
+    EXPECT_TRUE(test::holds("C23", test::apart(deep.transmittance / std::exp(-200), 1), test::atMost(1e-9),
+                            "relative"));
     EXPECT_TRUE(isFinite(deep));
   }
   const f32::Vec4 phases = f32::cloudPhases(0.7f, 0.3f, 0.2f);
@@ -298,6 +314,7 @@ TEST(Stability, C23_deepAndDenormalDepthsNeitherStallNorGrow) {
 
 TEST(Stability, C24_rayThatMeetsNothingHasTheFarMarker) {
   // Nothing is averaged over no samples.
+  test::noFaults("C24", "violations");
   const MarchMedium medium = slab(0.05);
   for (const MarchRay& ray : {MarchRay{{0, 1000, 0}, {0, -1, 0}}, MarchRay{{0, 3000, 0}, {1, 0, 0}},
                               MarchRay{{0, 3000, 0}, {0, 1, 0}}, MarchRay{{1e7, 0, -1e7}, {0, 0, 1}}}) {
@@ -330,9 +347,10 @@ TEST(Stability, C30_layersWithoutThicknessAreEmptyAndCoincidentOnesAddUp) {
     const MarchRay ray{{i * 977.0, 1000, i * -391.0}, glm::normalize(glm::dvec3(1, 0.7, 0.1 * i - 2))};
     const MarchResult a = referenceMarch(overlapping, afternoon(), ray, {256, 16});
     const MarchResult b = referenceMarch(mediumOf(sum), afternoon(), ray, {256, 16});
-    ASSERT_NEAR(a.sun, b.sun, 1e-4);
-    ASSERT_NEAR(a.sky, b.sky, 1e-4);
-    ASSERT_NEAR(a.transmittance, b.transmittance, 1e-4);
+    ASSERT_TRUE(test::holds("C30", test::apart(a.sun, b.sun), test::atMost(1e-4), "of 1"));
+    ASSERT_TRUE(test::holds("C30", test::apart(a.sky, b.sky), test::atMost(1e-4), "of 1"));
+    ASSERT_TRUE(
+        test::holds("C30", test::apart(a.transmittance, b.transmittance), test::atMost(1e-4), "of 1"));
     clouds += b.transmittance < 0.9;
   }
   EXPECT_GT(clouds, 5) << "proves little";

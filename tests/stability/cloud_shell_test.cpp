@@ -11,6 +11,7 @@
 #include "skydrop/clouds/reference_march.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
+#include "support/margin.h"
 
 namespace skydrop::clouds {
 namespace {
@@ -46,9 +47,9 @@ TEST(Stability, C33_aBentRayIsAsHighOverTheSphereAsAStraightOne) {
   }
   RecordProperty("worstM", std::to_string(worst));
   RecordProperty("worstFloatM", std::to_string(worstFloat));
-  EXPECT_LT(worst, 1.5);
+  EXPECT_TRUE(test::holds("C33", worst, test::below(1.5), "m"));
   EXPECT_GT(worst, 0.1) << "the series has no rest: compared with itself";
-  EXPECT_LT(worstFloat, 1.0 / 128);
+  EXPECT_TRUE(test::holds("C33", worstFloat, test::below(1.0 / 128), "m"));
 }
 
 // How far a root in floats is from the level, as a share of the numbers that it was made of.
@@ -87,7 +88,7 @@ TEST(Stability, C33_whereARayCrossesALevelIsNoDifferenceOfEqualNumbers) {
     ASSERT_TRUE(above > 0 || (under.begin <= 0 && under.end >= 0));
   }
   RecordProperty("worstResidual", std::to_string(worst * 1e9) + "e-9");
-  EXPECT_LT(worst, 4e-7);
+  EXPECT_TRUE(test::holds("C33", worst, test::below(4e-7), "relative"));
   EXPECT_TRUE(crossing > 500000 && missing > 10000) << crossing << ' ' << missing;
   // Without bend and without rise: under the level for ever, or never.
   const f32::RaySpan always = f32::bentRayUnder(-1, 0, 0), never = f32::bentRayUnder(1, 0, 0);
@@ -136,8 +137,8 @@ TEST(Stability, C34_raysThatGrazeTheLayerLoseNothingOfIt) {
       EXPECT_LE(layer.begin, exact.begin + 0.1);
       EXPECT_GE(layer.end, exact.end - 0.1);
       // Not more than a ray may run in the last step of the walk.
-      EXPECT_NEAR(layer.begin, exact.begin, 30);
-      EXPECT_NEAR(layer.end, exact.end, 30);
+      EXPECT_TRUE(test::holds("C34", test::apart(layer.begin, exact.begin), test::atMost(30), "m"));
+      EXPECT_TRUE(test::holds("C34", test::apart(layer.end, exact.end), test::atMost(30), "m"));
       const f64::RaySpan underBase = f64::bentRayUnder(eyeM - baseM, direction.y, f64::rayBend(direction));
       dipping += underBase.begin > layer.begin && underBase.end < layer.end;
     }
@@ -161,7 +162,9 @@ TEST(Stability, C34_theReferenceMarchTakesBothPartsOfADip) {
     const double inside = kMostDistanceM - (under.end - under.begin);
     const MarchResult result =
         referenceMarch(shell, {}, {{0, 1600, 0}, direction, 0, kMostDistanceM}, {60000, 1});
-    EXPECT_NEAR(result.transmittance, std::exp(-2e-5 * inside), 2e-5) << degrees;
+    EXPECT_TRUE(test::holds("C34", test::apart(result.transmittance, std::exp(-2e-5 * inside)),
+                            test::atMost(2e-5), "transmittance"))
+        << degrees;
   }
   EXPECT_GE(dips, 2);
 }

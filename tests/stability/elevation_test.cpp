@@ -12,6 +12,7 @@
 #include "skydrop/terrain/chunk_data.h"
 #include "skydrop/terrain/chunk_grid.h"
 #include "support/elevation_files.h"
+#include "support/margin.h"
 #include "support/paths.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
@@ -69,7 +70,9 @@ TEST_F(ElevationStability, D30_theDateLineIsNoEdge) {
     const double longitude = east > 0 ? -180 + east : 180 + east;
     const auto here = land(across, 10, longitude), there = land(elsewhere, 10, 20 + east);
     for (double x = -6000; x <= 6000; x += 37) {
-      EXPECT_NEAR(here->height({x, 300}), there->height({x, 300}), 0.01) << x;
+      EXPECT_TRUE(test::holds("D30", test::apart(here->height({x, 300}), there->height({x, 300})),
+                              test::atMost(0.01), "m"))
+          << x;
       EXPECT_TRUE(here->hasData({x, 300})) << x;
     }
   }
@@ -83,9 +86,10 @@ TEST_F(ElevationStability, D31_polesAreLand) {
     expectFinite(*source, 3e5);
   }
   const auto pole = land({cap}, 90, 0, 5000);
-  EXPECT_NEAR(pole->height({0, 0}), 2800, 1);
+  EXPECT_TRUE(test::holds("D31", test::apart(pole->height({0, 0}), 2800), test::atMost(1), "m"));
   for (const glm::dvec2 way : {glm::dvec2(1, 0), {0, 1}, {-1, 0}, {0.6, -0.8}})
-    EXPECT_NEAR(pole->height(way * 1.5 * 111694.0), 2785, 0.5);
+    EXPECT_TRUE(
+        test::holds("D31", test::apart(pole->height(way * 1.5 * 111694.0), 2785), test::atMost(0.5), "m"));
   const terrain::HeightBounds bounds = pole->bounds({-1e5, -1e5}, {1e5, 1e5});
   EXPECT_LE(bounds.lowest, 2790);
   EXPECT_GE(bounds.highest, 2800);
@@ -93,6 +97,7 @@ TEST_F(ElevationStability, D31_polesAreLand) {
 
 TEST_F(ElevationStability, D32_whatIsNoHeightIsAVoid) {
   // -0.0 is sea level; NaN, both infinities, -3.4e38 and 1e20 are voids, whatever the tag says.
+  test::noFaults("D32", "violations");
   for (const char* tag : {"", "-9999", "nan", "-3.4028234663852886e+38"}) {
     const std::vector<float> odd = {-0.0F, NAN, INFINITY, -INFINITY, -3.4028235e38F, 1e20F};
     const auto raster = degrees("odd.tif", 20, 20, {7, 46}, 0.001,
@@ -113,13 +118,15 @@ TEST_F(ElevationStability, D33_aRasterOfOneCellOrRowOrColumnIsLand) {
     const auto raster =
         degrees("one.tif", width, height, {7, 46}, 0.001, [](double c, double r) { return 700 + c + r; });
     const auto source = land({raster}, 46, 7);
-    EXPECT_NEAR(source->height({0, 0}), 700, 0.01) << width << " x " << height;
+    EXPECT_TRUE(test::holds("D33", test::apart(source->height({0, 0}), 700), test::atMost(0.01), "m"))
+        << width << " x " << height;
     expectFinite(*source, 5000);
     EXPECT_FALSE(terrain::makeChunk(*source, {0, 0, 0}).empty());
   }
 }
 
 TEST_F(ElevationStability, D34_aRasterOfVoidsAloneIsRefused) {
+  test::noFaults("D34", "inputs accepted");
   const auto raster = degrees("void.tif", 30, 20, {7, 46}, 0.001, [](double, double) { return -9999.0; },
                               {.nodata = "-9999"});
   const std::string refusal = test::refusalOf<core::DataError>([&] { land({raster}, 46, 7); });
@@ -138,21 +145,24 @@ TEST_F(ElevationStability, D35_halfMetresLieInThirtyMetres) {
   test::writeGeoTiff(folder_.path() / "fine.tif", 400, 400, {at.x - 100, at.y + 100}, {0.5, 0.5},
                      test::heightsOf(400, 400, [](double, double) { return 900.0; }), {.epsg = 32632});
   const auto fine = openRaster(folder_.path() / "fine.tif");
-  EXPECT_NEAR(fine->georeference().cell.x, 2, 1e-9);
+  EXPECT_TRUE(test::holds("D35", test::apart(fine->georeference().cell.x, 2), test::atMost(1e-9), "m"));
   for (const Rasters& order : {Rasters{fine, coarse}, Rasters{coarse, fine}}) {
     const auto source = land(order, 46, 7);
-    EXPECT_NEAR(source->height({0, 0}), 900, 1e-3);
+    EXPECT_TRUE(test::holds("D35", test::apart(source->height({0, 0}), 900), test::atMost(1e-3), "m"));
     double before = source->height({0, 0});
     for (double x = 0; x < 1500; x += 0.5) {
       const double height = source->height({x, 3});
-      ASSERT_LT(std::abs(height - before), 2) << x;
+      ASSERT_TRUE(test::holds("D35", std::abs(height - before), test::below(2), "m")) << x;
       before = height;
     }
-    EXPECT_NEAR(before, 500 + (0.04 * 3600 + 1500 / (kDegreeM * std::cos(0.803)) * 3600) + 144, 3);
+    EXPECT_TRUE(test::holds(
+        "D35", test::apart(before, 500 + (0.04 * 3600 + 1500 / (kDegreeM * std::cos(0.803)) * 3600) + 144),
+        test::atMost(3), "m"));
   }
 }
 
 TEST_F(ElevationStability, D36_theLowestAndHighestLandAreStored) {
+  test::noFaults("D36", "violations");
   const auto raster = degrees("range.tif", 100, 100, {7, 46}, 0.002, [](double c, double r) {
     return c < 50 ? -430.0 : r < 50 ? 8848.0 : 0.0;
   });
@@ -175,19 +185,22 @@ TEST_F(ElevationStability, D37_tilesThatShareARowAreOneLandAndTheFirstHasTheSay)
   const auto south = degrees("s.tif", 50, 50, {7, 46.001}, 0.001, [](double, double) { return 510.0; });
   // The shared row lies at 46.001 degrees.
   const glm::dvec2 shared = LocalPlane({46, 7.02}).positionOf({46.001, 7.0205});
-  EXPECT_NEAR(land({north, south}, 46, 7.02)->height(shared), 500, 0.01);
-  EXPECT_NEAR(land({south, north}, 46, 7.02)->height(shared), 510, 0.01);
+  EXPECT_TRUE(test::holds("D37", test::apart(land({north, south}, 46, 7.02)->height(shared), 500),
+                          test::atMost(0.01), "m"));
+  EXPECT_TRUE(test::holds("D37", test::apart(land({south, north}, 46, 7.02)->height(shared), 510),
+                          test::atMost(0.01), "m"));
   const auto source = land({north, south}, 46, 7.02);
   double before = source->height(shared + glm::dvec2(0, 400));
-  EXPECT_NEAR(before, 510, 0.01);
+  EXPECT_TRUE(test::holds("D37", test::apart(before, 510), test::atMost(0.01), "m"));
   for (double z = 400; z > -400; z -= 1) {
     const double height = source->height(shared + glm::dvec2(0, z));
-    ASSERT_LT(std::abs(height - before), 0.3) << z;
+    ASSERT_TRUE(test::holds("D37", std::abs(height - before), test::below(0.3), "m")) << z;
     before = height;
   }
 }
 
 TEST_F(ElevationStability, D38_truncatedTilesAndWrongCountsAreRefused) {
+  test::noFaults("D38", "inputs accepted");
   for (const auto packing :
        {test::TiffForm::Packing::none, test::TiffForm::Packing::lzw, test::TiffForm::Packing::deflate}) {
     for (const int tile : {0, 16}) {
@@ -210,6 +223,7 @@ TEST_F(ElevationStability, D38_truncatedTilesAndWrongCountsAreRefused) {
 }
 
 TEST_F(ElevationStability, D39_aHeaderThatLiesAboutItsSizeAllocatesNothing) {
+  test::noFaults("D39", "inputs accepted");
   const auto folder = std::filesystem::path(test::sourceDir()) / "tests/corpus/elevation";
   for (const char* name : {"badHuge.tif", "badHuge.asc"}) {
     const std::string refusal = test::refusalOf<core::DataError>([&] { openRaster(folder / name); });
@@ -228,17 +242,18 @@ TEST_F(ElevationStability, D40_lv95GoesThereAndBack) {
       ASSERT_TRUE(place);
       const auto back = lv95.forward(*place);
       ASSERT_TRUE(back);
-      EXPECT_NEAR(back->x, east, 2e-3);
-      EXPECT_NEAR(back->y, north, 2e-3);
+      EXPECT_TRUE(test::holds("D40", test::apart(back->x, east), test::atMost(2e-3), "m"));
+      EXPECT_TRUE(test::holds("D40", test::apart(back->y, north), test::atMost(2e-3), "m"));
     }
   }
   const auto origin = lv95.forward({46.9510827861504654, 7.4386324175389165});
   ASSERT_TRUE(origin);
-  EXPECT_NEAR(origin->x, 2600000, 0.1);
-  EXPECT_NEAR(origin->y, 1200000, 0.1);
+  EXPECT_TRUE(test::holds("D40", test::apart(origin->x, 2600000), test::atMost(0.1), "m"));
+  EXPECT_TRUE(test::holds("D40", test::apart(origin->y, 1200000), test::atMost(0.1), "m"));
 }
 
 TEST_F(ElevationStability, D41_anyPositionHasAHeight) {
+  test::noFaults("D41", "violations");
   const auto raster =
       degrees("any.tif", 60, 60, {7, 46}, 0.001, [](double c, double r) { return 500 + c + r; });
   const auto source = land({raster}, 46, 7);

@@ -17,6 +17,7 @@
 
 #include "skydrop/terrain/chunk_grid.h"
 #include "support/hills_source.h"
+#include "support/margin.h"
 
 namespace skydrop::terrain {
 namespace {
@@ -180,6 +181,7 @@ TEST(EndlessTerrain, patchesCoverTheGroundOnceAndEveryLevelReachesItsChunksEnd) 
 
 TEST(Stability, T08_everyLevelsBoundsEqualTheChunks) {
   // The patches of each skip, side by side, end exactly where the chunk ends.
+  test::noFaults("T08", "differences");
   for (const int skip : kLodSkips) {
     static_assert(kChunkCells % (kPatchCells * kLodSkips.back()) == 0);
     const int patches = kChunkCells / (kPatchCells * skip);
@@ -215,7 +217,8 @@ TEST(Stability, T11_standingStillMakesNothingAgainAndABudgetTooSmallFallsToCoars
       EXPECT_TRUE(terrain.isSettled());
       EXPECT_EQ(terrain.statistics().overBudget, needed - room)
           << "room for " << room << (onGpu ? " on the GPU" : "");
-      EXPECT_LE(terrain.statistics().bytes, static_cast<std::size_t>(settings.cacheMiB * 1048576));
+      EXPECT_TRUE(test::holds("T11", terrain.statistics().bytes,
+                              test::atMost(static_cast<std::size_t>(settings.cacheMiB * 1048576)), "bytes"));
       EXPECT_GT(terrain.statistics().patches, 10u);
       const std::size_t made = source->begun().size();
       for (int frame = 0; frame < 50; ++frame) {
@@ -239,7 +242,7 @@ TEST(Stability, T11_theDefaultBudgetsHoldTheViewAndAreNeverExceeded) {
     const TerrainFrame& frame = terrain.settle(lookingAlong({3e4 * leap, 900, 0}, leap, -0.15, 1920, 1080));
     const StreamingStatistics& now = terrain.statistics();
     EXPECT_EQ(now.overBudget, 0u);
-    EXPECT_LE(now.bytes, kMostBytes);
+    EXPECT_TRUE(test::holds("T11", now.bytes, test::atMost(kMostBytes), "bytes"));
     EXPECT_LE(static_cast<std::size_t>(frame.layerCount) * kSampleBytes, kMostBytes);
     for (const ResidentChunk& chunk : frame.chunks) EXPECT_LT(chunk.layer, frame.layerCount);
   }
@@ -261,7 +264,8 @@ TEST(Stability, T12_aFastFlightKeepsTheQueueBoundedAndTheChunkBelowComesFirst) {
     for (int frame = 0; frame < 600; frame += stride) {
       eye.x += speed / 60 * stride;
       terrain.update(lookingAlong(eye, 0, -0.5));
-      ASSERT_LE(pool.statistics().queued, static_cast<std::size_t>(settings.queueLimit));
+      ASSERT_TRUE(test::holds("T12", pool.statistics().queued,
+                              test::atMost(static_cast<std::size_t>(settings.queueLimit)), "jobs"));
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     EXPECT_GT(pool.statistics().cancelled, 0u);
@@ -298,13 +302,15 @@ TEST(Stability, T13_theTerrainMayGoAtAnyMomentWhileItsWorkersAreBusy) {
       }
       begun = source->begun().size();
     }
-    EXPECT_LE(source->begun().size(), begun + 4) << "two may have begun meanwhile, on each of two workers";
+    EXPECT_TRUE(test::holds("T13", source->begun().size(), test::atMost(begun + 4), "jobs"))
+        << "two may have begun meanwhile, on each of two workers";
   }
 }
 
 TEST(Stability, T14_lookingBackForAFrameUploadsNoMoreThanTheBudget) {
   // A settled view, one frame backwards, forward again: never more bytes in a frame than stated, also while
   // the backward view fills up.
+  test::noFaults("T14", "violations");
   core::JobPool pool(2);
   TerrainStreamingSettings settings;
   settings.uploadMiBPerFrame = 1;
@@ -327,6 +333,7 @@ TEST(Stability, T14_lookingBackForAFrameUploadsNoMoreThanTheBudget) {
 TEST(Stability, T15_aChunkThatCannotBeMadeIsDrawnCoarserAndSaidOnce) {
   // Every chunk of level 0 throws: the land is complete, made of level 1, each failure is reported in one
   // line, and the view counts as settled.
+  test::noFaults("T15", "violations");
   auto source = std::make_shared<WatchedSource>();
   source->failing = [](const ChunkKey& key) { return key.level == 0; };
   core::JobPool pool(2);
@@ -345,6 +352,7 @@ TEST(Stability, T15_aChunkThatCannotBeMadeIsDrawnCoarserAndSaidOnce) {
 
 TEST(Stability, T15_aStalledWorkerLeavesTheRestGoingAndNothingHangs) {
   // The workers stall: updates go on, settle() gives up at its limit, and all is well when they come back.
+  test::noFaults("T15", "violations");
   auto source = std::make_shared<WatchedSource>();
   core::JobPool pool(1);
   EndlessTerrain terrain(source, pool, {});

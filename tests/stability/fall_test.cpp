@@ -7,6 +7,7 @@
 #include "skydrop/flight/linear_drag.h"
 #include "skydrop/flight/package.h"
 #include "skydrop/flight/rigid_body.h"
+#include "support/margin.h"
 
 namespace skydrop::flight {
 namespace {
@@ -34,10 +35,17 @@ TEST(Stability, P07_exponentialStepIsExactForAnyStepLength) {
       const PointState end = fallWithLinearDrag({{0, 0, 0}, {70, 10, 0}}, k, glm::dvec3(0), t);
       const Truth truth = projectile(70, 10, k, t);
       const double scale = 70 * t + 0.5 * kGravity * t * t;
-      EXPECT_NEAR(end.position.x, static_cast<double>(truth.x), 1e-12 * scale) << k << " " << t;
-      EXPECT_NEAR(end.position.y, static_cast<double>(truth.y), 1e-12 * scale) << k << " " << t;
-      EXPECT_NEAR(end.velocity.x, static_cast<double>(truth.vx), 1e-12 * 70) << k << " " << t;
-      EXPECT_NEAR(end.velocity.y, static_cast<double>(truth.vy), 1e-12 * (10 + kGravity * t))
+      EXPECT_TRUE(test::holds("P07", test::apart(end.position.x, static_cast<double>(truth.x)),
+                              test::atMost(1e-12 * scale), "m"))
+          << k << " " << t;
+      EXPECT_TRUE(test::holds("P07", test::apart(end.position.y, static_cast<double>(truth.y)),
+                              test::atMost(1e-12 * scale), "m"))
+          << k << " " << t;
+      EXPECT_TRUE(test::holds("P07", test::apart(end.velocity.x, static_cast<double>(truth.vx)),
+                              test::atMost(1e-12 * 70), "m/s"))
+          << k << " " << t;
+      EXPECT_TRUE(test::holds("P07", test::apart(end.velocity.y, static_cast<double>(truth.vy)),
+                              test::atMost(1e-12 * (10 + kGravity * t)), "m/s"))
           << k << " " << t;
     }
   }
@@ -51,8 +59,8 @@ TEST(Stability, P07_manySmallExponentialStepsEqualOneLargeStep) {
   PointState many = start;
   for (int i = 0; i < 7200; ++i) many = fallWithLinearDrag(many, 0.4, wind, 1.0 / 120);
   const PointState one = fallWithLinearDrag(start, 0.4, wind, 60);
-  EXPECT_LT(glm::length(many.position - one.position), 1e-9);
-  EXPECT_LT(glm::length(many.velocity - one.velocity), 1e-11);
+  EXPECT_TRUE(test::holds("P07", glm::length(many.position - one.position), test::below(1e-9), "m"));
+  EXPECT_TRUE(test::holds("P07", glm::length(many.velocity - one.velocity), test::below(1e-11), "m/s"));
 }
 
 double projectileError(Integrator integrator, int rate) {
@@ -78,7 +86,8 @@ TEST(Stability, P07_projectileWithDragShowsTheDeclaredOrderOfEachIntegrator) {
        {Integrator::thesis, Integrator::semiImplicitEuler, Integrator::rk4, Integrator::rkmk4}) {
     const double order =
         std::log(projectileError(integrator, 15) / projectileError(integrator, 60)) / std::log(4);
-    EXPECT_NEAR(order, declaredOrder(integrator), 0.2) << static_cast<int>(integrator);
+    EXPECT_TRUE(test::holds("P07", test::apart(order, declaredOrder(integrator)), test::atMost(0.2), "order"))
+        << static_cast<int>(integrator);
   }
 }
 
@@ -101,16 +110,18 @@ TEST(Stability, P22_landingPointEqualsTheClosedForm) {
   const auto flat = [](const glm::dvec2&) { return 0.0; };
   const auto predicted = predictLanding(settings, {{0, height, 0}, {70, 5, 0}}, glm::dvec3(0), flat);
   ASSERT_TRUE(predicted);
-  EXPECT_NEAR(predicted->position.x, landing, 0.1);
-  EXPECT_NEAR(predicted->position.y, 0, 1e-9);
-  EXPECT_NEAR(predicted->seconds, static_cast<double>(low) + settings.parachuteDelay, 0.01);
+  EXPECT_TRUE(test::holds("P22", test::apart(predicted->position.x, landing), test::atMost(0.1), "m"));
+  EXPECT_TRUE(test::holds("P22", test::apart(predicted->position.y, 0), test::atMost(1e-9), "m"));
+  EXPECT_TRUE(test::holds("P22",
+                          test::apart(predicted->seconds, static_cast<double>(low) + settings.parachuteDelay),
+                          test::atMost(0.01), "s"));
 
   BodyState release;
   release.position = {0, height, 0};
   release.velocity = {70, 5, 0};
   Package package(settings, release);
   while (package.state().position.y > 0) package.step(glm::dvec3(0), 1.0 / 120);
-  EXPECT_NEAR(package.state().position.x, landing, 0.1);
+  EXPECT_TRUE(test::holds("P22", test::apart(package.state().position.x, landing), test::atMost(0.1), "m"));
 }
 
 TEST(Stability, P22_predictionAgreesWithTheFlightOverRoughGroundAndInWind) {
@@ -137,7 +148,7 @@ TEST(Stability, P22_predictionAgreesWithTheFlightOverRoughGroundAndInWind) {
         const glm::dvec3 after = package.state().position;
         const glm::dvec3 landed =
             before + (after - before) * (above(before) / (above(before) - above(after)));
-        EXPECT_LT(glm::length(predicted->position - landed), 0.1)
+        EXPECT_TRUE(test::holds("P22", glm::length(predicted->position - landed), test::below(0.1), "m"))
             << height << " " << velocity.x << " " << wind.x;
       }
     }

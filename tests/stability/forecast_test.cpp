@@ -15,6 +15,7 @@
 #include "skydrop/forecast/forecast_of.h"
 #include "skydrop/forecast/read_report.h"
 #include "support/instrumented.h"
+#include "support/margin.h"
 #include "support/refusal.h"
 #include "support/weather_answer.h"
 
@@ -60,13 +61,15 @@ TEST(Stability, D01_windAcrossNorthTurnsTheShorterWayBetweenHours) {
     const double ms = static_cast<double>(forecast.near.firstMs()) + kHourMs * i / 1000.0;
     const double now = forecast.near.at(ms).wind.directionDeg;
     EXPECT_LE(std::abs(std::remainder(now, 360)), 10.0001);
-    EXPECT_LE(std::abs(std::remainder(now - before, 360)), 0.03);
+    EXPECT_TRUE(
+        test::holds("D01", std::abs(std::remainder(now - before, 360)), test::atMost(0.03), "degrees"));
     before = now;
   }
-  EXPECT_NEAR(before, 0, 1e-9);
+  EXPECT_TRUE(test::holds("D01", test::apart(before, 0), test::atMost(1e-9), "degrees"));
 }
 
 TEST(Stability, D02_clocksThatAreHalfHoursAheadAreExact) {
+  test::noFaults("D02", "violations");
   for (const double offset : {5.5, 5.75, -3.5, -9.5, -0.0, 14.0}) {
     WeatherAnswer answer({"2026-03-01 00:00", "2026-03-01 01:00"});
     answer.set("temperature", {1, 2}).root["metadata"]["utc_timeoffset"] = offset;
@@ -77,6 +80,7 @@ TEST(Stability, D02_clocksThatAreHalfHoursAheadAreExact) {
 }
 
 TEST(Stability, D03_anHourThatComesTwiceIsTwoHours) {
+  test::noFaults("D03", "violations");
   WeatherAnswer answer({"2026-10-25 01:00", "2026-10-25 02:00", "2026-10-25 02:00", "2026-10-25 03:00"});
   answer.set("temperature", {1, 2, 3, 4}).root["metadata"]["utc_timeoffset"] = 2;
   const Report report = read(answer.text());
@@ -88,6 +92,7 @@ TEST(Stability, D03_anHourThatComesTwiceIsTwoHours) {
 }
 
 TEST(Stability, D04_anHourThatIsMissingInSpringIsNone) {
+  test::noFaults("D04", "violations");
   WeatherAnswer answer({"2026-03-29 00:00", "2026-03-29 01:00", "2026-03-29 03:00", "2026-03-29 04:00"});
   answer.set("temperature", {1, 2, 3, 4}).root["metadata"]["utc_timeoffset"] = 1;
   const Report report = read(answer.text());
@@ -106,6 +111,7 @@ TEST(Stability, D04_anHourThatIsMissingInSpringIsNone) {
 }
 
 TEST(Stability, D05_negativeZeroIsZero) {
+  test::noFaults("D05", "violations");
   const auto answerOf = [](double zero) {
     WeatherAnswer answer(hourly(2));
     for (const char* name : {"temperature", "windspeed", "winddirection", "precipitation", "snowfraction",
@@ -128,6 +134,7 @@ TEST(Stability, D05_negativeZeroIsZero) {
 }
 
 TEST(Stability, D06_whatIsNullIsTakenFromTheHoursAround) {
+  test::noFaults("D06", "inputs accepted");
   const nlohmann::json null = nullptr;
   Report report = read(WeatherAnswer(hourly(5))
                            .set("temperature", {null, 10, null, null, 16})
@@ -153,6 +160,7 @@ TEST(Stability, D06_whatIsNullIsTakenFromTheHoursAround) {
 }
 
 TEST(Stability, D07_oneHourIsTheWeatherOfAllTimes) {
+  test::noFaults("D07", "violations");
   const weather::Forecast forecast =
       forecastOfText(WeatherAnswer(hourly(1)).set("temperature", {7}).set("lowclouds", {50}).text());
   const weather::State only = forecast.near.states()[0].state;
@@ -163,6 +171,7 @@ TEST(Stability, D07_oneHourIsTheWeatherOfAllTimes) {
 }
 
 TEST(Stability, D08_timesThatDoNotAscendAreRefused) {
+  test::noFaults("D08", "inputs accepted");
   const auto refusal = [](const std::vector<std::string>& times) {
     return test::refusalOf<core::DataError>([&] {
       read(WeatherAnswer(times).set("temperature", nlohmann::json(std::vector<int>(times.size(), 1))).text());
@@ -203,7 +212,7 @@ TEST(Stability, D09_aMonthIsReadAndAWeekTakesMilliseconds) {
     least = std::min(least, clock.ms());
   }
   RecordProperty("weekMs", std::to_string(least));
-  EXPECT_LT(least, test::kInstrumented ? 100 : 10);
+  EXPECT_TRUE(test::holds("D09", least, test::below(test::kInstrumented ? 100 : 10), "ms"));
 }
 
 TEST(Stability, D10_beforeAndAfterItsHoursAForecastHolds) {
@@ -213,9 +222,13 @@ TEST(Stability, D10_beforeAndAfterItsHoursAForecastHolds) {
   const auto first = static_cast<double>(near.firstMs()), last = static_cast<double>(near.lastMs());
   EXPECT_EQ(near.at(first - 1e9), near.states().front().state);
   EXPECT_EQ(near.at(last + 1e9), near.states().back().state);
-  EXPECT_NEAR(near.at(first + 1e-3).temperatureC, near.at(first).temperatureC, 1e-6);
-  EXPECT_NEAR(near.at(last - 1e-3).temperatureC, near.at(last).temperatureC, 1e-6);
-  EXPECT_NEAR(near.at(first + kHourMs * 1.5).temperatureC, near.at(first).temperatureC + 8.5, 1e-9);
+  EXPECT_TRUE(test::holds("D10", test::apart(near.at(first + 1e-3).temperatureC, near.at(first).temperatureC),
+                          test::atMost(1e-6), "K"));
+  EXPECT_TRUE(test::holds("D10", test::apart(near.at(last - 1e-3).temperatureC, near.at(last).temperatureC),
+                          test::atMost(1e-6), "K"));
+  EXPECT_TRUE(test::holds(
+      "D10", test::apart(near.at(first + kHourMs * 1.5).temperatureC, near.at(first).temperatureC + 8.5),
+      test::atMost(1e-9), "K"));
   EXPECT_EQ(weather::heldAt(near, first - 1), weather::Held::before);
   EXPECT_EQ(weather::heldAt(near, first), weather::Held::within);
   EXPECT_EQ(weather::heldAt(near, last), weather::Held::within);
@@ -237,7 +250,8 @@ TEST(Stability, D11_theFarSiteCoversTheTotal) {
         hour[Quantity::highCover] = high;
         const weather::State far = farStateOf(hour, {});
         weather::requireUsable(far);
-        EXPECT_NEAR(1 - clearOf(far), total, 0.002) << total << " of " << low << ", " << high;
+        EXPECT_TRUE(test::holds("D11", test::apart(1 - clearOf(far), total), test::atMost(0.002), "cover"))
+            << total << " of " << low << ", " << high;
         // What the near site has is not touched by it.
         EXPECT_EQ(stateOf(hour, {}).layers[3].cover, high);
       }
@@ -246,6 +260,7 @@ TEST(Stability, D11_theFarSiteCoversTheTotal) {
 }
 
 TEST(Stability, D12_theEndsOfEveryQuantityGiveUsableStates) {
+  test::noFaults("D12", "violations");
   struct Ends {
     Quantity quantity;
     std::vector<double> values;
@@ -290,6 +305,7 @@ TEST(Stability, D12_theEndsOfEveryQuantityGiveUsableStates) {
 }
 
 TEST(Stability, D14_reportsAreDatedWithinHalfAMonth) {
+  test::noFaults("D14", "violations");
   const auto timeOf = [](const std::string& ddhhmm, const char* about) {
     return sky::instantText(
         {read("METAR LSZB " + ddhhmm + "Z 23008KT CAVOK 22/14 Q1012", about).hours[0].utcMs});
@@ -314,11 +330,12 @@ TEST(Stability, D15_theWayToTheFarSiteIsTheShorterOne) {
   };
   const auto across = wayOf(0, 179.9, 0, -179.9);
   ASSERT_TRUE(across);
-  EXPECT_NEAR(across->x, 0.2 * 111195, 1);
-  EXPECT_NEAR(wayOf(0, -179.9, 0, 179.9)->x, -0.2 * 111195, 1);
+  EXPECT_TRUE(test::holds("D15", test::apart(across->x, 0.2 * 111195), test::atMost(1), "m"));
+  EXPECT_TRUE(
+      test::holds("D15", test::apart(wayOf(0, -179.9, 0, 179.9)->x, -0.2 * 111195), test::atMost(1), "m"));
   const auto pole = wayOf(90, 10, 90, 100);
   if (pole) {
-    EXPECT_LT(std::abs(pole->x), 1e-3);
+    EXPECT_TRUE(test::holds("D15", std::abs(pole->x), test::below(1e-3), "m"));
   }
   const auto north = wayOf(89.9, 0, 90, 170);
   ASSERT_TRUE(north);

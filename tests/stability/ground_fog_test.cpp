@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "skydrop/core/shared.h"
+#include "support/margin.h"
 
 namespace skydrop::core::shared {
 namespace {
@@ -59,7 +60,9 @@ TEST(Stability, C32_groundFogHoldsForLevelAndEndlessRaysAndFromAnyHeight) {
         const double exact = opacity(f64::groundFogPath(eye, ground - eye, length, scaleHeight));
         const float path = pathInFloat(eye, ground - eye, length, scaleHeight);
         const double rounding = 2 * eye * 0x1p-24 / scaleHeight + std::abs(eye) * 0x1p-24 / -slope * kDensity;
-        EXPECT_NEAR(static_cast<double>(f32::groundFogOpacity(0.01f * path)), exact, 1e-5 + rounding)
+        EXPECT_TRUE(test::holds("C32",
+                                test::apart(static_cast<double>(f32::groundFogOpacity(0.01f * path)), exact),
+                                test::atMost(1e-5 + rounding), "opacity"))
             << scaleHeight << ' ' << eye << ' ' << slope;
       }
     }
@@ -68,7 +71,10 @@ TEST(Stability, C32_groundFogHoldsForLevelAndEndlessRaysAndFromAnyHeight) {
   for (const double from : {-30.0, 0.0, 1.0, 90.0}) {
     const double exact = 5000 * std::exp(-std::max(from, 0.0) / 40);
     for (const double rise : {0.0, 1e-40, -1e-40, 1e-20, -1e-20, 1e-4, -1e-4})
-      EXPECT_NEAR(static_cast<double>(pathInFloat(from, rise, 5000, 40)) / exact, 1, 1e-5) << from << rise;
+      EXPECT_TRUE(test::holds("C32",
+                              test::apart(static_cast<double>(pathInFloat(from, rise, 5000, 40)) / exact, 1),
+                              test::atMost(1e-5), "relative"))
+          << from << rise;
   }
   // Endless: upwards H / slope of what is at the eye, and the way up to the base where that lies above;
   // level and downwards opaque; finite from anywhere.
@@ -77,9 +83,11 @@ TEST(Stability, C32_groundFogHoldsForLevelAndEndlessRaysAndFromAnyHeight) {
     const auto up = [&](double from) {
       return static_cast<double>(pathInFloat(from, slope * endless, endless, 40)) * slope;
     };
-    EXPECT_NEAR(up(0) / 40, 1, 1e-5) << slope;
-    EXPECT_NEAR(up(80) / (40 * std::exp(-2)), 1, 1e-5) << slope;
-    EXPECT_NEAR(up(-500) / 540, 1, 1e-5) << slope;
+    EXPECT_TRUE(test::holds("C32", test::apart(up(0) / 40, 1), test::atMost(1e-5), "relative")) << slope;
+    EXPECT_TRUE(
+        test::holds("C32", test::apart(up(80) / (40 * std::exp(-2)), 1), test::atMost(1e-5), "relative"))
+        << slope;
+    EXPECT_TRUE(test::holds("C32", test::apart(up(-500) / 540, 1), test::atMost(1e-5), "relative")) << slope;
     EXPECT_EQ(up(1e6), 0) << slope;
     EXPECT_EQ(f32::groundFogOpacity(0.01f * pathInFloat(1e6, -slope * endless, endless, 40)), 1) << slope;
   }

@@ -15,6 +15,7 @@
 #include "skydrop/game/flown_clouds.h"
 #include "skydrop/game/ice_layers.h"
 #include "skydrop/weather/weather_settings.h"
+#include "support/margin.h"
 #include "support/refusal.h"
 
 namespace skydrop::clouds {
@@ -62,7 +63,8 @@ TEST(Stability, W30_coverFromNothingToAllGrowsWithoutGapsAndIsItsShareOfTheSky) 
       }
       if (cover == 1) {
         EXPECT_GT(share, genus == IceGenus::cirrostratus ? 0.98 : 0.5);
-        EXPECT_NEAR(cloudy / share, 1, 0.2) << "the mean optical depth of what is cloud";
+        EXPECT_TRUE(test::holds("W30", test::apart(cloudy / share, 1), test::atMost(0.2), "relative"))
+            << "the mean optical depth of what is cloud";
       }
       before = share;
     }
@@ -88,10 +90,13 @@ TEST(Stability, W31_anEyeOnTheLevelsSeesAStretchThatDoesNotJump) {
         const f32::IceStretch inFloat =
             f32::iceStretch(static_cast<float>(eye - layer.baseM), static_cast<float>(eye - layer.topM),
                             static_cast<float>(eye), glm::vec3(ray));
-        EXPECT_NEAR(std::max(inFloat.end - inFloat.begin, 0.f), lengths[side], 1 + 1e-3 * lengths[side])
+        EXPECT_TRUE(test::holds("W31", test::apart(std::max(inFloat.end - inFloat.begin, 0.f), lengths[side]),
+                                test::atMost(1 + 1e-3 * lengths[side]), "m"))
             << i << ' ' << level;
       }
-      EXPECT_NEAR(lengths[0], lengths[1], 1 + 1e-3 * lengths[0]) << i << ' ' << level;
+      EXPECT_TRUE(
+          test::holds("W31", test::apart(lengths[0], lengths[1]), test::atMost(1 + 1e-3 * lengths[0]), "m"))
+          << i << ' ' << level;
     }
   }
 }
@@ -101,12 +106,16 @@ TEST(Stability, W32_zenithAndHorizonMeetTheShellWhereTheSphereDoes) {
   // it meets the sphere, and from above the layer a ray over its horizon meets nothing.
   const IceLayer layer = layerOf(IceGenus::cirrus);
   const f64::IceStretch up = f64::iceStretch(-layer.baseM, -layer.topM, 0.0, {0, 1, 0});
-  EXPECT_NEAR(up.begin, layer.baseM, 1e-3);
-  EXPECT_NEAR(up.end, layer.topM, 1e-3);
+  EXPECT_TRUE(test::holds("W32", test::apart(up.begin, layer.baseM), test::atMost(1e-3), "m"));
+  EXPECT_TRUE(test::holds("W32", test::apart(up.end, layer.topM), test::atMost(1e-3), "m"));
   const f64::IceStretch level = f64::iceStretch(-layer.baseM, -layer.topM, 0.0, {1, 0, 0});
   const double r = f64::kEarthRadius;
-  EXPECT_NEAR(level.begin, std::sqrt((r + layer.baseM) * (r + layer.baseM) - r * r), 0.003 * level.begin);
-  EXPECT_NEAR(level.end, std::sqrt((r + layer.topM) * (r + layer.topM) - r * r), 0.003 * level.end);
+  EXPECT_TRUE(test::holds("W32",
+                          test::apart(level.begin, std::sqrt((r + layer.baseM) * (r + layer.baseM) - r * r)),
+                          test::atMost(0.003 * level.begin), "m"));
+  EXPECT_TRUE(test::holds("W32",
+                          test::apart(level.end, std::sqrt((r + layer.topM) * (r + layer.topM) - r * r)),
+                          test::atMost(0.003 * level.end), "m"));
   const double above = 2000, dip = std::sqrt(2 * above / r);
   for (const double tilt : {-0.002, 0.002}) {
     const double e = tilt - dip;
@@ -128,9 +137,11 @@ TEST(Stability, W33_aBillionMetresOutTheIceIsThatOfTheOriginShifted) {
     int differ = 0, cloudy = 0;
     for (int i = 0; i < 600; ++i) {
       const glm::dvec3 at(4000.0 + 137 * i, layer.topM - 40, 250 + 211 * i), far(1e9, 0, 0);
-      EXPECT_NEAR(there.density(at + glm::dvec3(1e9, 0, -1e9)), here.density(at), 1e-6);
+      EXPECT_TRUE(test::holds("W33",
+                              test::apart(there.density(at + glm::dvec3(1e9, 0, -1e9)), here.density(at)),
+                              test::atMost(1e-6), "density"));
       const double one = here.density(at + far), next = here.density(at + far + glm::dvec3(1, 0, 0));
-      EXPECT_NEAR(one, next, 0.06);
+      EXPECT_TRUE(test::holds("W33", test::apart(one, next), test::atMost(0.06), "density"));
       if (one > 0) ++cloudy;
       if (one != next) ++differ;
     }
@@ -167,7 +178,8 @@ TEST(Stability, W34_aMonthOfDriftLeavesFloatsWhatDoublesHave) {
                                 : f32::cirrocumulusDensity(place, form, depth, none);
       worst = std::max(worst, std::abs(double{density} - field.density({123.4 + by.x, y, -567.8 + by.y})));
     }
-    EXPECT_LT(worst, 6e-3) << kIceGenusNames[static_cast<std::size_t>(genus)];
+    EXPECT_TRUE(test::holds("W34", worst, test::below(6e-3), "of 1"))
+        << kIceGenusNames[static_cast<std::size_t>(genus)];
   }
 }
 
@@ -182,8 +194,8 @@ TEST(Stability, W35_thePhaseFunctionIsFiniteAtTheSunAndScattersAllLight) {
     all += part;
     forward += part * cosine;
   }
-  EXPECT_NEAR(all, 1, 1e-4);
-  EXPECT_NEAR(forward, 0.65, 0.01);
+  EXPECT_TRUE(test::holds("W35", test::apart(all, 1), test::atMost(1e-4), "of 1"));
+  EXPECT_TRUE(test::holds("W35", test::apart(forward, 0.65), test::atMost(0.01), "of 1"));
   for (const float cosine : {-1.f, 0.f, 1.f, 1.0000001f, -1.0000001f}) {
     EXPECT_TRUE(std::isfinite(f32::icePhase(cosine)) && f32::icePhase(cosine) > 0) << cosine;
     EXPECT_LT(f32::icePhase(cosine), 16.4f);
@@ -199,7 +211,9 @@ TEST(Stability, W36_aCalmHasStraightStreaksAndAnyWindFiniteOnes) {
   for (const double speed : {0.0, 1e-30, 1e-3, 5.0, 1e3}) {
     for (const glm::dvec2& other : {glm::dvec2(0), glm::dvec2(3, 4)}) {
       setStreaks(layer, {speed, -speed}, speed, other);
-      EXPECT_NEAR(layer.along.x * layer.along.x + layer.along.y * layer.along.y, 1, 1e-12);
+      EXPECT_TRUE(test::holds("W36",
+                              test::apart(layer.along.x * layer.along.x + layer.along.y * layer.along.y, 1),
+                              test::atMost(1e-12), "of length 1"));
       EXPECT_GT(layer.trailM, 0);
       EXPECT_LE(layer.trailM, 20'000);
       EXPECT_LE(std::abs(layer.hookM), layer.trailM);
@@ -216,6 +230,7 @@ TEST(Stability, W36_aCalmHasStraightStreaksAndAnyWindFiniteOnes) {
 TEST(Stability, W37_badInputIsRefusedAndWhatFliesMeetsTheIceThatIsDrawn) {
   // Rows out of range and not numbers are refused by name; and the density that flight asks is that of the
   // picture's medium, the same with noise and without.
+  test::noFaults("W37", "inputs accepted");
   IceCloudSettings settings;
   const core::SettingsTable table(settings);
   for (const char* bad :

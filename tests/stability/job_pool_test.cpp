@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "skydrop/core/job_queue.h"
+#include "support/margin.h"
 
 namespace skydrop::core {
 namespace {
@@ -149,6 +150,7 @@ TEST(JobQueue, atMostItsBoundWaitsAndTheMostUrgentDo) {
 TEST(Stability, T15_aJobThatThrowsIsRetriedThenReportedOnceAndNeverBlocksTheOthers) {
   // Keys divisible by 3 throw bad_alloc, by 5 an int, 7 only the first time: the others arrive, 7 too, each
   // failure is reported once however often it is wanted, and the pool's threads survive.
+  test::noFaults("T15", "violations");
   JobPool pool(2);
   std::atomic<int> sevens = 0, threes = 0;
   Queue queue(
@@ -185,6 +187,7 @@ TEST(Stability, T15_aJobThatThrowsIsRetriedThenReportedOnceAndNeverBlocksTheOthe
 
 TEST(Stability, T15_aWorkerThatStallsHoldsUpOnlyItself) {
   // One of two workers stalls on key 0; the other keys arrive meanwhile, and the stalled one afterwards.
+  test::noFaults("T15", "violations");
   JobPool pool(2);
   std::promise<void> release;
   const std::shared_future<void> released = release.get_future().share();
@@ -212,6 +215,7 @@ TEST(Stability, T15_aWorkerThatStallsHoldsUpOnlyItself) {
 TEST(Stability, T13_thePoolEndsCleanlyAndWaitsForNothingThatHasNotBegun) {
   // Quit at once, after some jobs and in the middle of a long one: what waits never runs, what runs is asked
   // to stop, and the queue may die before the pool and before its results are drained.
+  test::noFaults("T13", "violations");
   const int rounds = std::getenv("SKYDROP_LONG_TESTS") != nullptr ? 1000 : 100;
   for (int round = 0; round < rounds; ++round) {
     std::atomic<int> finished = 0, stopped = 0;

@@ -8,6 +8,7 @@
 #include "skydrop/lab/march_measure.h"
 #include "skydrop/lab/noise_measure.h"
 #include "skydrop/lab/shared.h"
+#include "support/margin.h"
 
 namespace skydrop::lab {
 namespace {
@@ -23,17 +24,21 @@ TEST(Stability, L01_normalsAreUnitVectorsForEveryEpsilon) {
   for (double epsilon = 0.1; epsilon > 0.5e-12; epsilon /= 10) {
     for (const glm::vec3& place : {glm::vec3(1, 0, 0), glm::vec3(0.7f, 0.3f, 0.1f), glm::vec3(1e3f, 2, 5)}) {
       const auto inFloat = f32::normalAt(f32::kTorusScene, 0, place, static_cast<float>(epsilon));
-      EXPECT_NEAR(glm::length(inFloat), 1, 1e-5) << epsilon;
-      EXPECT_NEAR(glm::length(f64::normalAt(f64::kTorusScene, 0, dvec3(place), epsilon)), 1, 1e-12)
+      EXPECT_TRUE(test::holds("L01", test::apart(glm::length(inFloat), 1), test::atMost(1e-5), "of length 1"))
+          << epsilon;
+      EXPECT_TRUE(test::holds(
+          "L01", test::apart(glm::length(f64::normalAt(f64::kTorusScene, 0, dvec3(place), epsilon)), 1),
+          test::atMost(1e-12), "of length 1"))
           << epsilon;
     }
-    EXPECT_LE(normalError(epsilon).inDouble, 0.05) << epsilon;
+    EXPECT_TRUE(test::holds("L01", normalError(epsilon).inDouble, test::atMost(0.05), "rad")) << epsilon;
   }
 }
 
 TEST(Stability, L02_raysParallelToFacesNeitherHitNorStall) {
   // Level over the floor and along the box's faces, 1e-3 away: without end for sphere tracing, which must
   // give up within its steps; on the face a hit at once.
+  test::noFaults("L02", "violations");
   for (const double gap : {1e-2, 1e-3, 0.0}) {
     const f64::March end = f64::marchAlong(f64::kSphereTracing, f64::kBallScene, 0, dvec3(3, gap, 50),
                                            dvec3(0, 0, -1), f64::make_marchLimits(1, 1e-4, 100), 1000);
@@ -46,6 +51,7 @@ TEST(Stability, L02_raysParallelToFacesNeitherHitNorStall) {
 }
 
 TEST(Stability, L03_softShadowsAndSmoothUnionsTakeZeroAndEndlessWidths) {
+  test::noFaults("L03", "violations");
   const double endless = std::numeric_limits<double>::infinity();
   const dvec3 place(2.5, 0, 0), up = glm::normalize(dvec3(-0.3, 1, 0));
   const auto light = [&](double k, double start) {
@@ -62,6 +68,7 @@ TEST(Stability, L03_softShadowsAndSmoothUnionsTakeZeroAndEndlessWidths) {
 }
 
 TEST(Stability, L04_aStepOfZeroEndsAsAMiss) {
+  test::noFaults("L04", "violations");
   for (const int method : kMethods) {
     const f64::March end = f64::marchAlong(method, f64::kBallScene, 0, dvec3(0, 5, 9), dvec3(0, 0, -1),
                                            f64::make_marchLimits(0, 1e-3, 100), 1000000);
@@ -79,17 +86,18 @@ TEST(Stability, L05_noStepsAndAMillionStepsAreTaken) {
     const f64::March end = f64::marchAlong(method, f64::kBallScene, 0, dvec3(0, 1, 10), dvec3(0, 0, -1),
                                            f64::make_marchLimits(1e-5, 1e-6, 100), 1000000);
     EXPECT_EQ(end.state, f64::kHit) << method;
-    EXPECT_NEAR(end.t, 9, 2e-5) << method;
+    EXPECT_TRUE(test::holds("L05", test::apart(end.t, 9), test::atMost(2e-5), "m")) << method;
   }
   // In float the places of a constant step drift: 1e6 additions of 1e-5 are 2 % off. They are, and are told.
   const f32::March drifted =
       f32::marchAlong(f32::kConstantStep, f32::kBallScene, 0, glm::vec3(0, 1, 10), glm::vec3(0, 0, -1),
                       f32::make_marchLimits(1e-5f, 0, 100), 1000000);
-  EXPECT_NEAR(drifted.t, 9, 0.3);
+  EXPECT_TRUE(test::holds("L05", test::apart(drifted.t, 9), test::atMost(0.3), "m"));
 }
 
 TEST(Stability, L06_nestedDifferencesCutEverythingAtMostOnce) {
   // a without b without (c without d) ...: within the bounds of its parts, whatever the depth.
+  test::noFaults("L06", "violations");
   double nested = 0.3;
   for (int i = 0; i < 1000; ++i) nested = f64::differenceOf(nested, f64::differenceOf(0.25, nested));
   EXPECT_TRUE(std::isfinite(nested));
@@ -101,6 +109,7 @@ TEST(Stability, L06_nestedDifferencesCutEverythingAtMostOnce) {
 
 TEST(Stability, L07_hashesAreTheSameInFloatAndDoubleWhereSinesAreNot) {
   // A million cells away: nearly every sine-made number is another one, of the hashes none.
+  test::noFaults("L07", "differences");
   const RandomError away = randomError(1e6);
   EXPECT_GT(away.sineApart, 0.9);
   EXPECT_LT(away.sineDistinct, 0.5);
@@ -119,8 +128,12 @@ TEST(Stability, L08_periodsOfOneAndTwoTile) {
     for (int i = 0; i < 64; ++i) {
       const float y = static_cast<float>(i) / 64;
       // Both borders of the period have the same nodes: within rounding of each other.
-      EXPECT_NEAR(f32::perlinPlane({0, y}, cells, 7), f32::perlinPlane({0.999999f, y}, cells, 7), 2e-5);
-      EXPECT_NEAR(f32::nearVoronoi({0, y}, cells, 7), f32::nearVoronoi({0.999999f, y}, cells, 7), 2e-5);
+      EXPECT_TRUE(test::holds(
+          "L08", test::apart(f32::perlinPlane({0, y}, cells, 7), f32::perlinPlane({0.999999f, y}, cells, 7)),
+          test::atMost(2e-5), "of 1"));
+      EXPECT_TRUE(test::holds(
+          "L08", test::apart(f32::nearVoronoi({0, y}, cells, 7), f32::nearVoronoi({0.999999f, y}, cells, 7)),
+          test::atMost(2e-5), "of 1"));
       EXPECT_TRUE(std::isfinite(f32::perlinSpace({0.3f, y, 0.9f}, cells, 7)));
     }
   }
@@ -128,6 +141,7 @@ TEST(Stability, L08_periodsOfOneAndTwoTile) {
 
 TEST(Stability, L09_negativeCellsTileBitForBit) {
   // Floored remainders; truncated ones tear.
+  test::noFaults("L09", "violations");
   for (const std::int64_t period : {1, 2, 3, 7}) {
     const VoronoiKnobs knobs{.period = period};
     EXPECT_EQ(tileError(knobs, true), 0) << period;

@@ -16,6 +16,7 @@
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/noise_height_source.h"
 #include "support/hills_source.h"
+#include "support/margin.h"
 
 namespace skydrop::terrain {
 namespace {
@@ -93,14 +94,15 @@ TEST(LandShade, S20_edgesAreWithinATexelOfRays) {
       const LandShade shade = shadeOf(land, {700, -900}, toSun);
       for (const int level : {0, 1}) {
         const Agreement here = compare(*land, shade, level, {700, -900}, 60);
-        EXPECT_LE(here.differ, 9) << elevation << " up, " << azimuth << ", level " << level << ": " << here;
+        EXPECT_TRUE(test::holds("S20", here.differ, test::atMost(9), "texels"))
+            << elevation << " up, " << azimuth << ", level " << level << ": " << here;
         all.places += here.places, all.shaded += here.shaded;
         all.differ += here.differ, all.farOff += here.farOff;
       }
     }
   }
-  EXPECT_LE(all.farOff, all.places / 500) << all;
-  EXPECT_LE(all.differ, all.places / 25) << all;
+  EXPECT_TRUE(test::holds("S20", all.farOff, test::atMost(all.places / 500), "places")) << all;
+  EXPECT_TRUE(test::holds("S20", all.differ, test::atMost(all.places / 25), "places")) << all;
   EXPECT_GT(all.shaded, all.places / 5) << all;
 }
 
@@ -143,7 +145,8 @@ TEST(LandShade, S21_aSunAtTheHorizonOrOverheadHasAShade) {
           ASSERT_TRUE(share >= 0 && share <= 1) << elevation << ' ' << azimuth << ' ' << share;
           if (above == 1) ++count, dark += share < 0.01;
           if (above == 2000) {
-            EXPECT_NEAR(share, 1, 1e-6) << elevation << ' ' << x;
+            EXPECT_TRUE(test::holds("S21", test::apart(share, 1), test::atMost(1e-6), "share of the sun"))
+                << elevation << ' ' << x;
           }
         }
       }
@@ -160,6 +163,7 @@ TEST(LandShade, S21_aSunAtTheHorizonOrOverheadHasAShade) {
 TEST(LandShade, S22_levelLandAndTheSeaShadeNothing) {
   // Plains, a plain below the sea, and a sea floor with steps: no texel is dimmed, however low the sun; 1 m
   // over the land all of the sun is left.
+  test::noFaults("S22", "violations");
   for (const auto& land :
        {makeFlatSource(300), makeFlatSource(0), makeFlatSource(-100), makeStepSource(0, -200, -20)}) {
     for (const double elevation : {0.0, 0.2, 1.0, 45.0}) {
@@ -177,6 +181,7 @@ TEST(LandShade, S23_farFromTheOriginTheShadeIsTheSame) {
   // The hills repeat every 61440 m: 1e9 m out, where floats are 64 m apart, the map has the same bits for a
   // sun on the lattice's axes and diagonals, and elsewhere, where its rays fall between others, edges are
   // within a texel.
+  test::noFaults("S23", "differences");
   const auto land = test::makeHillsSource();
   const double away = 61440.0 * 16384;
   for (const double azimuth : {0.0, 90.0, 270.0}) {
@@ -215,10 +220,13 @@ TEST(LandShade, S24_thePenumbraWidensWithTheDistance) {
       const double umbra = top(elevation + kRadiusDegrees), lit = top(elevation - kRadiusDegrees);
       if (umbra < 20) continue;  // the shadow ends before
       ++count;
-      EXPECT_NEAR(heightOfShare(0.5), (umbra + lit) / 2, 0.02 * (lit - umbra) + 0.1)
+      EXPECT_TRUE(test::holds("S24", test::apart(heightOfShare(0.5), (umbra + lit) / 2),
+                              test::atMost(0.02 * (lit - umbra) + 0.1), "m"))
           << elevation << ' ' << distance;
       // Of a disc, a quarter is hidden where the edge is 0.404 radii from its middle.
-      EXPECT_NEAR(heightOfShare(0.75) - heightOfShare(0.25), 0.404 * (lit - umbra), 0.02 * (lit - umbra))
+      EXPECT_TRUE(test::holds("S24",
+                              test::apart(heightOfShare(0.75) - heightOfShare(0.25), 0.404 * (lit - umbra)),
+                              test::atMost(0.02 * (lit - umbra)), "m"))
           << elevation << ' ' << distance;
     }
   }
@@ -241,7 +249,8 @@ TEST(LandShade, S25_anEdgeBeforeTheLowerLimbLeavesTheRestOfTheDisc) {
         const double expected = shareOfDisc((elevation - edge) / kRadiusDegrees);
         const double found = above > 0 ? shade.sunShare({-away, 40 + above, 13})
                                        : shareOfDisc(shade.clearanceAt(0, {-away, 13}));
-        EXPECT_NEAR(found, expected, 0.02) << layout.side << ' ' << away << ' ' << above;
+        EXPECT_TRUE(test::holds("S25", test::apart(found, expected), test::atMost(0.02), "share of the sun"))
+            << layout.side << ' ' << away << ' ' << above;
         partly += expected > 0.1 && expected < 0.9 ? 1 : 0;
       }
     }

@@ -17,6 +17,7 @@
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
 #include "support/hills_source.h"
+#include "support/margin.h"
 #include "support/patch_mesh.h"
 #include "terrain/chunk_selection.h"
 #include "terrain/patch_bounds.h"
@@ -181,6 +182,7 @@ TEST(Stability, T07_theMeshThatIsInViewHasNoOpenEdge) {
   // 40 random poses: every edge of a triangle whose middle is in view is the edge of another triangle too,
   // with the same two ends, bit by bit. Then no picture of it can have a crack, whatever the size of its
   // pixels. Where the land ends in the distance edges are open by design.
+  test::noFaults("T07", "violations");
   const auto source = test::makeHillsSource();
   core::JobPool pool(2);
   TerrainStreamingSettings settings;
@@ -205,6 +207,7 @@ TEST(Stability, T07_theMeshHasNoOpenEdgeWhileChunksArriveInAnyOrder) {
   // 8 random poses; the chunks that the view wants arrive in a random order (each after its ancestors, as
   // EndlessTerrain draws them). From the moment when the coarsest are there no edge in view is ever open,
   // whatever is missing; and when all are there nothing is drawn coarser than the view asks for.
+  test::noFaults("T07", "violations");
   const auto source = test::makeHillsSource();
   TerrainStreamingSettings settings;
   settings.texelPixels = 1;
@@ -270,6 +273,7 @@ TEST(Stability, T07_flyingTurningAndLeapingNeverShowsAHole) {
   // 300 m/s at 60 frames a second over land that one worker makes as fast as it can, turned round at every
   // tenth frame and carried off by up to 300 km at every twentieth: in each frame, also the first after a
   // leap, there is land and no edge of it in view is open.
+  test::noFaults("T07", "violations");
   const auto source = test::makeHillsSource();
   core::JobPool pool(1);
   TerrainStreamingSettings settings;
@@ -363,7 +367,7 @@ TEST(Stability, T20_aMetreOfFlightMovesNoVertexByHalfAPixelBecauseOfDetail) {
       before = heights;
     }
   }
-  EXPECT_LT(worst, 0.5) << "pixels";
+  EXPECT_TRUE(test::holds("T20", worst, test::below(0.5), "pixels")) << "pixels";
   EXPECT_GT(compared, 10000);
   EXPECT_GT(crossings, 200);
   RecordProperty("worstPixels", std::to_string(worst));

@@ -18,6 +18,7 @@
 #include "skydrop/terrain/chunk_data.h"
 #include "skydrop/terrain/chunk_grid.h"
 #include "support/instrumented.h"
+#include "support/margin.h"
 #include "terrain/land_gully.h"
 #include "terrain/land_octaves.h"
 #include "terrain/land_shape.h"
@@ -140,11 +141,15 @@ TEST(Stability, T01_heightsFarOutAreThoseOfALongDoubleReference) {
       for (int column = 0; column < kChunkSamples; column += 5) {
         const glm::dvec2 xz = samplePosition(key, column, row);
         const auto truth = static_cast<double>(reference.height(xz));
-        ASSERT_NEAR(land->height(xz), truth, 1e-6) << distance;
-        ASSERT_NEAR(chunk.height(at(column, row)), truth, chunk.heightRange.step() / 2 + kFloatMetres)
+        ASSERT_TRUE(test::holds("T01", test::apart(land->height(xz), truth), test::atMost(1e-6), "m"))
+            << distance;
+        ASSERT_TRUE(test::holds("T01", test::apart(chunk.height(at(column, row)), truth),
+                                test::atMost(chunk.heightRange.step() / 2 + kFloatMetres), "m"))
             << distance;
         const glm::dvec2 between = xz + glm::dvec2(1.37, 2.11);
-        ASSERT_NEAR(land->height(between), static_cast<double>(reference.height(between)), 1e-6);
+        ASSERT_TRUE(test::holds(
+            "T01", test::apart(land->height(between), static_cast<double>(reference.height(between))),
+            test::atMost(1e-6), "m"));
       }
     }
   }
@@ -152,6 +157,7 @@ TEST(Stability, T01_heightsFarOutAreThoseOfALongDoubleReference) {
 
 TEST(Stability, T01_samplesFarOutAreDistinct) {
   // No terraces: all 241 columns of a chunk differ, on land at every distance.
+  test::noFaults("T01", "violations");
   const auto land = makeNoiseHeightSource({}, kSeed);
   for (const double distance : {1e6, 1e7, 1e9, 1e12}) {
     ChunkKey key = chunkAt({distance, -distance});
@@ -192,7 +198,9 @@ TEST(Stability, T05_theNoiseDoesNotRepeat) {
         product += here[i] * there[i];
         otherPower += there[i] * there[i];
       }
-      ASSERT_LT(std::abs(product) / std::sqrt(power * otherPower), 0.1) << k;
+      ASSERT_TRUE(test::holds("T05", std::abs(product) / std::sqrt(power * otherPower), test::below(0.1),
+                              "correlation"))
+          << k;
     }
   }
 }
@@ -210,8 +218,9 @@ TEST(Stability, T06_chunksHoldTheHeightsOfPoints) {
       int row = static_cast<int>(random.next() % kChunkSamples);
       if (i % 4 == 0) column = i % 8 == 0 ? 0 : kChunkCells;
       if (i % 4 == 1) row = i % 8 == 1 ? 0 : kChunkCells;
-      ASSERT_NEAR(chunk.height(at(column, row)), land->height(samplePosition(key, column, row)),
-                  chunk.heightRange.step() / 2 + kFloatMetres)
+      ASSERT_TRUE(test::holds(
+          "T06", test::apart(chunk.height(at(column, row)), land->height(samplePosition(key, column, row))),
+          test::atMost(chunk.heightRange.step() / 2 + kFloatMetres), "m"))
           << "level " << key.level << " column " << column << " row " << row;
     }
   }
@@ -219,6 +228,7 @@ TEST(Stability, T06_chunksHoldTheHeightsOfPoints) {
 
 TEST(Stability, T07_neighboursShareTheirBorderAndLevelsTheirSamples) {
   // No crack and no pop can come from the data: a position has one code, in whatever chunk and level it lies.
+  test::noFaults("T07", "violations");
   const auto land = makeNoiseHeightSource({}, kSeed);
   for (const std::int64_t far : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1} << 30}) {
     const ChunkData here = makeChunk(*land, {2 * far, 6, 0}), east = makeChunk(*land, {2 * far + 1, 6, 0});
@@ -249,6 +259,7 @@ TEST(Stability, T07_aPlaceHasOneNormalInAllChunksOfALevelThatReachIt) {
   // Beyond its borders a chunk holds the neighbours' normals, bit by bit: those of the border itself, of the
   // reach on both sides of it, and around the corner. So what is derived from normals within the reach does
   // not depend on the chunk that a place belongs to. All levels, random chunks near the origin and far out.
+  test::noFaults("T07", "violations");
   const auto land = makeNoiseHeightSource({}, kSeed);
   core::RandomStream random{70, 0};
   for (int level = 0; level <= kMaxChunkLevel; ++level) {
@@ -299,8 +310,8 @@ TEST(Stability, T16_storedNormalsAreThoseOfTheAnalyticGradient) {
       worst = std::max(worst, degrees);
     }
   }
-  EXPECT_LT(sum / 1e4, 0.5);
-  EXPECT_LT(worst, 2.0);
+  EXPECT_TRUE(test::holds("T16", sum / 1e4, test::below(0.5), "degrees"));
+  EXPECT_TRUE(test::holds("T16", worst, test::below(2.0), "degrees"));
 }
 
 TEST(Stability, T16_theAnalyticGradientIsTheSlopeOfTheHeight) {
@@ -318,8 +329,8 @@ TEST(Stability, T16_theAnalyticGradientIsTheSlopeOfTheHeight) {
     const auto difference = [&](glm::dvec2 d) {
       return static_cast<double>(reference.height(xz + d) - reference.height(xz - d)) / (2 * h);
     };
-    ASSERT_NEAR(difference({h, 0}), gradient.x, 2e-4);
-    ASSERT_NEAR(difference({0, h}), gradient.y, 2e-4);
+    ASSERT_TRUE(test::holds("T16", test::apart(difference({h, 0}), gradient.x), test::atMost(2e-4), "slope"));
+    ASSERT_TRUE(test::holds("T16", test::apart(difference({0, h}), gradient.y), test::atMost(2e-4), "slope"));
     compared += std::abs(gradient.x) > 0.01;
   }
   EXPECT_GT(compared, 2000) << "the land is too flat for this test to mean anything";
@@ -350,7 +361,8 @@ TEST(Stability, T22_octavesDoNotShareNodes) {
       atNodes += node * node;
       elsewhere += other * other;
     }
-    EXPECT_NEAR(atNodes / elsewhere, 1.0, 0.05) << "octave " << k;
+    EXPECT_TRUE(test::holds("T22", test::apart(atNodes / elsewhere, 1.0), test::atMost(0.05), "relative"))
+        << "octave " << k;
   }
 }
 
@@ -423,7 +435,7 @@ TEST(Stability, T22_theLandFavoursNoDirection) {
     for (std::size_t ring = 4; ring < kSize / 2; ++ring)
       logRatio += std::log(axis[ring] / axisCount[ring] / (diagonal[ring] / diagonalCount[ring]));
     const double ratio = std::exp(logRatio / (kSize / 2 - 4));
-    EXPECT_LT(ratio, 2.0) << "level " << level;
+    EXPECT_TRUE(test::holds("T22", ratio, test::below(2.0), "times")) << "level " << level;
     EXPECT_GT(ratio, 0.5) << "level " << level;
     RecordProperty("axisToDiagonalAtLevel" + std::to_string(level), std::to_string(ratio));
   }
@@ -448,13 +460,15 @@ TEST(Stability, T23_heightsLieInTheirRangeAndFewAreLimited) {
     }
     samples += static_cast<long>(chunk.heights.size());
   }
-  EXPECT_LT(static_cast<double>(limited), 1e-3 * static_cast<double>(samples));
+  EXPECT_TRUE(test::holds("T23", static_cast<double>(limited),
+                          test::below(1e-3 * static_cast<double>(samples)), "samples"));
   EXPECT_GT(static_cast<double>(sea), 0.30 * static_cast<double>(samples));
   EXPECT_LT(static_cast<double>(sea), 0.40 * static_cast<double>(samples));
 }
 
 TEST(Stability, T23_heightsStayInRangeForAnySettings) {
   // With every parameter at its ends the soft limit still holds: no sample at the ends of the range.
+  test::noFaults("T23", "violations");
   TerrainSettings wild;
   wild.seaDepth = 240;
   wild.plainHeight = 600;
@@ -511,6 +525,7 @@ std::uint64_t worldHash(const HeightSource& land, int workers) {
 TEST(Stability, T24_oneWorldForAnyInstructionSetAndAnyNumberOfWorkers) {
   // The baseline's bits on one thread are the truth; every other set and 2 and 8 workers give the same.
   // (Sets that the processor lacks are left out.) Of one seed under a sanitizer.
+  test::noFaults("T24", "differences");
   std::vector<std::uint64_t> seeds = {0, ~std::uint64_t{0}, std::uint64_t{1} << 63};
   if (test::kInstrumented) seeds.resize(1);
   for (const std::uint64_t seed : seeds) {
@@ -530,11 +545,13 @@ TEST(Stability, T24_oneWorldForAnyInstructionSetAndAnyNumberOfWorkers) {
 TEST(Stability, T24_oneWorldOnEveryMachine) {
   // The digest of seed 1, whatever the processor and the compiler. It changes when the land is changed on
   // purpose, and only then.
+  test::noFaults("T24", "differences");
   EXPECT_EQ(worldHash(*makeNoiseHeightSource({}, 1), 2), 4111405345723056612ull);
 }
 
 TEST(Stability, T24_seedsGiveDifferentWorlds) {
   // Also those that differ in one bit, or in what a 32-bit or signed seed would lose.
+  test::noFaults("T24", "violations");
   std::set<std::uint64_t> hashes;
   for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0},
                                    std::uint64_t{1} << 63, std::uint64_t{1} << 32}) {
@@ -545,6 +562,7 @@ TEST(Stability, T24_seedsGiveDifferentWorlds) {
 
 TEST(Stability, P23_heightsAnswerAnywhere) {
   // Also beyond the world's limit and for what is no position: the nearest position's height, 0 for NaN.
+  test::noFaults("P23", "violations");
   const auto land = makeNoiseHeightSource({}, kSeed);
   for (const double x : {1e15, -1e15, 1e18, -1e300, std::numeric_limits<double>::infinity()}) {
     const HeightSample s = land->sample({x, -x});

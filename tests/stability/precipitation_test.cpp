@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "skydrop/render/precipitation/drop_sets.h"
+#include "support/margin.h"
 
 namespace skydrop::render {
 namespace {
@@ -27,6 +28,7 @@ bool isFinite(const DropSet& set) {
 
 TEST(Stability, W40_rainAtRestAndAt300MetresASecond) {
   // Finite, bounded in number, and the drops pass as fast as they should.
+  test::noFaults("W40", "violations");
   for (const double speed : {0.0, 300.0}) {
     const glm::dvec3 eye(0, 0, -speed);
     const DropSets sets = dropSets(kSettings, kPellets, at({0, 400, 0}), eye, {7, 0, 0}, 100);
@@ -44,6 +46,7 @@ TEST(Stability, W40_rainAtRestAndAt300MetresASecond) {
 TEST(Stability, W41_rainABillionMetresOut) {
   // 2^32 cells away, 8.6e9 m, the cells are the same to the bit; 1e9 m out they still lie around the eye, and
   // are others than at the origin.
+  test::noFaults("W41", "violations");
   const glm::dvec3 eye(12.5, 400.25, -7.75);
   const double period = 4294967296.0 * 2;
   const glm::dvec3 falling(0, 0, 0);
@@ -78,11 +81,12 @@ TEST(Stability, W42_rainAtTheFirstSecondAndAfterAMonth) {
       const glm::dvec3 moved =
           glm::dvec3(b.corner) - glm::dvec3(a.corner) - glm::dvec3(cells) * static_cast<double>(a.corner.w);
       const glm::dvec3 fallen = glm::dvec3(air.x, -kPellets[0].speedMps, air.z) * kStep;
-      EXPECT_LT(glm::length(moved - fallen), 1e-4) << seconds;
+      EXPECT_TRUE(test::holds("W42", glm::length(moved - fallen), test::below(1e-4), "m")) << seconds;
     }
     const DropSets gust = dropSets(kSettings, kPellets, at({0, 400, 0}), {}, air * 1.001, seconds);
     const glm::vec3 shift = glm::vec3(gust.sets[0].corner) - glm::vec3(now.sets[0].corner);
-    EXPECT_LT(std::abs(std::remainder(static_cast<double>(shift.x), 2.0)), 0.1);
+    EXPECT_TRUE(test::holds("W42", std::abs(std::remainder(static_cast<double>(shift.x), 2.0)),
+                            test::below(0.1), "m"));
   }
 }
 
@@ -93,7 +97,7 @@ TEST(Stability, W48_theTwoSetsOfAClassRelieveEachOtherWithoutALull) {
     double filled = 0;
     for (int i = 0; i < sets.count; ++i)
       filled += static_cast<double>(sets.sets[static_cast<std::size_t>(i)].passing.w);
-    EXPECT_NEAR(filled, 1, 1e-5) << seconds;
+    EXPECT_TRUE(test::holds("W48", test::apart(filled, 1), test::atMost(1e-5), "of 1")) << seconds;
   }
 }
 

@@ -13,6 +13,7 @@
 #include "skydrop/game/world.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/noise_height_source.h"
+#include "support/margin.h"
 #include "support/soak.h"
 
 namespace skydrop::game {
@@ -83,6 +84,7 @@ std::uint64_t replayed(const InputLog& log, double frameSeconds, int& frames) {
 TEST(Stability, P18_aLogReplaysToTheSameBitsAtEveryFrameRate) {
   // 60 s of unsteady flight (600 when soaking) over real land, recorded, written, read and flown again at 30,
   // 60, 144 and uncapped (2311) frames a second: the state hash is the recorded one at every checkpoint.
+  test::noFaults("P18", "differences");
   std::uint64_t hash = 0;
   const int seconds = test::soaking() ? 600 : 60;
   const InputLog log = decodeInputLog(encodeInputLog(recorded(seconds, hash)), "memory");
@@ -98,6 +100,7 @@ TEST(Stability, P18_aLogReplaysToTheSameBitsAtEveryFrameRate) {
 TEST(Stability, P18_theStateHashSeesEveryDifference) {
   // One step of one stick, 1/127 apart, or one setting in its last bit gives another hash; the same run again
   // the same one.
+  test::noFaults("P18", "differences");
   const auto run = [](double roll, double drag) {
     WorldSetup setup = setupOn(terrain::makeFlatSource(0));
     setup.airplane.dragCoefficient = drag;
@@ -118,6 +121,7 @@ TEST(Stability, P18_theStateHashSeesEveryDifference) {
 TEST(Stability, P18_settingsAppliedAgainChangeNoBit) {
   // A menu applies all settings when one that does not concern the flight changes, and no log notes that: the
   // same values applied before every step leave the same bits as never.
+  test::noFaults("P18", "violations");
   World applied(setupOn(terrain::makeFlatSource(0))), untouched(setupOn(terrain::makeFlatSource(0)));
   core::RandomStream random{6, 0};
   Controls controls;
@@ -135,6 +139,7 @@ TEST(Stability, P18_settingsAppliedAgainChangeNoBit) {
 TEST(Stability, P12_aHitchInTheFrameTimeLosesTimeAndNothingElse) {
   // Frames of 10 s, NaN and -1 among good ones: the world steps through exactly the steps that the clock
   // grants, and ends where the same number of steps always ends.
+  test::noFaults("P12", "violations");
   World hitched(setupOn(terrain::makeFlatSource(0)));
   core::FixedStep clock;
   for (const double dt : {0.02, 10.0, std::numeric_limits<double>::quiet_NaN(), -1.0, 0.0, 0.3, 0.02}) {
@@ -149,6 +154,7 @@ TEST(Stability, P12_aHitchInTheFrameTimeLosesTimeAndNothingElse) {
 TEST(Stability, P13_nonsenseFromASticksAxisIsReadAsCentredAndCounted) {
   // NaN, infinities and 1e38 on every axis: NaN and infinities count as released, large values as full
   // deflection; the state stays finite and equals that of the cleaned input.
+  test::noFaults("P13", "violations");
   const double kNaN = std::numeric_limits<double>::quiet_NaN(),
                kInfinity = std::numeric_limits<double>::infinity();
   World nonsense(setupOn(terrain::makeFlatSource(0))), clean(setupOn(terrain::makeFlatSource(0)));
@@ -164,6 +170,7 @@ TEST(Stability, P13_nonsenseFromASticksAxisIsReadAsCentredAndCounted) {
 TEST(Stability, P04_anHourOfTheWholeGameStaysFinite) {
   // Ten minutes (an hour when soaking) of unsteady flight over real land with drops, crashes and respawns:
   // all that a view reads is finite, and what is kept does not grow.
+  test::noFaults("P04", "values that are not finite");
   World world(setupOn(terrain::makeNoiseHeightSource({}, 4)));
   core::RandomStream random{8, 0};
   Controls controls;
@@ -182,6 +189,7 @@ TEST(Stability, P04_anHourOfTheWholeGameStaysFinite) {
 
 TEST(Stability, P22_straightAboveTheTargetBearingAndRuleAreDefined) {
   // The aircraft exactly above the target: bearing 0 and distance 0, both finite, also while interpolating.
+  test::noFaults("P22", "violations");
   World world(setupOn(terrain::makeFlatSource(10)));
   StartPose above;
   above.position = world.now().target.position;
@@ -198,6 +206,7 @@ TEST(Stability, P22_straightAboveTheTargetBearingAndRuleAreDefined) {
 TEST(Stability, P22_thePackageScoresByWhereItLandsAndNotByWhereTheAircraftIs) {
   // Dropped exactly above the target at 70 m/s, the package travels a good 130 m and misses by the rest;
   // dropped as far before it, it lands in the middle and scores, though the aircraft is outside the circle.
+  test::noFaults("P22", "violations");
   const auto missDistanceOfDrop = [](double before, std::int64_t& score, std::int64_t& misses) {
     World world(setupOn(terrain::makeFlatSource(10)));
     StartPose pose;

@@ -13,6 +13,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/flight/airplane.h"
 #include "skydrop/flight/rigid_body.h"
+#include "support/margin.h"
 
 namespace skydrop::flight {
 namespace {
@@ -75,7 +76,7 @@ TEST(Stability, P24_theBrickOfTheCheckCaseUnderAHundredTimesItsDampingComesToRes
         ASSERT_LE(now, last * (1 + 1e-12)) << what << " step " << i;
         last = now;
       }
-      EXPECT_LT(last, 1e-12 * start) << what;
+      EXPECT_TRUE(test::holds("P24", last, test::below(1e-12 * start), "J")) << what;
       EXPECT_GT(core::guardCount(core::Guard::stiffStep), 0u) << what;
       EXPECT_EQ(core::guardCount(core::Guard::notFiniteState), 0u) << what;
     }
@@ -95,10 +96,14 @@ TEST(Stability, P24_theFallingBrickStaysAtRestWhenItsDampingGrowsStiff) {
                         brickDamping(times, density, glm::length(s.velocity), s.angularVelocity)};
         });
         if (i > 10 * rate) {
-          ASSERT_LT(glm::length(body.state().angularVelocity), 1e-9) << nameOf(integrator) << " step " << i;
+          ASSERT_TRUE(
+              test::holds("P24", glm::length(body.state().angularVelocity), test::below(1e-9), "rad/s"))
+              << nameOf(integrator) << " step " << i;
         }
       }
-      EXPECT_NEAR(body.velocity().y, -9.80665 * 30, 1e-6) << nameOf(integrator);
+      EXPECT_TRUE(
+          test::holds("P24", test::apart(body.velocity().y, -9.80665 * 30), test::atMost(1e-6), "m/s"))
+          << nameOf(integrator);
     }
   }
 }
@@ -169,6 +174,7 @@ void expectDecay(const std::function<Stiff(Random&)>& make, int bodies, double g
 TEST(Stability, P24_dampersAndDragsOfAnyStrengthOnlyTakeEnergy) {
   // Rates over 12 orders of magnitude, linear, quadratic and cubic in the velocity, for translation and
   // rotation of bodies of any shape, in still air.
+  test::noFaults("P24", "violations");
   expectDecay(
       [](Random& random) {
         RigidBody body = anyBody(random);
@@ -191,6 +197,7 @@ TEST(Stability, P24_dampersAndDragsOfAnyStrengthOnlyTakeEnergy) {
 
 TEST(Stability, P24_aStiffDragTakesABodyAlongWithTheWind) {
   // Drag towards air that moves: it is the velocity through the air that dies away.
+  test::noFaults("P24", "violations");
   const glm::dvec3 wind{30, 5, -10};
   expectDecay(
       [=](Random& random) {
@@ -212,6 +219,7 @@ TEST(Stability, P24_dampedSpringsOfAnyStiffnessComeToRest) {
   // Springs of position over 12 orders of magnitude, with damping ratios of .3 to 10. What a whole step makes
   // of the energy depends on its phase, so that single steps may add a tenth; where steps are divided it
   // falls.
+  test::noFaults("P24", "violations");
   expectDecay(
       [](Random& random) {
         RigidBody body = anyBody(random);
@@ -233,6 +241,7 @@ TEST(Stability, P24_dampedSpringsOfAnyStiffnessComeToRest) {
 TEST(Stability, P24_dryFrictionOfAnyStrengthStopsABody) {
   // A force against the velocity of constant size, with a corner at rest that no linearisation sees from
   // afar.
+  test::noFaults("P24", "violations");
   expectDecay(
       [](Random& random) {
         RigidBody body = anyBody(random);
@@ -251,6 +260,7 @@ TEST(Stability, P24_aStiffFloorDoesNotThrowABodyUp) {
   // A wall that pushes back like a spring from where it is touched: a body that falls on it through 10 m at 8
   // to 240 Hz never rises more than a metre above where it started. (The integrators of one stage see a force
   // that begins within a step when it has acted: not promised.)
+  test::noFaults("P24", "violations");
   for (const Integrator integrator : {Integrator::rk4, Integrator::rkmk4}) {
     Random random{{12, static_cast<std::uint64_t>(integrator)}};
     for (int n = 0; n < 40; ++n) {
@@ -283,7 +293,9 @@ TEST(Stability, P24_aFastSpinOfAnUnevenBodyIsDividedAndKeepsItsEnergy) {
     body.setIntegrator(integrator);
     const double energy = body.kineticEnergy();
     for (int i = 0; i < 60; ++i) body.update(1.0 / 60);
-    EXPECT_NEAR(body.kineticEnergy() / energy, 1, 0.02) << nameOf(integrator);
+    EXPECT_TRUE(
+        test::holds("P24", test::apart(body.kineticEnergy() / energy, 1), test::atMost(0.02), "relative"))
+        << nameOf(integrator);
     EXPECT_GT(core::guardCount(core::Guard::stiffStep), 0u) << nameOf(integrator);
   }
 }
@@ -302,8 +314,10 @@ TEST(Stability, P24_aDividedStepFollowsADecayThatItCanResolve) {
       body.update(1.0 / 120, [=](const BodyState& s) {
         return Wrench{{-stiff * s.velocity.x, -s.velocity.y, 0}, glm::dvec3(0)};
       });
-      EXPECT_LT(std::abs(body.velocity().x), 0.05) << inAStep;
-      EXPECT_NEAR(body.velocity().y, std::exp(-1.0 / 120), 1e-8) << inAStep;
+      EXPECT_TRUE(test::holds("P24", std::abs(body.velocity().x), test::below(0.05), "m/s")) << inAStep;
+      EXPECT_TRUE(
+          test::holds("P24", test::apart(body.velocity().y, std::exp(-1.0 / 120)), test::atMost(1e-8), "m/s"))
+          << inAStep;
     }
   }
 }
@@ -311,6 +325,7 @@ TEST(Stability, P24_aDividedStepFollowsADecayThatItCanResolve) {
 TEST(Stability, P24_nothingOfTheAircraftIsStiff) {
   // A minute of hard flying at 120 Hz with every integrator divides no step: the guard costs no accuracy
   // there.
+  test::noFaults("P24", "violations");
   for (const Integrator integrator : kIntegrators) {
     AirplaneSettings settings;
     settings.integrator = integrator;
@@ -347,7 +362,8 @@ TEST(Stability, P24_anAircraftTunedFarTooStiffStaysInTheAir) {
     for (int i = 0; i < 5 * 120; ++i) {
       airplane.step({.pitch = i < 120 ? 1.0 : 0.0, .roll = i < 240 ? 1.0 : -1.0}, glm::dvec3(0), 1.0 / 120);
       ASSERT_TRUE(isFinite(airplane.body().state())) << nameOf(integrator) << " step " << i;
-      ASSERT_LT(glm::length(airplane.body().state().angularVelocity), 3)
+      ASSERT_TRUE(
+          test::holds("P24", glm::length(airplane.body().state().angularVelocity), test::below(3), "rad/s"))
           << nameOf(integrator) << " step " << i;
     }
     EXPECT_GT(core::guardCount(core::Guard::stiffStep), 0u) << nameOf(integrator);
@@ -383,11 +399,13 @@ TEST(Stability, P25_aForceOfTimeKeepsTheOrderOfTheIntegrator) {
                      at240 = errorsUnderAForceOfTime(integrator, 240);
     for (int part = 0; part < 2; ++part) {
       const double order = std::log(at60[part] / at240[part]) / std::log(4);
-      EXPECT_NEAR(order, declaredOrder(integrator), 0.2) << nameOf(integrator) << " part " << part;
+      EXPECT_TRUE(
+          test::holds("P25", test::apart(order, declaredOrder(integrator)), test::atMost(0.2), "order"))
+          << nameOf(integrator) << " part " << part;
     }
   }
   const glm::dvec2 shipped = errorsUnderAForceOfTime(Integrator::rk4, 120);
-  EXPECT_LT(std::max(shipped.x, shipped.y), 1e-8);
+  EXPECT_TRUE(test::holds("P25", std::max(shipped.x, shipped.y), test::below(1e-8), "m"));
 }
 
 TEST(Stability, P25_aDividedStepPassesTheTimeOfItsParts) {
@@ -405,7 +423,9 @@ TEST(Stability, P25_aDividedStepPassesTheTimeOfItsParts) {
             },
             i / 120.0);
       }
-      EXPECT_NEAR(body.velocity().x, 2 * 2.0 - 2 / k, 1e-3) << nameOf(integrator) << " " << k;
+      EXPECT_TRUE(
+          test::holds("P25", test::apart(body.velocity().x, 2 * 2.0 - 2 / k), test::atMost(1e-3), "m/s"))
+          << nameOf(integrator) << " " << k;
     }
   }
 }

@@ -24,6 +24,7 @@
 #include "skydrop/weather/wind_profile.h"
 #include "support/cloud_noise.h"
 #include "support/instrumented.h"
+#include "support/margin.h"
 #include "support/refusal.h"
 
 namespace skydrop {
@@ -71,21 +72,30 @@ TEST(Stability, W01_aWindFrom350To10DegreesTurnsThroughNorth) {
     EXPECT_TRUE(at >= 350 || at <= 10) << at;
     EXPECT_GE(at, 0);
     EXPECT_LT(at, 360);
-    EXPECT_LT(std::abs(std::remainder(at - before, 360)), 0.0201);
+    EXPECT_TRUE(
+        test::holds("W01", std::abs(std::remainder(at - before, 360)), test::below(0.0201), "degrees"));
     before = at;
   }
-  EXPECT_NEAR(std::remainder(weather::mixedDirection(350, 8, 10, 8, 0.5), 360), 0, 1e-9);
-  EXPECT_NEAR(weather::mixedDirection(10, 5, 350, 5, 0.25), 5, 1e-9);
-  EXPECT_NEAR(weather::mixedDirection(0, 5, 180, 5, 0.5), 90, 1e-9) << "as long both ways: clockwise";
+  EXPECT_TRUE(test::holds("W01",
+                          test::apart(std::remainder(weather::mixedDirection(350, 8, 10, 8, 0.5), 360), 0),
+                          test::atMost(1e-9), "degrees"));
+  EXPECT_TRUE(test::holds("W01", test::apart(weather::mixedDirection(10, 5, 350, 5, 0.25), 5),
+                          test::atMost(1e-9), "degrees"));
+  EXPECT_TRUE(test::holds("W01", test::apart(weather::mixedDirection(0, 5, 180, 5, 0.5), 90),
+                          test::atMost(1e-9), "degrees"))
+      << "as long both ways: clockwise";
   // A hair below north is north and not 360.
   EXPECT_LT(weather::mixedDirection(-1e-20, 5, -1e-20, 5, 0.5), 360);
 }
 
 TEST(Stability, W02_calmAirHasNoDirectionAndNoTurbulence) {
   // A calm takes the direction of what it turns to; no wind gives no gusts near the ground, no NaN anywhere.
-  EXPECT_NEAR(weather::mixedDirection(123, 0, 250, 9, 0.01), 250, 1e-9);
-  EXPECT_NEAR(weather::mixedDirection(250, 9, 123, 0, 0.99), 250, 1e-9);
-  EXPECT_NEAR(weather::mixedDirection(10, 0, 200, 0, 0.5), 285, 1e-9)
+  EXPECT_TRUE(test::holds("W02", test::apart(weather::mixedDirection(123, 0, 250, 9, 0.01), 250),
+                          test::atMost(1e-9), "degrees"));
+  EXPECT_TRUE(test::holds("W02", test::apart(weather::mixedDirection(250, 9, 123, 0, 0.99), 250),
+                          test::atMost(1e-9), "degrees"));
+  EXPECT_TRUE(test::holds("W02", test::apart(weather::mixedDirection(10, 0, 200, 0, 0.5), 285),
+                          test::atMost(1e-9), "degrees"))
       << "two calms: halfway, the shorter way";
   weather::Wind calm;
   calm.levels = {{{1500, 0, 0}, {5500, 0, 0}, {10000, 0, 0}}};
@@ -103,7 +113,7 @@ TEST(Stability, W02_calmAirHasNoDirectionAndNoTurbulence) {
   game::World world(worldIn(still, {0, 600, 0}));
   for (int i = 0; i < 600; ++i) world.step({});
   EXPECT_EQ(world.now().air.velocity, glm::dvec3(0));
-  EXPECT_NEAR(world.now().air.driftRad, 0, 1e-6);
+  EXPECT_TRUE(test::holds("W02", test::apart(world.now().air.driftRad, 0), test::atMost(1e-6), "rad"));
 }
 
 TEST(Stability, W03_noCoverOnEitherSideIsNoDivision) {
@@ -115,7 +125,7 @@ TEST(Stability, W03_noCoverOnEitherSideIsNoDivision) {
   const State half = mixed(none, some, 0.5);
   EXPECT_EQ(half.layers[0].genus, weather::Genus::cumulus);
   EXPECT_EQ(half.layers[0].baseM, 1500);
-  EXPECT_NEAR(half.layers[0].cover, 0.3, 1e-12);
+  EXPECT_TRUE(test::holds("W03", test::apart(half.layers[0].cover, 0.3), test::atMost(1e-12), "of 1"));
   EXPECT_EQ(mixed(none, none, 0.3).layers[0].cover, 0);
   WeatherSettings settings = roughWeather();
   settings.sites[1].eastM = settings.sites[0].eastM;
@@ -133,6 +143,7 @@ TEST(Stability, W03_noCoverOnEitherSideIsNoDivision) {
 TEST(Stability, W04_identicalLayersAddUpAndInvertedOnesAreRefused) {
   // Two layers at one place have the density of both, at most 1; a layer upside down, flat, of cover 1.5,
   // negative rain and a wind that is no number are refused with place and reason.
+  test::noFaults("W04", "inputs accepted");
   const game::FlownClouds clouds(test::quickNoise(), {});
   State twice;
   twice.layers[0] = twice.layers[1] = {weather::Genus::stratocumulus, 1000, 3000, 0.95, 1};
@@ -190,16 +201,28 @@ TEST(Stability, W05_gustsHaveTheirVarianceAtAnyStep) {
     const auto& t = step.v;
     // P = F P F^T + L L^T with P = [1/2 1/4; 1/4 1/4].
     const double k = t.keep, f = t.feed;
-    EXPECT_NEAR(k * k / 2 + t.noise11 * t.noise11, 0.5, 1e-12) << a;
-    EXPECT_NEAR(k * (f / 2 + k / 4) + t.noise11 * t.noise21, 0.25, 1e-12) << a;
-    EXPECT_NEAR(f * f / 2 + f * k / 2 + k * k / 4 + t.noise21 * t.noise21 + t.noise22 * t.noise22, 0.25,
-                1e-12)
+    EXPECT_TRUE(test::holds("W05", test::apart(k * k / 2 + t.noise11 * t.noise11, 0.5), test::atMost(1e-12),
+                            "of the variance"))
         << a;
-    EXPECT_NEAR(step.keepU * step.keepU + step.noiseU * step.noiseU, 1, 1e-12) << a;
+    EXPECT_TRUE(test::holds("W05", test::apart(k * (f / 2 + k / 4) + t.noise11 * t.noise21, 0.25),
+                            test::atMost(1e-12), "of the variance"))
+        << a;
+    EXPECT_TRUE(test::holds(
+        "W05",
+        test::apart(f * f / 2 + f * k / 2 + k * k / 4 + t.noise21 * t.noise21 + t.noise22 * t.noise22, 0.25),
+        test::atMost(1e-12), "of the variance"))
+        << a;
+    EXPECT_TRUE(test::holds("W05", test::apart(step.keepU * step.keepU + step.noiseU * step.noiseU, 1),
+                            test::atMost(1e-12), "of the variance"))
+        << a;
     EXPECT_GE(t.noise22, 0);
     if (a < 0.01) {  // the leading terms of the covariance, which cancellation would lose
-      EXPECT_NEAR(t.noise11 * t.noise11 / a, 1, 0.02) << a;
-      EXPECT_NEAR(t.noise22 * t.noise22 / (a * a * a / 12), 1, 0.05) << a;
+      EXPECT_TRUE(
+          test::holds("W05", test::apart(t.noise11 * t.noise11 / a, 1), test::atMost(0.02), "relative"))
+          << a;
+      EXPECT_TRUE(test::holds("W05", test::apart(t.noise22 * t.noise22 / (a * a * a / 12), 1),
+                              test::atMost(0.05), "relative"))
+          << a;
     }
   }
   const weather::DrydenStep frozen({glm::dvec3(1), glm::dvec3(1)}, 0, 1.0 / 120);
@@ -211,7 +234,10 @@ TEST(Stability, W05_gustsHaveTheirVarianceAtAnyStep) {
     glm::dvec3 square(0);
     for (const glm::dvec3& g : gustsOf({glm::dvec3(1), glm::dvec3(length)}, airspeed, 1 / rate, steps))
       square += g * g / static_cast<double>(steps);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(square[i], 1, test::kInstrumented ? 0.2 : 0.06) << rate;
+    for (int i = 0; i < 3; ++i)
+      EXPECT_TRUE(test::holds("W05", test::apart(square[i], 1),
+                              test::atMost(test::kInstrumented ? 0.2 : 0.06), "of the variance"))
+          << rate;
   }
 }
 
@@ -261,7 +287,8 @@ TEST(Stability, W06_theSpectrumOfAMillionStepsOfGustsIsDrydens) {
         measured += power[k] * scale;
         wanted += axis == 0 ? 2 * kTime / kPi / (1 + w2) : kTime / kPi * (1 + 3 * w2) / ((1 + w2) * (1 + w2));
       }
-      EXPECT_NEAR(measured / wanted, 1, 0.1) << "axis " << axis << ", from bin " << first;
+      EXPECT_TRUE(test::holds("W06", test::apart(measured / wanted, 1), test::atMost(0.1), "relative"))
+          << "axis " << axis << ", from bin " << first;
     }
   }
 }
@@ -279,18 +306,30 @@ TEST(Stability, W07_theStandardAtmosphereHoldsAtItsBreakpointsBelowTheSeaAndAbov
   for (const Border& border : kBorders) {
     const double h = border.geopotentialM, height = 6356766 * h / (6356766 - h);
     const weather::Air at = weather::standardAir(height);
-    EXPECT_NEAR(weather::geopotentialHeight(height), h, 1e-6);
-    EXPECT_NEAR(at.temperatureK, border.temperatureK, 1e-3) << h;
-    EXPECT_NEAR(at.pressurePa / border.pressurePa, 1, 1e-5) << h;
+    EXPECT_TRUE(
+        test::holds("W07", test::apart(weather::geopotentialHeight(height), h), test::atMost(1e-6), "m"));
+    EXPECT_TRUE(
+        test::holds("W07", test::apart(at.temperatureK, border.temperatureK), test::atMost(1e-3), "K"))
+        << h;
+    EXPECT_TRUE(
+        test::holds("W07", test::apart(at.pressurePa / border.pressurePa, 1), test::atMost(1e-5), "relative"))
+        << h;
     const weather::Air below = weather::standardAir(height - 1e-3),
                        above = weather::standardAir(height + 1e-3);
-    EXPECT_NEAR(below.densityKgM3 / above.densityKgM3, 1, 1e-6) << h;
+    EXPECT_TRUE(test::holds("W07", test::apart(below.densityKgM3 / above.densityKgM3, 1), test::atMost(1e-6),
+                            "relative"))
+        << h;
     EXPECT_LT(above.densityKgM3, below.densityKgM3) << h;
   }
-  EXPECT_NEAR(weather::standardAir(-430).temperatureK, 290.945, 1e-3);
-  EXPECT_NEAR(weather::standardAir(-430).pressurePa, 101325 * std::pow(290.9452 / 288.15, 5.255876), 2)
+  EXPECT_TRUE(test::holds("W07", test::apart(weather::standardAir(-430).temperatureK, 290.945),
+                          test::atMost(1e-3), "K"));
+  EXPECT_TRUE(test::holds(
+      "W07",
+      test::apart(weather::standardAir(-430).pressurePa, 101325 * std::pow(290.9452 / 288.15, 5.255876)),
+      test::atMost(2), "Pa"))
       << "the Dead Sea";
-  EXPECT_NEAR(weather::standardAir(-5000).densityKgM3, 1.9311, 1e-4);
+  EXPECT_TRUE(test::holds("W07", test::apart(weather::standardAir(-5000).densityKgM3, 1.9311),
+                          test::atMost(1e-4), "kg/m3"));
   EXPECT_EQ(weather::standardAir(-1e9).densityKgM3, weather::standardAir(-5000).densityKgM3);
   double before = weather::standardAir(86000).densityKgM3;
   for (double height = 86001; height < 1e6; height *= 1.01) {
@@ -316,9 +355,16 @@ TEST(Stability, W08_thirtyDaysOfWeatherStayUsableAndSmooth) {
       const State now = weather::stateAt(settings, 9, t, {1000, 2000});
       const State next = weather::stateAt(settings, 9, t + kStep, {1000, 2000});
       ASSERT_NO_THROW(requireUsable(now)) << t;
-      EXPECT_LT(std::abs(std::remainder(next.wind.directionDeg - now.wind.directionDeg, 360)), 0.03) << t;
-      EXPECT_LT(std::abs(next.wind.speedMps - now.wind.speedMps), 0.01) << t;
-      EXPECT_LT(std::abs(next.layers[0].cover - now.layers[0].cover), 2e-4) << t;
+      EXPECT_TRUE(test::holds("W08",
+                              std::abs(std::remainder(next.wind.directionDeg - now.wind.directionDeg, 360)),
+                              test::below(0.03), "degrees"))
+          << t;
+      EXPECT_TRUE(
+          test::holds("W08", std::abs(next.wind.speedMps - now.wind.speedMps), test::below(0.01), "m/s"))
+          << t;
+      EXPECT_TRUE(test::holds("W08", std::abs(next.layers[0].cover - now.layers[0].cover), test::below(2e-4),
+                              "cover"))
+          << t;
       least = std::min(least, now.wind.speedMps), most = std::max(most, now.wind.speedMps);
     }
   }
@@ -330,6 +376,7 @@ TEST(Stability, W08_thirtyDaysOfWeatherStayUsableAndSmooth) {
 TEST(Stability, W09_weatherHoldsABillionMetresOut) {
   // One site's weather is the same there to the bit, the clouds answer, and an aircraft flies 20 s without a
   // NaN.
+  test::noFaults("W09", "violations");
   WeatherSettings settings = roughWeather();
   settings.secondSite = false;
   EXPECT_EQ(weather::stateAt(settings, 3, 77, {0, 0}), weather::stateAt(settings, 3, 77, {1e9, -1e9}));
@@ -357,15 +404,18 @@ TEST(Stability, W10_aGustDoesNotKickTheAircraft) {
   const glm::dvec3 before = airplane.body().velocity();
   const glm::dvec3 from = airplane.body().position();
   airplane.step({}, glm::dvec3(0, 0, 15), 1.0 / 120);
-  EXPECT_LT(glm::length(airplane.body().velocity() - before), 0.3);
-  EXPECT_NEAR(glm::length(airplane.body().position() - from), 70.0 / 120, 0.01);
+  EXPECT_TRUE(test::holds("W10", glm::length(airplane.body().velocity() - before), test::below(0.3), "m/s"));
+  EXPECT_TRUE(test::holds("W10", test::apart(glm::length(airplane.body().position() - from), 70.0 / 120),
+                          test::atMost(0.01), "m"));
   const flight::Airflow flow = airflowOf({}, 0, glm::dvec3(0, 0, 15), airplane.body().state());
-  EXPECT_NEAR(flow.airspeed, glm::length(before) + 15, 0.5);
+  EXPECT_TRUE(
+      test::holds("W10", test::apart(flow.airspeed, glm::length(before) + 15), test::atMost(0.5), "m/s"));
 }
 
 TEST(Stability, W11_weatherRepeatsEveryBitAtAnyFrameRate) {
   // A minute in rough weather, drawn at 30, 60, 144 and 2311 frames a second, ends in one and the same state;
   // another seed in another.
+  test::noFaults("W11", "differences");
   const auto fly = [](double framesPerSecond, std::uint64_t seed) {
     game::WorldSetup setup = worldIn(roughWeather(), {0, 700, 0});
     setup.seed = seed;

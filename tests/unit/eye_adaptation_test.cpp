@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "skydrop/core/hash.h"
+#include "support/margin.h"
 
 namespace skydrop::render {
 namespace {
@@ -107,6 +108,7 @@ TEST(EyeAdaptation, eyesInATimeLapseKeepUpWithTheClock) {
 TEST(EyeAdaptation, S70_lightThatIsNoNumberIsNotFollowed) {
   // NaN, infinite, none and negative light leave the eye as it is, before the first frame and after; a time
   // that is no number is a cut.
+  test::noFaults("S70", "values that are not finite");
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double light : {std::nan(""), kInfinity, -kInfinity, 0.0, -3.0}) {
     Eye eye;
@@ -153,6 +155,7 @@ TEST(EyeAdaptation, theLightInViewIsThatOfSkyLandAndSun) {
 
 TEST(EyeAdaptation, S71_theLightInViewIsFiniteAndNearTheLevelInAnyLight) {
   // Sun from the zenith to midnight, views straight up and down: within a factor of 4 of the level.
+  test::noFaults("S71", "values that are not finite");
   RenderSettings settings;
   for (const double elevation : {90.0, 5.0, 0.0, -6.0, -12.0, -30.0}) {
     settings.sun.elevationDegrees = elevation;
