@@ -96,15 +96,7 @@ TEST(Stability, C02_noExtinctionLeavesTheBackground) {
 TEST(Stability, C03_opacityOfAStepDoesNotCancel) {
   // Within 1e-5 relative of expm1 in double, from 1e-9 to 1e4: the series' own error is 2e-7, that of a float
   // exponential at 0.5 is 3e-6 on Mesa.
-  double worst = 0, worstFloat = 0;
-  for (int i = 0; i <= 130000; ++i) {
-    const auto depthFloat = static_cast<float>(std::pow(10.0, -9 + i * 1e-4));
-    const double depth = depthFloat, exact = -std::expm1(-depth);
-    worst = std::max(worst, std::abs(f64::stepOpacity(depth) / exact - 1));
-    worstFloat = std::max(worstFloat, std::abs(f32::stepOpacity(depthFloat) / exact - 1));
-  }
-  EXPECT_TRUE(test::holds("C03", worst, test::below(1e-5), "relative"));
-  EXPECT_TRUE(test::holds("C03", worstFloat, test::below(1e-5), "relative"));
+  EXPECT_TRUE(test::holdsLive("C03"));
 }
 
 TEST(Stability, C04_extinctionWithoutBoundTendsToTheSource) {

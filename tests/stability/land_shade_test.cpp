@@ -94,7 +94,7 @@ TEST(LandShade, S20_edgesAreWithinATexelOfRays) {
       const LandShade shade = shadeOf(land, {700, -900}, toSun);
       for (const int level : {0, 1}) {
         const Agreement here = compare(*land, shade, level, {700, -900}, 60);
-        EXPECT_TRUE(test::holds("S20", here.differ, test::atMost(9), "texels"))
+        EXPECT_TRUE(test::holds("S20", here.differ, test::atMost(9), "places"))
             << elevation << " up, " << azimuth << ", level " << level << ": " << here;
         all.places += here.places, all.shaded += here.shaded;
         all.differ += here.differ, all.farOff += here.farOff;

@@ -16,45 +16,7 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-const char* signOf(Sense sense) {
-  switch (sense) {
-    case Sense::below:
-      return "<";
-    case Sense::atMost:
-      return "<=";
-    case Sense::above:
-      return ">";
-    case Sense::atLeast:
-      return ">=";
-  }
-  return "?";
-}
-
-bool isKept(double figure, const Limit& limit) {
-  switch (limit.sense) {
-    case Sense::below:
-      return figure < limit.value;
-    case Sense::atMost:
-      return figure <= limit.value;
-    case Sense::above:
-      return figure > limit.value;
-    case Sense::atLeast:
-      return figure >= limit.value;
-  }
-  return false;
-}
-
-// Less is nearer to the limit; NaN is beyond any.
-double marginOf(double figure, const Limit& limit) {
-  if (std::isnan(figure)) return -kEndless;
-  const bool isUpper = limit.sense == Sense::below || limit.sense == Sense::atMost;
-  if (!isUpper) return limit.value > 0 ? figure / limit.value : kEndless;
-  if (figure <= 0) return kEndless;
-  return limit.value / figure;
-}
-
 struct Figure {
-  std::string unit;
   Limit limit{};
   double figure = 0;
   double margin = kEndless;
@@ -76,11 +38,10 @@ class Figures : public testing::EmptyTestEventListener {
 
   void note(const char* ids, const std::source_location& place, double figure, const Limit& limit,
             const char* unit) {
-    const double margin = marginOf(figure, limit);
+    const double margin = stability::marginOf(figure, limit);
     const std::scoped_lock lock(mutex_);
-    Figure& row = figures_[{ids, place.line()}];
+    Figure& row = figures_[{ids, place.line(), unit}];
     if (row.checks++ == 0 || margin < row.margin) {
-      row.unit = unit;
       row.limit = limit;
       row.figure = figure;
       row.margin = margin;
@@ -113,11 +74,11 @@ class Figures : public testing::EmptyTestEventListener {
   void write(const testing::TestInfo& test) const {
     nlohmann::json all = nlohmann::json::array();
     for (const auto& [key, row] : figures_) {
-      nlohmann::json json = {{"unit", row.unit},     {"sense", signOf(row.limit.sense)},
-                             {"figure", row.figure}, {"limit", row.limit.value},
-                             {"checks", row.checks}, {"isFixed", row.leastLimit == row.mostLimit},
+      nlohmann::json json = {{"unit", std::get<2>(key)}, {"sense", stability::signOf(row.limit.sense)},
+                             {"figure", row.figure},     {"limit", row.limit.value},
+                             {"checks", row.checks},     {"isFixed", row.leastLimit == row.mostLimit},
                              {"margin", row.margin}};  // what is endless or no number is written as null
-      append(all, key.first, json);
+      append(all, std::get<0>(key), json);
     }
     int failed = 0;
     for (int i = 0; i < test.result()->total_part_count(); ++i)
@@ -138,7 +99,8 @@ class Figures : public testing::EmptyTestEventListener {
   }
 
   std::mutex mutex_;
-  std::map<std::pair<std::string, std::uint_least32_t>, Figure> figures_;
+  // Ids and units are literals, so that those of one line are the same pointers.
+  std::map<std::tuple<const char*, std::uint_least32_t, const char*>, Figure> figures_;
   std::map<std::string, std::string> faults_;
 };
 
@@ -147,9 +109,21 @@ class Figures : public testing::EmptyTestEventListener {
 testing::AssertionResult holds(const char* ids, double figure, const Limit& limit, const char* unit,
                                const std::source_location& place) {
   Figures::ofThisTest().note(ids, place, figure, limit, unit);
-  if (isKept(figure, limit)) return testing::AssertionSuccess();
+  if (stability::keeps(figure, limit)) return testing::AssertionSuccess();
   return testing::AssertionFailure() << ids << ": " << figure << ' ' << unit << ", must be "
-                                     << signOf(limit.sense) << ' ' << limit.value;
+                                     << stability::signOf(limit.sense) << ' ' << limit.value;
+}
+
+testing::AssertionResult holdsLive(const char* id) {
+  for (const stability::LiveCheck& check : stability::liveChecksOf(id)) {
+    const double figure = check.measure();
+    if (!holds(check.id, figure, check.limit, check.unit)) {
+      return testing::AssertionFailure()
+             << id << ": " << check.what << ": " << figure << ' ' << check.unit << ", must be "
+             << stability::signOf(check.limit.sense) << ' ' << check.limit.value;
+    }
+  }
+  return testing::AssertionSuccess();
 }
 
 void noFaults(const char* ids, const char* what) { Figures::ofThisTest().noteFaults(ids, what); }

@@ -16,19 +16,12 @@
 #include <source_location>
 #include <string>
 
+#include "skydrop/stability/limit.h"
+#include "skydrop/stability/live_check.h"
+
 namespace skydrop::test {
 
-enum class Sense { below, atMost, above, atLeast };
-
-struct Limit {
-  Sense sense;
-  double value;
-};
-
-constexpr Limit below(auto value) { return {Sense::below, static_cast<double>(value)}; }
-constexpr Limit atMost(auto value) { return {Sense::atMost, static_cast<double>(value)}; }
-constexpr Limit above(auto value) { return {Sense::above, static_cast<double>(value)}; }
-constexpr Limit atLeast(auto value) { return {Sense::atLeast, static_cast<double>(value)}; }
+using stability::above, stability::atLeast, stability::atMost, stability::below, stability::Limit;
 
 // |a - b|, for a limit in place of EXPECT_NEAR.
 double apart(auto a, auto b) { return std::abs(static_cast<double>(a) - static_cast<double>(b)); }
@@ -43,6 +36,9 @@ testing::AssertionResult holds(const char* ids, auto figure, const Limit& limit,
                                const std::source_location& place = std::source_location::current()) {
   return holds(ids, static_cast<double>(figure), limit, unit, place);
 }
+
+// Every live check of a row, which the program makes too (skydrop accuracy stability).
+testing::AssertionResult holdsLive(const char* id);
 
 // Of rows that hold exactly or not at all: the figure is how many assertions of the running test fail, and
 // none may. `what`: what a failure would be, in the plural ("differences").

@@ -28,16 +28,30 @@ std::map<std::string, Names> allowedIncludes() {
   Names outer = game;
   outer.insert("game");
   Names app = outer;
-  app.insert({"render", "audio", "ui", "accuracy", "forecast", "lab", "elevation"});
+  app.insert({"render", "audio", "ui", "accuracy", "forecast", "lab", "elevation", "stability"});
   Names render = outer;
   render.insert("lab");
   const Names forecast = {"core", "sky", "weather"};
   const Names elevation = {"core", "terrain"};
-  return {{"core", {}},       {"terrain", core},      {"noise", core},        {"clouds", core},
-          {"accuracy", core}, {"lab", core},          {"flight", core},       {"sky", core},
-          {"weather", core},  {"scene", scene},       {"game", game},         {"render", render},
-          {"audio", outer},   {"ui", outer},          {"app", app},           {"forecast", forecast},
-          {"elevation", elevation}};
+  const Names stability = {"core", "terrain", "flight", "sky", "weather"};
+  return {{"core", {}},
+          {"terrain", core},
+          {"noise", core},
+          {"clouds", core},
+          {"accuracy", core},
+          {"lab", core},
+          {"flight", core},
+          {"sky", core},
+          {"weather", core},
+          {"scene", scene},
+          {"game", game},
+          {"render", render},
+          {"audio", outer},
+          {"ui", outer},
+          {"app", app},
+          {"forecast", forecast},
+          {"elevation", elevation},
+          {"stability", stability}};
 }
 
 // The same for rooms, the folders of a module.

@@ -19,6 +19,7 @@
 #include "skydrop/core/settings_table.h"
 #include "skydrop/game/input_log.h"
 #include "skydrop/scene/scene.h"
+#include "skydrop/stability/hard_case.h"
 #include "support/mutant.h"
 #include "support/paths.h"
 #include "support/temporary_folder.h"
@@ -87,6 +88,8 @@ const std::vector<Reader>& readers() {
        [](const std::string& text) {
          apply(core::parseSettings(text, "a.json", {}, core::UnknownMembers::keep)["settings"]);
        }},
+      {"HardCases",
+       [](const std::string& text) { stability::hardCasesText(stability::parseHardCases(text, "a.json")); }},
       {"Log", [](const std::string& text) { game::decodeInputLog(text, "a.json"); }},
       {"Model",
        [](const std::string& text) {

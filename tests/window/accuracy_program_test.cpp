@@ -123,6 +123,28 @@ TEST_F(AccuracyProgram, goesOnAfterItWasKilled) {
   EXPECT_EQ(errorsOf(at("cut")), errorsOf(at("whole")));
 }
 
+TEST_F(AccuracyProgram, theHardCasesArePrintedAndTheirPagesWritten) {
+  // Every live check keeps its limit here and now, every row of the list is there; pages go into a folder,
+  // and what does not belong to it is refused.
+  const ProcessResult table = runSkydrop({"accuracy", "stability"});
+  EXPECT_EQ(table.exitCode, 0) << table.err;
+  EXPECT_EQ(table.out.rfind("Measured now by skydrop ", 0), 0u);
+  const auto cases =
+      nlohmann::json::parse(contentOf(fs::path(sourceDir()) / "tests/stability/cases.json"))["cases"];
+  const std::string recorded = table.out.substr(table.out.find("Recorded by the suite"));
+  for (const auto& row : cases)
+    EXPECT_NE(recorded.find("\n" + row["id"].get<std::string>() + " "), std::string::npos) << row["id"];
+  const ProcessResult pages = runSkydrop({"accuracy", "stability", "--out", at("report")});
+  EXPECT_EQ(pages.exitCode, 0) << pages.err;
+  EXPECT_NE(contentOf(fs::path(at("report")) / "hard-cases.html").find("Measured now"), std::string::npos);
+  EXPECT_EQ(contentOf(fs::path(at("report")) / "hard-cases.md").rfind("# Hard cases", 0), 0u);
+  const auto json = nlohmann::json::parse(contentOf(fs::path(at("report")) / "hard-cases.json"));
+  EXPECT_GE(json["now"]["checks"].size(), 20u);
+  EXPECT_EQ(json["recorded"]["cases"].size(), cases.size());
+  for (const char* other : {"cost", "clouds-tiers", "--quick", "--resume"})
+    EXPECT_EQ(runSkydrop({"accuracy", "stability", other}).exitCode, 2) << other;
+}
+
 TEST_F(AccuracyProgram, badInputIsOneLineAndLosesNothing) {
   const auto changed = [&](const std::string& name, const std::string& what, const std::string& with) {
     std::string text = kMotion;

@@ -27,6 +27,7 @@ constexpr Size kQuickSize{160, 90}, kDefaultSize{320, 180};
 constexpr const char* kCost = "cost";
 constexpr const char* kCalibrate = "calibrate";
 constexpr const char* kJudge = "judge";
+constexpr const char* kStability = "stability";
 
 void refuseWith(bool given, const std::string& flag, const std::string& with) {
   if (given) throw UsageError("accuracy: " + flag + " does not go with " + with);
@@ -72,6 +73,17 @@ int judge(const CommandLine& line) {
   refuseWith(!line.merge.empty(), "--merge", "judge");
   refuseWith(line.size.has_value(), "--size", "judge");
   return judgeLight(line);
+}
+
+int stabilityTable(const CommandLine& line) {
+  if (line.studies.size() > 1) throw UsageError("accuracy: stability is printed by itself, without studies");
+  refuseWith(!line.scenes.empty(), "--scene", "stability");
+  refuseWith(line.resume, "--resume", "stability");
+  refuseWith(line.parts > 1, "--part", "stability");
+  refuseWith(!line.merge.empty(), "--merge", "stability");
+  refuseWith(line.quick, "--quick", "stability");
+  refuseWith(line.size.has_value(), "--size", "stability");
+  return printStability(line);
 }
 
 // Writes the report; a line for each case that failed, or whose reference is not justified, and then 1.
@@ -132,6 +144,7 @@ int accuracy(const CommandLine& line) {
   if (std::ranges::find(line.studies, kCost) != line.studies.end()) return costReport(line);
   if (std::ranges::find(line.studies, kCalibrate) != line.studies.end()) return calibrate(line);
   if (std::ranges::find(line.studies, kJudge) != line.studies.end()) return judge(line);
+  if (std::ranges::find(line.studies, kStability) != line.studies.end()) return stabilityTable(line);
   if (!line.scenes.empty())
     throw UsageError("accuracy: --scene belongs to cost, calibrate and judge, which are not named");
   const fs::path folder = line.out.empty() ? "accuracy" : line.out;

@@ -30,7 +30,9 @@ void addAccuracyFlags(CLI::App& verb, CommandLine& line) {
           "STUDY", line.studies,
           "studies by name, or files of the same form; or cost alone: what each effect costs; or "
           "calibrate alone: what a frame budget chooses from, for the cache folder; or judge alone: traces "
-          "the light in clouds that clouds-model is held against. None named: all but those three")
+          "the light in clouds that clouds-model is held against; or stability alone: the hard cases and "
+          "their "
+          "margins. None named: all but those four")
       ->type_name("NAME|FILE");
   verb.add_option_function<std::vector<std::string>>(
           "--scene",
@@ -44,13 +46,14 @@ void addAccuracyFlags(CLI::App& verb, CommandLine& line) {
       ->allow_extra_args(false)
       ->expected(1, 1000);
   verb.add_flag("--quick", line.quick, "small pictures (160x90) and three repeats instead of five");
-  addText(
-      verb, "--out", "DIR|FILE|-",
-      "the folder of results and report (accuracy); of cost a file (accuracy.md) or - for standard output",
-      [&line](const std::string& t) {
-        if (t.empty()) throw UsageError("--out: the path is empty");
-        line.out = t;
-      });
+  addText(verb, "--out", "DIR|FILE|-",
+          "the folder of results and report (accuracy); of cost a file (accuracy.md) or - for standard "
+          "output; of "
+          "stability a folder for its pages",
+          [&line](const std::string& t) {
+            if (t.empty()) throw UsageError("--out: the path is empty");
+            line.out = t;
+          });
   addText(verb, "--format", "markdown|json|csv", "of the report of cost (markdown)",
           [&line](const std::string& t) { line.reportFormat = parseReportFormat(t); });
   verb.add_flag("--resume", line.resume, "go on with the results in the folder");

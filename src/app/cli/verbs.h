@@ -11,6 +11,7 @@ int simulate(const CommandLine& line);
 int accuracy(const CommandLine& line);
 int calibrateBudget(const CommandLine& line);  // accuracy calibrate
 int judgeLight(const CommandLine& line);       // accuracy judge
+int printStability(const CommandLine& line);   // accuracy stability
 int noise(const CommandLine& line);
 int generateNoise(const CommandLine& line);  // noise --generate
 int sky(const CommandLine& line);
