@@ -1,6 +1,7 @@
 // Scene light to encoded 8-bit colour: the last shader that sees light.
 #include "shared/tone_map.glsl"
 #include "tone_map/dither.glsl"
+#include "tone_map/guards.glsl"
 #include "tone_map/stretched.glsl"
 
 layout(binding = 0) uniform sampler2D sceneColor;
@@ -8,6 +9,7 @@ out vec4 color;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec3 encoded = srgbEncode(toneMap(max(sceneLight(sceneColor, pixel), vec3(0.0))));
+  vec3 light = sceneLight(sceneColor, pixel);
+  vec3 encoded = withGuardMarks(srgbEncode(toneMap(max(light, vec3(0.0)))), light);
   color = vec4(encoded + ditherStep(uvec2(pixel)), 1.0);
 }

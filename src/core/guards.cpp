@@ -24,12 +24,18 @@ constexpr double kRounding =
 
 }  // namespace
 
-void countGuard(Guard guard) {
-  counters()[static_cast<std::size_t>(guard)].fetch_add(1, std::memory_order_relaxed);
+void countGuard(Guard guard, std::uint64_t times) {
+  counters()[static_cast<std::size_t>(guard)].fetch_add(times, std::memory_order_relaxed);
 }
 
 std::uint64_t guardCount(Guard guard) {
   return counters()[static_cast<std::size_t>(guard)].load(std::memory_order_relaxed);
+}
+
+GuardCounts guardCounts() {
+  GuardCounts counts;
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = guardCount(static_cast<Guard>(i));
+  return counts;
 }
 
 std::string_view guardName(Guard guard) {
@@ -52,6 +58,12 @@ std::string_view guardName(Guard guard) {
       return "clockStep";
     case Guard::targetWidened:
       return "targetWidened";
+    case Guard::stepsDropped:
+      return "stepsDropped";
+    case Guard::jobRetried:
+      return "jobRetried";
+    case Guard::jobFailed:
+      return "jobFailed";
     case Guard::respawnRaised:
       return "respawnRaised";
     case Guard::count_:

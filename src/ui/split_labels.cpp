@@ -5,32 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/text_plate.h"
+
 namespace skydrop::ui {
 namespace {
 
 // In lines of text.
-constexpr float kMargin = 0.5f, kPadding = 0.35f, kGrip = 1.2f, kScaleWidth = 8;
-constexpr ImU32 kPlate = IM_COL32(8, 12, 16, 150), kText = IM_COL32(245, 247, 250, 255),
-                kHalo = IM_COL32(0, 0, 0, 180), kGripColor = IM_COL32(245, 247, 250, 220),
-                kGripEdge = IM_COL32(0, 0, 0, 200);
-
-float widthOf(const Typeface& face, const std::string& text) {
-  return face.face->CalcTextSizeA(face.pixels, 1e9f, 0, text.c_str()).x;
-}
-
-// A line on a plate; `at` is its upper left corner.
-void drawPlate(ImDrawList& list, const Typeface& face, ImVec2 at, const std::string& text) {
-  const float pad = std::floor(kPadding * face.pixels);
-  const ImVec2 high(at.x + widthOf(face, text) + 2 * pad, at.y + face.pixels + pad);
-  list.AddRectFilled(at, high, kPlate, 0.2f * face.pixels);
-  const ImVec2 inside(at.x + pad, std::floor(at.y + pad / 2));
-  list.AddText(face.halo, face.pixels, inside, kHalo, text.c_str());
-  list.AddText(face.face, face.pixels, inside, kText, text.c_str());
-}
-
-float plateWidth(const Typeface& face, const std::string& text) {
-  return widthOf(face, text) + 2 * std::floor(kPadding * face.pixels);
-}
+constexpr float kMargin = 0.5f, kGrip = 1.2f, kScaleWidth = 8;
+constexpr ImU32 kGripColor = IM_COL32(245, 247, 250, 220), kGripEdge = IM_COL32(0, 0, 0, 200);
 
 // As much of the text as there is room for.
 std::string fitted(const Typeface& face, std::string text, float width) {
@@ -53,7 +35,7 @@ void drawScale(ImDrawList& list, const Typeface& face, ImVec2 highRight,
     list.AddRectFilled({left + width * at / count, highRight.y},
                        {left + width * (at + 1) / count, highRight.y + height}, colors[i]);
   }
-  list.AddRect({left, highRight.y}, {left + width, highRight.y + height}, kText);
+  list.AddRect({left, highRight.y}, {left + width, highRight.y + height}, kPlateText);
   const float text = highRight.y - std::floor(0.2f * face.pixels);
   drawPlate(list, face, {left - plateWidth(face, low), text}, low);
   drawPlate(list, face, {left + width, text}, high);

@@ -117,6 +117,19 @@ void drawResidency(const core::FrameStatistics& statistics, const core::Settings
   ImGui::EndTable();
 }
 
+// Of all guards, in the same place whether or not they fired.
+void drawGuards(const core::FrameStatistics& statistics) {
+  if (statistics.guards.empty()) return;
+  if (!ImGui::BeginTable("guards", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_PadOuterX)) return;
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("Guards");
+  rightCell("fired");
+  for (const auto& [name, count] : statistics.guards) row(name.c_str(), grouped(count));
+  ImGui::EndTable();
+}
+
 }  // namespace
 
 void drawStatistics(const core::FrameStatistics& statistics, std::span<const double> frameMs,
@@ -133,6 +146,7 @@ void drawStatistics(const core::FrameStatistics& statistics, std::span<const dou
     ImGui::PopTextWrapPos();
   }
   drawResidency(statistics, table);
+  drawGuards(statistics);
   const std::string effects = core::joined(statistics.effects);
   if (!effects.empty()) ImGui::TextWrapped("Effects: %s", effects.c_str());
   if (!statistics.renderer.empty()) ImGui::TextWrapped("%s", statistics.renderer.c_str());

@@ -70,8 +70,9 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   // Each entry file must have been among them.
   draw("stress", {});
   draw("stress", {"quality=low"});
-  draw("stress", {"clouds.tier=reference", "effects.haze=false", "effects.terrain=false",
-                  "effects.targets=false", "render.picture.smoothModels=false"});
+  draw("stress",
+       {"clouds.tier=reference", "effects.haze=false", "effects.terrain=false", "effects.targets=false",
+        "render.picture.smoothModels=false", "render.picture.guardMarks=true"});
   draw("plane3", {"effects.haze=false", "cloudPlanes.resolution=quarter"});
   draw("fair", {"render.land.terrainNormals=true", "render.land.wireframe=true",
                 "clouds.march.resolution=half", "clouds.march.detail=false"});

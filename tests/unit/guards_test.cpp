@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
+#include <vector>
 
 #include "skydrop/core/deterministic_math.h"
+#include "skydrop/core/fixed_step.h"
+#include "skydrop/core/guard_watch.h"
+#include "skydrop/core/shared_guard_marks.h"
 
 namespace skydrop::core {
 namespace {
@@ -47,6 +52,59 @@ TEST(Guards, directionOfATinyVectorIsRightAndOfNoneTheFallback) {
   EXPECT_EQ(safeNormalize({0, 0, 0}, up), up);
   EXPECT_EQ(safeNormalize({std::nan(""), 0, 0}, up), up);
   EXPECT_EQ(guardCount(Guard::zeroDirection), 2u);
+}
+
+TEST(Guards, aWatchTellsWhatFiredSinceTheLastLook) {
+  // By name and number, those of earlier looks with none; a reset begins anew.
+  resetGuardCounts();
+  GuardWatch watch;
+  EXPECT_TRUE(watch.look().empty());
+  countGuard(Guard::stiffStep, 3);
+  EXPECT_EQ(watch.look(), (std::vector<FiredGuard>{{Guard::stiffStep, 3, 3}}));
+  countGuard(Guard::arcSineDomain);
+  countGuard(Guard::stiffStep);
+  EXPECT_EQ(watch.look(), (std::vector<FiredGuard>{{Guard::arcSineDomain, 1, 1}, {Guard::stiffStep, 1, 4}}));
+  EXPECT_EQ(watch.look(), (std::vector<FiredGuard>{{Guard::arcSineDomain, 0, 1}, {Guard::stiffStep, 0, 4}}));
+  resetGuardCounts();
+  countGuard(Guard::stiffStep, 2);
+  EXPECT_EQ(watch.look(), (std::vector<FiredGuard>{{Guard::stiffStep, 2, 2}}));
+}
+
+TEST(Guards, stepsThatAreNotCaughtUpAreCounted) {
+  // Ten seconds are 1200 steps, of which 30 are made; a frame that is just long enough drops none.
+  resetGuardCounts();
+  FixedStep clock;
+  clock.advance(0.25);
+  EXPECT_EQ(guardCount(Guard::stepsDropped), 0u);
+  EXPECT_EQ(clock.advance(10), 30);
+  EXPECT_EQ(guardCount(Guard::stepsDropped), 1170u);
+}
+
+TEST(Guards, theShadingTellsLightThatIsCutNegativeOrNoNumberApart) {
+  // Of three channels the worst, in float as in double; colours of their own, everything else at half
+  // brightness.
+  const float nan = std::nanf(""), inf = std::numeric_limits<float>::infinity();
+  struct Case {
+    glm::vec3 light;
+    float guard;
+  };
+  const Case cases[] = {{{0, 0, 0}, shared::f32::kNoGuard},
+                        {{-0.0f, 1, 59999}, shared::f32::kNoGuard},
+                        {{1, 60000, 1}, shared::f32::kBrightestGuard},
+                        {{60000, -1e-30f, 0}, shared::f32::kNegativeGuard},
+                        {{-1, nan, 60000}, shared::f32::kNotFiniteGuard},
+                        {{inf, 0, 0}, shared::f32::kNotFiniteGuard},
+                        {{0, 0, -inf}, shared::f32::kNotFiniteGuard}};
+  for (const Case& of : cases) {
+    EXPECT_EQ(shared::f32::guardOfLight(of.light), of.guard)
+        << of.light.x << ' ' << of.light.y << ' ' << of.light.z;
+    EXPECT_EQ(shared::f64::guardOfLight(glm::dvec3(of.light)), of.guard);
+  }
+  EXPECT_EQ(shared::f32::guardMarked({0.5f, 1, 0.25f}, shared::f32::kNoGuard),
+            glm::vec3(0.25f, 0.5f, 0.125f));
+  EXPECT_EQ(shared::f32::guardMarked({0.5f, 1, 0.25f}, shared::f32::kBrightestGuard), glm::vec3(1, 1, 0));
+  EXPECT_EQ(shared::f32::guardMarked({0.5f, 1, 0.25f}, shared::f32::kNegativeGuard), glm::vec3(0, 1, 1));
+  EXPECT_EQ(shared::f32::guardMarked({0.5f, 1, 0.25f}, shared::f32::kNotFiniteGuard), glm::vec3(1, 0, 1));
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ struct FrameStatistics {
   std::vector<std::string> effects;  // that are on
   // Of every effect of the program; last "frame", which is what belongs to none of them, and always on.
   std::vector<EffectStatistics> bill;
-  std::map<std::string, std::int64_t> guards;  // numerical guards that fired (guards.h)
+  std::map<std::string, std::int64_t> guards;  // how often each numerical guard fired (guards.h)
   std::uint64_t stateHash = 0;
   std::uint64_t steps = 0;
 

@@ -5,6 +5,8 @@
 // whoever wants the counts of one run takes differences or resets them before it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string_view>
@@ -21,12 +23,18 @@ enum class Guard {
   stiffStep,         // a step of a body too stiff for its integrator, divided
   clockStep,         // a frame time that was NaN or infinite, ignored
   targetWidened,     // no land for a target within the wanted distance, searched further out
+  stepsDropped,      // steps of a frame that took longer than may be caught up, left out
+  jobRetried,        // a job that threw, tried again
+  jobFailed,         // a job that threw each time, given up
   respawnRaised,     // the last safe place had higher ground ahead, respawned above it
   count_
 };
 
-void countGuard(Guard guard);
+using GuardCounts = std::array<std::uint64_t, static_cast<std::size_t>(Guard::count_)>;  // by Guard
+
+void countGuard(Guard guard, std::uint64_t times = 1);
 std::uint64_t guardCount(Guard guard);
+GuardCounts guardCounts();
 std::string_view guardName(Guard guard);
 void resetGuardCounts();
 

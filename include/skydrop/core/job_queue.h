@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "skydrop/core/guards.h"
 #include "skydrop/core/job_pool.h"
 
 namespace skydrop::core {
@@ -101,8 +102,13 @@ class JobQueue {
       if (f.value) {
         failures_.erase(f.key);
         results.push_back({f.key, std::move(f.value), {}});
-      } else if (!f.cancelled && ++failures_[f.key] >= attempts_ && gaveUp_.insert(f.key).second) {
-        results.push_back({f.key, std::nullopt, std::move(f.failure)});
+      } else if (!f.cancelled) {
+        if (++failures_[f.key] < attempts_) {
+          countGuard(Guard::jobRetried);
+        } else if (gaveUp_.insert(f.key).second) {
+          countGuard(Guard::jobFailed);
+          results.push_back({f.key, std::nullopt, std::move(f.failure)});
+        }
       }
     }
     return results;

@@ -136,6 +136,7 @@ int render(const CommandLine& line) {
   }
   const bool showsBar = run->settings.view.weatherBar && run->setup.forecast;
   WeatherBarData weatherBarData;
+  core::GuardWatch guards;
   std::unique_ptr<Overlay> overlay;
   if (simulation.effects().contains(scene::Effect::hud) || line.menu || reference || showsBar) {
     overlay = std::make_unique<Overlay>(simulation.effects(), size, helpRows(Bindings()),
@@ -177,6 +178,8 @@ int render(const CommandLine& line) {
       content.scale = {run->settings.view.interfaceScale};
       content.statistics = &shown;
       if (labels) content.split = &*labels;
+      const std::vector<core::FiredGuard> fired = guards.look();
+      if (run->settings.render.guardMarks) content.guards = &fired;
       std::optional<ui::WeatherBarContent> weatherBar;
       if (showsBar && !split) {
         weatherBar = weatherBarData.content(run->setup.forecast, run->settings, now.simulatedSeconds,

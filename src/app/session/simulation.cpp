@@ -246,11 +246,10 @@ void Simulation::writeTo(core::FrameStatistics& statistics) const {
   for (std::size_t i = 0; i < scene::kEffectNames.size(); ++i) {
     if (effects_.contains(static_cast<Effect>(i))) statistics.effects.emplace_back(scene::kEffectNames[i]);
   }
-  for (int i = 0; i < static_cast<int>(core::Guard::count_); ++i) {
-    const auto guard = static_cast<core::Guard>(i);
-    if (const std::uint64_t count = core::guardCount(guard); count > 0) {
-      statistics.guards[std::string(core::guardName(guard))] = static_cast<std::int64_t>(count);
-    }
+  const core::GuardCounts guards = core::guardCounts();
+  for (std::size_t i = 0; i < guards.size(); ++i) {
+    statistics.guards[std::string(core::guardName(static_cast<core::Guard>(i)))] =
+        static_cast<std::int64_t>(guards[i]);
   }
   if (cost_.rounds() > 0) {
     const double perSecond = core::FixedStep::kStepsPerSecond / static_cast<double>(cost_.rounds());

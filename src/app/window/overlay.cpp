@@ -5,6 +5,7 @@
 
 #include "app/measure/bill.h"
 #include "app/session/effect_table.h"
+#include "skydrop/ui/guard_list.h"
 
 namespace skydrop::app {
 
@@ -43,6 +44,7 @@ OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
   if (frame.begun) frame.begun();
   if (frame.split) result.divider = ui::drawSplitLabels(interface_, *frame.split);
   if (frame.costs) result.costsClosed = !ui::drawCostPanel(interface_, *frame.costs);
+  if (frame.guards) ui::drawGuardList(interface_, ui::guardLines(*frame.guards));
   if (frame.weatherBar) result.weatherBar = weatherBar_.draw(interface_, *frame.weatherBar);
   if (menuOpen) {
     ui::MenuContent content{frame.table, sections_, frame.statistics, frame.error, frame.tools};

@@ -11,6 +11,7 @@
 #include "app/types/size.h"
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
+#include "skydrop/core/guard_watch.h"
 #include "skydrop/core/settings_table.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/scene/effect.h"
@@ -35,7 +36,9 @@ struct OverlayFrame {
   const ui::BindingsContent* bindings = nullptr;  // null: the menu does not show them
   ui::InterfaceScale scale = {};
   const ui::SplitLabels* split = nullptr;  // of the split view, which takes the place of the HUD; null: none
-  const ui::CostPanelContent* costs = nullptr;        // of the panel of costs; null: it is closed
+  const ui::CostPanelContent* costs = nullptr;  // of the panel of costs; null: it is closed
+  const std::vector<core::FiredGuard>* guards =
+      nullptr;                                        // of this frame, to be listed; null: they are not shown
   const ui::WeatherBarContent* weatherBar = nullptr;  // null: it is hidden, or there is no weather data
   std::function<void()> begun = nullptr;  // called when the frame has taken the input (EventFeed::frameBuilt)
 };

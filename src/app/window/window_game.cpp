@@ -488,6 +488,8 @@ OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double 
   if (labels) frame.split = &*labels;
   const std::optional<ui::CostPanelContent> costs = costs_ ? std::optional(costContent()) : std::nullopt;
   if (costs) frame.costs = &*costs;
+  const std::vector<core::FiredGuard> fired = guards_.look();
+  if (run_->settings.render.guardMarks) frame.guards = &fired;
   const std::optional<ui::WeatherBarContent> weatherBar =
       showsWeatherBar() ? std::optional(weatherBarContent(snapshot, size)) : std::nullopt;
   if (weatherBar) frame.weatherBar = &*weatherBar;

@@ -40,6 +40,7 @@
 #include "skydrop/audio/sound_scene.h"
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/fixed_step.h"
+#include "skydrop/core/guard_watch.h"
 #include "skydrop/core/output_file.h"
 #include "skydrop/forecast/renewal.h"
 
@@ -198,6 +199,7 @@ class WindowGame {
     std::string clock;
   };
   std::unique_ptr<OpenCosts> costs_;
+  core::GuardWatch guards_;                             // looked at once a frame
   std::unique_ptr<FrameBudget> budget_;                 // while one is set
   std::string budgetText_;                              // of it, for the panel
   std::chrono::steady_clock::time_point drawingSince_;  // of the frame, while a budget is set

@@ -170,6 +170,12 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
                {.help = "Draws the edges of aircraft and packages with four samples a pixel; off, they are "
                         "jagged.",
                 .aliases = "AA, antialiasing, MSAA, multisampling"});
+  visitor.flag(
+      "guardMarks", s.guardMarks,
+      {.help = "Darkens the picture and marks pixels whose light was cut (yellow), negative (cyan) or "
+               "no number (magenta), and lists the numerical guards that fired in each frame.",
+       .takesEffect = core::TakesEffect::variant,
+       .aliases = "debug, NaN, clamp, guards, stability"});
   visitor.leaveGroup();
   visitor.enterGroup("land", "The land's surface, and ways to look at its mesh.");
   static constexpr std::array<std::string_view, 2> kDetails = {"plain", "rich"};

@@ -1,25 +1,25 @@
 #include "skydrop/render/frame/tone_map_pass.h"
 
-#include <array>
 #include <string>
+#include <vector>
 
 namespace skydrop::render {
 
-// The program of a stretched scene is asked for only by frames that show one: most flights never do.
+// The programs of a stretched scene and of guards are asked for only by frames that show them: most flights
+// never do.
 void ToneMapPass::draw(FrameContext& context) {
   const View& view = context.frame.view;
   const bool stretches =
       context.sceneColor.width() != view.width || context.sceneColor.height() != view.height;
   context.gl.api().Disable(GL_DEPTH_TEST);
   context.sceneColor.bind(0);
-  if (stretches) {
-    const std::array<std::string, 1> defines = {"STRETCHED"};
-    gl::Shader& shader = context.shaders.shader("fullscreen.vert", "tone_map/tone_map.frag", defines);
-    shader.use();
+  std::vector<std::string> defines;
+  if (stretches) defines.emplace_back("STRETCHED");
+  if (context.settings.guardMarks) defines.emplace_back("GUARD_MARKS");
+  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "tone_map/tone_map.frag", defines);
+  shader.use();
+  if (stretches)
     shader.setVec2("pictureSize", {static_cast<float>(view.width), static_cast<float>(view.height)});
-  } else {
-    context.shaders.shader("fullscreen.vert", "tone_map/tone_map.frag").use();
-  }
   triangle_.draw();
 }
 

@@ -71,6 +71,7 @@ struct RenderSettings {
   double scale = 1;               // of the sides in which the scene is drawn, .25 .. 1 of the picture's
   double interfaceAtNight = 0.5;  // brightness of the interface at night, 0.2 .. 1
   bool smoothModels = true;       // four samples a pixel for aircraft and packages
+  bool guardMarks = false;        // shows where a guard of the shading fired
   LandDetail landDetail = LandDetail::rich;
   bool wireframe = false;       // the land as lines
   bool terrainNormals = false;  // a stroke along the normal of each of its vertices

@@ -7,8 +7,9 @@ namespace skydrop::render {
 
 // The scene's linear light (FrameContext::sceneColor, [0, 65504] after exposure; less counts as 0) to the
 // output: tone curve (Hill 2015, shaders/shared/tone_map.glsl), sRGB encoding (IEC 61966-2-1) and dither, 8
-// bits a channel, alpha 1. Never skipped; without this pass the output stays black. It overwrites every
-// pixel, so the interface comes after it. Publishes nothing, asks for nothing.
+// bits a channel, alpha 1. With RenderSettings::guardMarks it marks where light was cut, negative or no
+// number (shaders/shared/guard_marks.glsl). Never skipped; without this pass the output stays black. It
+// overwrites every pixel, so the interface comes after it. Publishes nothing, asks for nothing.
 class ToneMapPass final : public Pass {
  public:
   // The context must outlive it.
