@@ -306,8 +306,8 @@ TEST_F(EffectSetGLTest, turningUpWhatHadNothingToDrawCompilesNothing) {
 
 TEST_F(EffectSetGLTest, anySetOfEffectsStartsFliesAndEnds) {
   // All pairs, and 20 sets at random (200 when soaking), each with what it needs and each from the one before
-  // it as while flying: flies two seconds and draws a picture. Under a sanitizer every sixth of them, unless
-  // soaking.
+  // it as while flying: flies two seconds and draws a picture. Under a sanitizer every sixth of them and in a
+  // quick run every third, unless soaking.
   std::vector<EffectSet> sets;
   const auto add = [&](const EffectSet& wanted) {
     const EffectSet set = scene::effective(scene::withNeeds(wanted));
@@ -330,7 +330,8 @@ TEST_F(EffectSetGLTest, anySetOfEffectsStartsFliesAndEnds) {
     add(set);
   }
   Flight flight(context(), sets.front());
-  for (std::size_t i = 0; i < sets.size(); i += test::kInstrumented && !test::soaking() ? 6 : 1) {
+  const std::size_t stride = test::soaking() ? 1 : test::kInstrumented ? 6 : test::quick() ? 3 : 1;
+  for (std::size_t i = 0; i < sets.size(); i += stride) {
     const EffectSet& set = sets[i];
     flight.switchTo(set);
     flight.fly(2);

@@ -1,4 +1,6 @@
-// Soak tests are short by default and long under SKYDROP_SOAK=1.
+// How much a test may take its time: soak tests are short by default and long under SKYDROP_SOAK=1; what
+// tries every combination or every step of every row tries a part of them under SKYDROP_QUICK=1 (test.sh
+// --quick).
 #pragma once
 
 #include <cstdlib>
@@ -6,9 +8,12 @@
 
 namespace skydrop::test {
 
-inline bool soaking() {
-  const char* value = std::getenv("SKYDROP_SOAK");
+inline bool isOne(const char* variable) {
+  const char* value = std::getenv(variable);
   return value != nullptr && std::string_view(value) == "1";
 }
+
+inline bool soaking() { return isOne("SKYDROP_SOAK"); }
+inline bool quick() { return isOne("SKYDROP_QUICK") && !soaking(); }
 
 }  // namespace skydrop::test
