@@ -139,7 +139,7 @@ void marchOn(inout March march, vec3 direction, RaySpan span) {
 #else
   CellRay ray = cellRay(direction);
 #endif
-  vec4 phases = cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y);
+  vec4 phases = phasesOf(direction);
   int iterations = kMostIterations;
   while (isUnderWay(march, span) && iterations > 0) {
     LightSegment segment = gatherLightSegment(march, ray, direction, span, iterations);

@@ -131,9 +131,12 @@ struct SunRay {
   float detail;  // detailLeft()
   float at;
   float depth;
-#if defined(LAYERS) && defined(LIGHT_VOLUME)
+#ifdef LIGHT_VOLUME
+  float extinction;  // of the first sample, which is as good as that of the place
+#ifdef LAYERS
   float top;    // of the place's own layer
   float above;  // depth above that
+#endif
 #endif
 };
 
@@ -150,7 +153,9 @@ SunRay sunRayOf(vec2 segment, vec4 ray) {
   float detail = detailLeft(distanceM);
   float first = clouds.sunSteps.x * mix(clouds.farField.y, 1.0, detail) * inversesqrt(max(segment.x, 0.01));
 #if defined(LAYERS) && defined(LIGHT_VOLUME)
-  return SunRay(place, height, length, first, detail, 0.0, 0.0, topOfOwnShell(place), 0.0);
+  return SunRay(place, height, length, first, detail, 0.0, 0.0, 0.0, topOfOwnShell(place), 0.0);
+#elif defined(LIGHT_VOLUME)
+  return SunRay(place, height, length, first, detail, 0.0, 0.0, 0.0);
 #else
   return SunRay(place, height, length, first, detail, 0.0, 0.0);
 #endif
@@ -166,6 +171,9 @@ void stepTowardsSun(inout SunRay way) {
   MediumSample medium = sampleAt(place, way.detail);
 #endif
   way.depth += medium.extinction * length;
+#ifdef LIGHT_VOLUME
+  way.extinction = way.at > 0.0 ? way.extinction : medium.extinction;
+#endif
 #if defined(LAYERS) && defined(LIGHT_VOLUME)
   way.above += place.y > way.top ? medium.extinction * length : 0.0;
 #endif
@@ -174,14 +182,12 @@ void stepTowardsSun(inout SunRay way) {
 
 void addLight(inout Gathered gathered, vec2 segment, SunRay way, vec4 phases) {
 #if defined(LAYERS) && defined(LIGHT_VOLUME)
-  float extinction = sampleToSun(way.place, way.detail).extinction;
-  gathered.light += segment.x * scatteredLightAt(way.place, phases, way.depth, way.above, extinction);
+  gathered.light += segment.x * scatteredLightAt(way.place, phases, way.depth, way.above, way.extinction);
 #elif defined(LAYERS)
   gathered.light += segment.x * scatteredLightAt(way.place, phases, way.depth);
 #else
 #ifdef LIGHT_VOLUME
-  float extinction = sampleAt(way.place, way.detail).extinction;
-  vec3 light = scatteredLightAt(way.place, way.height, phases, way.depth, extinction);
+  vec3 light = scatteredLightAt(way.place, way.height, phases, way.depth, way.extinction);
 #else
   vec3 light = scatteredLightAt(way.height, phases, way.depth);
 #endif
@@ -231,6 +237,6 @@ Gathered marchRay(vec3 direction, int spansAt, float surfaceM) {
   Gathered gathered = nothingGathered();
   vec4 ray = vec4(direction, rayBend(direction));
   int count = gatherSegments(ray, spansAt, surfaceM, gathered.transmittance);
-  lightSegments(gathered, count, ray, cloudPhases(dot(direction, frame.toSun.xyz), clouds.scattering.x, clouds.scattering.y));
+  lightSegments(gathered, count, ray, phasesOf(direction));
   return gathered;
 }

@@ -2,8 +2,18 @@
 // src/render/clouds/light_volumes.h; else from the octaves of the sun's light and from the height.
 #include "clouds/field.glsl"
 
+// Of a ray, for scatteredLightAt().
+vec4 phasesOf(vec3 direction) {
+  float cosine = dot(direction, frame.toSun.xyz);
 #ifdef LIGHT_VOLUME
-layout(binding = 4) uniform sampler3D lightVolumes;  // x, rows of all layers, z: sun, sky, ground
+  return volumePhases(cosine, clouds.scattering.x, clouds.scattering.y);
+#else
+  return cloudPhases(cosine, clouds.scattering.x, clouds.scattering.y);
+#endif
+}
+
+#ifdef LIGHT_VOLUME
+layout(binding = 4) uniform sampler3D lightVolumes;  // x, rows of all layers, z: sun, sky
 
 const float kVolumeRows = 16.0;  // of a layer, as clouds::LightVolume has them
 
@@ -16,7 +26,8 @@ const float kVolumeLayers = 1.0;
 // Mean radiance from sun, sky and ground, per illuminance of each, at a place in periods of the weather's map.
 vec3 meanLight(vec2 periods, float height, float layer) {
   float row = clamp(height * kVolumeRows, 0.5, kVolumeRows - 0.5) + layer * kVolumeRows;
-  return textureLod(lightVolumes, vec3(periods.x, row / (kVolumeRows * kVolumeLayers), periods.y), 0.0).xyz;
+  vec2 light = textureLod(lightVolumes, vec3(periods.x, row / (kVolumeRows * kVolumeLayers), periods.y), 0.0).xy;
+  return vec3(light, 1.0 / kPi - light.y);
 }
 #endif
 
@@ -45,7 +56,7 @@ vec3 scatteredLightAt(vec3 place, vec4 phases, float depth, float above, float e
   EACH_LAYER(LIGHT)
 #undef LIGHT
   float before = scatteredBefore / sum * sunBelowCloud(above);
-  float light = scatteredSunOfVolume(phases.x, depth, before, extinction, rowM / sum);
+  float light = scatteredSunOfVolume(phases, depth, before, extinction, rowM / sum);
   return (sun * (light * sunOverLand(place)) + ambient) / sum;
 }
 #else
@@ -60,7 +71,7 @@ vec3 scatteredLightAt(vec3 place, vec4 phases, float depth) {
 vec3 scatteredLightAt(vec3 place, float height, vec4 phases, float depth, float extinction) {
   vec3 mean = meanLight(clouds.weatherPlace.xz + place.xz * clouds.weatherPlace.w, height, 0.0);
   float rowM = clouds.layer.y / kVolumeRows;
-  return vec3(scatteredSunOfVolume(phases.x, depth, mean.x, extinction, rowM), mean.yz);
+  return vec3(scatteredSunOfVolume(phases, depth, mean.x, extinction, rowM), mean.yz);
 }
 #else
 vec3 scatteredLightAt(float height, vec4 phases, float depth) {

@@ -136,20 +136,34 @@ FN Real scatteredSky(Real heightFraction) {
 FN Real scatteredGround(Real heightFraction) { return (Real(1.0) - saturate(heightFraction)) / (Real(2.0) * kPi); }
 
 // The same where a light volume (clouds::LightVolume) has the mean radiance that the sun's light comes to after it was
-// scattered: light scattered once is exact, and the volume's is what is scattered again, of which coarse cells know too
-// little near the lit side of dense cloud. Constants: least squares against traced paths (docs/cloud-light.md).
-CONST Real kVolumeLight = Real(0.9);
-CONST Real kVolumeLightInDense = Real(0.56);
-CONST Real kVolumeNearSun = Real(1.14);
+// scattered: light scattered once is exact; the volume's is what is scattered again, of which coarse cells know too little
+// near the lit side of dense cloud; and what the forward lobe has scattered twice or more is still narrow. Constants: least
+// squares against traced paths (docs/cloud-light.md).
+CONST Real kVolumeLight = Real(1.157);
+CONST Real kVolumeNearSun = Real(1.635);
+CONST Real kVolumeNearDepth = Real(0.35);
+CONST Real kVolumeForward = Real(2.2);
+CONST Real kVolumeForwardAnisotropy = Real(0.65);
 CONST Real kVolumeDenseM = Real(60.0);
 CONST Real kVolumeRowM = Real(112.5);
 
-// rowM: height of the volume's rows; what thin ones do not resolve is less.
-FN Real scatteredSunOfVolume(Real phase, Real sunDepth, Real meanLight, Real extinction, Real rowM) {
+// What is the same all along a ray: the phase function; that of light scattered onwards more than once, times its share;
+// what the volume's light counts, which is solved with (1 - g) of the extinction; what light near the lit side is, 1/sr.
+FN Vec4 volumePhases(Real cosAngle, Real g, Real forwardShare) {
+  Real share = saturate(forwardShare);
+  Real once = mix(henyeyGreenstein(cosAngle, g), henyeyGreenstein(cosAngle, kForwardAnisotropy), share);
+  Real onwards = kVolumeForward * share * share * henyeyGreenstein(cosAngle, kVolumeForwardAnisotropy);
+  Real many = kVolumeLight / (Real(1.0) - mix(g, kForwardAnisotropy, share));
+  return Vec4(once, onwards, many, kVolumeNearSun * (Real(1.0) - share) / (Real(4.0) * kPi));
+}
+
+// phases: volumePhases(). rowM: height of the volume's rows; what thin ones do not resolve is less.
+FN Real scatteredSunOfVolume(Vec4 phases, Real sunDepth, Real meanLight, Real extinction, Real rowM) {
   Real depth = max(sunDepth, Real(0.0));
   Real dense = Real(1.0) - exp(-kVolumeDenseM * sqrt(rowM / kVolumeRowM) * extinction);
-  Real near = kVolumeNearSun / (Real(4.0) * kPi) * exp(Real(-0.5) * depth);
-  return phase * exp(-depth) + kVolumeLight * meanLight + dense * (kVolumeLightInDense * meanLight + near);
+  Real direct = exp(-depth);
+  Real near = exp(-kVolumeNearDepth * depth);
+  return phases.x * direct + phases.y * (near - direct) + phases.z * meanLight + phases.w * dense * near;
 }
 
 // What is left of the sun's light below a cloud of an optical depth: some of it straight through; some scattered out of

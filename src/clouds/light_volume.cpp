@@ -24,10 +24,10 @@ struct Lengths {
   float wideM, highM;  // of a cell
 };
 
-// Directions of equal weight in moments up to the fifth order (Lebedev's 14): along the axes and the
-// diagonals.
-constexpr float kAxisWeight = 1.0f / 15, kDiagonalWeight = 3.0f / 40;
-const float kDiagonalSine = 1 / std::sqrt(3.0f);
+// Directions: along the eight diagonals, alike (the first set of level-symmetric quadrature, Lathrop and
+// Carlson 1966). None is level: light that goes along the layer for ever leaves it nowhere but through cloud.
+constexpr float kDirectionWeight = 1.0f / 8;
+const float kSine = 1 / std::sqrt(3.0f);
 
 // What is left of light straight through each cell along a length, and the share of what comes in that the
 // mean over the way has.
@@ -73,7 +73,7 @@ std::array<std::size_t, 8> eighthsOf(std::size_t cell) {
 
 struct Cells {
   Grid extinction = Grid(kSlice * kRows);  // mean, 1/m
-  Attenuation vertical{kSlice * kRows}, level{kSlice * kRows}, diagonal{kSlice * kRows};
+  Attenuation through{kSlice * kRows};
 };
 
 // lessened: of the extinction, what counts as scattering evenly. Holes in a cell are left out: the mean of
@@ -84,10 +84,7 @@ Cells cellsOf(const Grid& fine, const Lengths& lengths, float lessened) {
     float mean = 0;
     for (const std::size_t eighth : eighthsOf(cell)) mean += fine[eighth] / 8;
     cells.extinction[cell] = mean;
-    const float across = lessened * mean * lengths.highM;
-    cells.vertical.set(cell, std::exp(-across));
-    cells.level.set(cell, std::exp(-lessened * mean * lengths.wideM));
-    cells.diagonal.set(cell, std::exp(-across / kDiagonalSine));
+    cells.through.set(cell, std::exp(-lessened * mean * lengths.highM / kSine));
   }
   return cells;
 }
@@ -162,13 +159,11 @@ class Sweep {
       for (Grid& in : in_) std::ranges::fill(in, down ? atTop : 0.0f);
       for (int i = 0; i < kRows; ++i) {
         const std::size_t first = static_cast<std::size_t>(down ? kRows - 1 - i : i) * kSlice;
-        pass(in_[4].data(), source.data(), cells_.vertical, first, kSlice, kAxisWeight, mean.data());
         for (int k = 0; k < 4; ++k) {
           Grid& in = in_[static_cast<std::size_t>(k)];
           if (i > 0) move(in, (k & 1) * 2 - 1, (k & 2) - 1);
-          pass(in.data(), source.data(), cells_.diagonal, first, kSlice, kDiagonalWeight, mean.data());
+          pass(in.data(), source.data(), first, mean.data());
         }
-        if (down) level(source, first, mean);
       }
     }
   }
@@ -176,18 +171,17 @@ class Sweep {
  private:
   static constexpr int kPad = 16;
 
-  // Light through `count` cells that lie beside each other.
-  static void pass(float* in, const float* sources, const Attenuation& attenuation, std::size_t first,
-                   std::size_t count, float weight, float* means) {
-    const float *left = attenuation.left.data() + first, *kept = attenuation.kept.data() + first,
+  // Light through the cells of a row.
+  void pass(float* in, const float* sources, std::size_t first, float* means) const {
+    const float *left = cells_.through.left.data() + first, *kept = cells_.through.kept.data() + first,
                 *source = sources + first;
     float* mean = means + first;
 #ifdef __GNUC__
 #pragma GCC ivdep
 #endif
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < kSlice; ++i) {
       const float over = in[i] - source[i];
-      mean[i] += weight * (source[i] + over * kept[i]);
+      mean[i] += kDirectionWeight * (source[i] + over * kept[i]);
       in[i] = source[i] + over * left[i];
     }
   }
@@ -212,38 +206,10 @@ class Sweep {
     std::swap(in, moved_);
   }
 
-  // Along a row; light that has gone round a period begins anew with what the first way round found.
-  void level(const Grid& source, std::size_t first, Grid& mean) {
-    for (const bool forward : {true, false}) {
-      std::array<float, kSide> in{};
-      for (int turn = 0; turn < 2; ++turn) {
-        for (int i = 0; i < kSide; ++i) {
-          const std::size_t line = first + static_cast<std::size_t>(forward ? i : kSide - 1 - i) * kSide;
-          pass(in.data(), source.data(), cells_.level, line, kSide, turn == 1 ? kAxisWeight : 0.0f,
-               mean.data());
-        }
-      }
-      // All lines beside each other: cells of a line wait for one another.
-      in = {};
-      for (int turn = 0; turn < 2; ++turn) {
-        const float weight = turn == 1 ? kAxisWeight : 0.0f;
-        for (int i = 0; i < kSide; ++i) {
-          const auto x = static_cast<std::size_t>(forward ? i : kSide - 1 - i);
-          for (std::size_t z = 0; z < kSide; ++z) {
-            const std::size_t cell = first + z * kSide + x;
-            const float over = in[z] - source[cell];
-            mean[cell] += weight * (source[cell] + over * cells_.level.kept[cell]);
-            in[z] = source[cell] + over * cells_.level.left[cell];
-          }
-        }
-      }
-    }
-  }
-
   const Cells& cells_;
   int whole_ = 0;
   float share_ = 0;
-  std::array<Grid, 5> in_ = {Grid(kSlice), Grid(kSlice), Grid(kSlice), Grid(kSlice), Grid(kSlice)};
+  std::array<Grid, 4> in_ = {Grid(kSlice), Grid(kSlice), Grid(kSlice), Grid(kSlice)};
   Grid moved_ = Grid(kSlice);
 };
 
@@ -317,9 +283,8 @@ LightVolume::LightVolume(const CloudField& field, const glm::dvec3& toSun, std::
   if (stop.stop_requested()) return;
   for (std::size_t i = 0; i < texels_.size(); ++i) {
     const std::size_t row = i / kSlice, z = i % kSlice / kSide, x = i % kSide;
-    // Nothing absorbs: of even light from above and below there is as much in cloud as outside.
     const float ofSky = std::min(sky[i], 1 / kPi);
-    texels_[(z * kRows + row) * kSide + x] = {sun[i], ofSky, 1 / kPi - ofSky, cells.extinction[i]};
+    texels_[(z * kRows + row) * kSide + x] = {sun[i], ofSky};
   }
   isSolved_ = true;
 }
@@ -345,8 +310,6 @@ LightVolume::Texel LightVolume::at(const glm::dvec3& place) const {
     const Texel& texel = texels_[(z * kRows + y) * kSide + x];
     sum.sun += weight * texel.sun;
     sum.sky += weight * texel.sky;
-    sum.ground += weight * texel.ground;
-    sum.extinction += weight * texel.extinction;
   }
   return sum;
 }

@@ -75,8 +75,8 @@ MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, c
   if (steps.steps <= 0 || !(span.end > span.begin && thickness > 0)) return result;
 
   const double step = (span.end - span.begin) / steps.steps;
-  const f64::Vec4 phases =
-      f64::cloudPhases(glm::dot(ray.direction, light.toSun), light.anisotropy, light.forwardShare);
+  const double cosine = glm::dot(ray.direction, light.toSun);
+  const f64::Vec4 phases = f64::cloudPhases(cosine, light.anisotropy, light.forwardShare);
   double passed = 0, opacity = 0, distance = 0;
   for (int i = 0; i < steps.steps; ++i) {
     const double at = span.begin + (i + 0.5) * step;
@@ -91,7 +91,7 @@ MarchResult referenceMarch(const MarchMedium& medium, const MarchLight& light, c
     const bool isLit = light.toSun.y > 0;
     const double sunDepthThere = isLit ? sunDepth(medium, light.toSun, place, steps.sunSamples) : 0;
     const glm::dvec3 from =
-        scattered({place, (place.y - medium.baseM) / thickness, sunDepthThere, extinction, phases});
+        scattered({place, (place.y - medium.baseM) / thickness, sunDepthThere, extinction, phases, cosine});
     if (isLit) result.sun += share * from.x;
     result.sky += share * from.y;
     result.ground += share * from.z;

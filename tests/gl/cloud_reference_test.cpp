@@ -119,12 +119,14 @@ TEST_F(CloudReferenceGLTest, theReferenceTierReadsTheVolumeAsTheMarchInDoublesDo
   settings_.sun.elevationDegrees = 25;
   const clouds::CloudField field(test::sharedNoise(), clouds_);
   const clouds::LightVolume volume(field, toRoundedSun(roundedSun(directionToSun(settings_.sun))));
-  const double rowM = clouds_.layers[0].thickness / clouds::LightVolume::kRows;
+  const clouds::CloudLayerSettings& layer = clouds_.layers[0];
+  const double rowM = layer.thickness / clouds::LightVolume::kRows;
   const auto scattered = [&](const clouds::LitPlace& at) {
     const clouds::LightVolume::Texel texel = volume.at(at.place);
-    return glm::dvec3(f64::scatteredSunOfVolume(at.sunPhases.x, at.sunDepth, static_cast<double>(texel.sun),
-                                                at.extinction, rowM),
-                      texel.sky, texel.ground);
+    return glm::dvec3(
+        f64::scatteredSunOfVolume(f64::volumePhases(at.sunCosine, layer.anisotropy, layer.forwardShare),
+                                  at.sunDepth, static_cast<double>(texel.sun), at.extinction, rowM),
+        texel.sky, texel.ground());
   };
   Worst worst;
   for (const View& view : views()) compare(view, {4096, 128}, {1e-3, 1e-2, 5e-3}, worst, scattered);

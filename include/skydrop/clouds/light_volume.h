@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <glm/gtc/constants.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <stop_token>
@@ -20,15 +21,18 @@ class LightVolume {
   static constexpr int kIterations = 16;
 
   // The field without drift. The sun lights nothing at the horizon and below; else its way is that of
-  // raisedSun(). Takes 1 to 2 s of one core; a stop that is requested leaves it unsolved (isSolved()).
+  // raisedSun(). Takes about 1 s of one core; a stop that is requested leaves it unsolved (isSolved()).
   LightVolume(const CloudField& field, const glm::dvec3& toSun, std::stop_token stop = {});
 
   bool isSolved() const { return isSolved_; }
 
-  // In a cell: mean radiance of what the sun sent and cloud has scattered; of all light of sky and of ground,
-  // scattered or not: per illuminance of each source, 1/sr. w: mean extinction, 1/m.
+  // In a cell: mean radiance of what the sun sent and cloud has scattered; of all light of the sky, scattered
+  // or not: per illuminance of each source, 1/sr.
   struct Texel {
-    float sun = 0, sky = 0, ground = 0, extinction = 0;
+    float sun = 0, sky = 0;
+    // Of the ground. Nothing absorbs: of even light from above and below there is as much in cloud as
+    // outside.
+    float ground() const { return 1 / glm::pi<float>() - sky; }
   };
   // x fastest, then row, then z.
   std::span<const Texel> texels() const { return texels_; }

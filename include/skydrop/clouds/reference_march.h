@@ -62,6 +62,7 @@ struct LitPlace {
   double sunDepth = 0;        // optical depth towards the sun
   double extinction = 0;      // 1/m
   glm::dvec4 sunPhases{0};    // of the ray: cloudPhases()
+  double sunCosine = 0;       // between the ray and the way to the sun
 };
 // Light of sun, sky and ground that turns into the ray there, per illuminance of each (1/sr).
 using ScatteredLight = std::function<glm::dvec3(const LitPlace&)>;

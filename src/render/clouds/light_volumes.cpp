@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/packing.hpp>
+#include <glm/packing.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "skydrop/core/thread_priority.h"
@@ -11,7 +11,7 @@ namespace skydrop::render {
 namespace {
 
 using clouds::LightVolume;
-using Halves = std::vector<std::uint64_t>;
+using Halves = std::vector<std::uint32_t>;
 
 constexpr std::size_t kSlice = std::size_t{LightVolume::kSide} * LightVolume::kRows;  // of one z
 constexpr double kHeightSteps = 2;                                                    // a degree
@@ -20,7 +20,7 @@ Halves halvesOf(const LightVolume& volume) {
   Halves halves;
   halves.reserve(volume.texels().size());
   for (const LightVolume::Texel& texel : volume.texels())
-    halves.push_back(glm::packHalf4x16({texel.sun, texel.sky, texel.ground, texel.extinction}));
+    halves.push_back(glm::packHalf2x16(glm::vec2(texel.sun, texel.sky)));
   return halves;
 }
 
@@ -98,7 +98,7 @@ bool LightVolumes::update(const LightVolumesKey& key, bool waits) {
 void LightVolumes::upload(const Solved& solved) {
   const auto count = static_cast<int>(solved.layers.size());
   if (!texture_ || texture_.height() != count * LightVolume::kRows) {
-    texture_ = gl::Texture::make3D(context_, GL_RGBA16F, LightVolume::kSide, count * LightVolume::kRows,
+    texture_ = gl::Texture::make3D(context_, GL_RG16F, LightVolume::kSide, count * LightVolume::kRows,
                                    LightVolume::kSide, "light in clouds");
     texture_.setWrap(GL_REPEAT);
   }
@@ -110,7 +110,7 @@ void LightVolumes::upload(const Solved& solved) {
       into += kSlice;
     }
   }
-  texture_.upload(GL_RGBA, GL_HALF_FLOAT, std::as_bytes(std::span(all)));
+  texture_.upload(GL_RG, GL_HALF_FLOAT, std::as_bytes(std::span(all)));
   shown_ = solved.key;
 }
 

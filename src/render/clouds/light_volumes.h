@@ -43,13 +43,13 @@ class LightVolumes {
   // 2 s a layer). Else what is there: that of the weather and sun before, until their own is solved.
   bool update(const LightVolumesKey& key, bool waits);
 
-  // RGBA16F: clouds::LightVolume's texels, rows of all layers one upon the other. After update() said so.
+  // RG16F: clouds::LightVolume's texels, rows of all layers one upon the other. After update() said so.
   void bind(GLuint unit) const { texture_.bind(unit); }
 
  private:
   struct Solved {
     LightVolumesKey key;
-    std::vector<std::shared_ptr<const std::vector<std::uint64_t>>> layers;  // four halves a texel
+    std::vector<std::shared_ptr<const std::vector<std::uint32_t>>> layers;  // two halves a texel
   };
   void upload(const Solved& solved);
 
