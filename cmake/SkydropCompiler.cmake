@@ -26,7 +26,7 @@ else()
     $<$<BOOL:${SKYDROP_WERROR}>:-Werror>)
   if(SKYDROP_SANITIZE)
     # g++ 12 sees uninitialised members in its own std::function once sanitizers have split it up.
-    target_compile_options(skydrop_flags INTERFACE -Wno-maybe-uninitialized
+    target_compile_options(skydrop_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
       -fsanitize=${SKYDROP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(skydrop_flags INTERFACE -fsanitize=${SKYDROP_SANITIZE})
   endif()

@@ -1,0 +1,9 @@
+// Elevation: GeoTIFF.
+#include "fuzz/elevation_input.h"
+
+using namespace skydrop;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::readElevation("a.tif", data, size);
+  return 0;
+}
