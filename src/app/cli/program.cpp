@@ -4,6 +4,7 @@
 #include "app/cli/verbs.h"
 #include "app/console/message.h"
 #include "app/console/standard_output.h"
+#include "app/session/model_reading.h"
 #include "app/session/run_config.h"
 #include "skydrop/core/error.h"
 
@@ -51,7 +52,9 @@ int refuse(int exitCode, const char* reason) {
 }  // namespace
 
 int runProgram(int argc, const char* const* argv) {
+  if (argc == 3 && argv[1] == kReadModelWord) return readModelForParent(argv[2]);
   prepareStandardStreams();
+  readForeignModelsApart();
   try {
     const ParsedCommandLine parsed = parseCommandLine(argc, argv);
     if (parsed.answer) {

@@ -9,6 +9,7 @@
 #include "app/session/land_shadows_effect.h"
 #include "app/session/light_shafts_effect.h"
 #include "app/session/lightning_effect.h"
+#include "app/session/model_reading.h"
 #include "app/session/night_sky_effects.h"
 #include "app/session/optics_effects.h"
 #include "app/session/precipitation_effect.h"
@@ -31,7 +32,7 @@ void addSky(SceneRenderer& sceneRenderer) {
 void addAircraft(SceneRenderer& sceneRenderer) {
   render::Renderer& renderer = sceneRenderer.renderer();
   const auto model = std::make_shared<const render::Model>(
-      renderer.context(), render::importModel(core::assetPath("models/airplane.glb")), "airplane");
+      renderer.context(), readModel(core::assetPath("models/airplane.glb")), "airplane");
   renderer.add(std::make_unique<render::AircraftPass>(model));
   renderer.add(std::make_unique<render::PropellerPass>(model));
 }
@@ -43,7 +44,7 @@ void castAircraftShadow(SceneRenderer& sceneRenderer) {
 
 void addTargets(SceneRenderer& sceneRenderer) {
   render::Renderer& renderer = sceneRenderer.renderer();
-  const auto models = std::make_shared<const render::PackageModels>(renderer.context());
+  const auto models = std::make_shared<const render::PackageModels>(renderer.context(), readModel);
   renderer.add(std::make_unique<render::PackagePass>(models));
   renderer.add(std::make_unique<render::MarkerPass>(renderer.context()));
 }

@@ -14,6 +14,7 @@
 #include <glm/matrix.hpp>
 #include <map>
 #include <memory>
+#include <new>
 #include <span>
 
 #include "render/models/plain_model.h"
@@ -307,7 +308,9 @@ ModelData importModel(const std::filesystem::path& path) {
     return ModelReader(path).read();
   } catch (const DataError&) {
     throw;
-  } catch (const std::exception& error) {  // bad_alloc, or one of assimp's own
+  } catch (const std::bad_alloc&) {
+    throw DataError(path.string(), "", "takes too much memory");
+  } catch (const std::exception& error) {  // one of assimp's own
     throw DataError(path.string(), "", error.what());
   }
 }

@@ -18,8 +18,8 @@ constexpr double kFallenM = 3.2;       // from the crate to the middle of the ca
 constexpr double kSeenRadiusM = 8;     // crate and open parachute, around the crate
 constexpr double kCrateAreaM2 = 1, kCanopyAreaM2 = 30;  // of the outlines, roughly
 
-Model load(gl::Context& context, const char* name) {
-  return Model(context, importModel(core::assetPath(std::string("models/") + name)), name);
+Model load(gl::Context& context, const ModelImport& import, const char* name) {
+  return Model(context, import(core::assetPath(std::string("models/") + name)), name);
 }
 
 // The canopy trails behind the package's way through the air; hanging still it stands upright.
@@ -77,8 +77,8 @@ void drawParachute(const PackageModels& models, const game::PackageSnapshot& pac
 
 }  // namespace
 
-PackageModels::PackageModels(gl::Context& context)
-    : crate(load(context, "package.glb")), parachute(load(context, "parachute.glb")) {}
+PackageModels::PackageModels(gl::Context& context, const ModelImport& import)
+    : crate(load(context, import, "package.glb")), parachute(load(context, import, "parachute.glb")) {}
 
 ShadowSource packageShadows(std::shared_ptr<const PackageModels> models) {
   return [models = std::move(models)](const FrameInput& frame, std::vector<ShadowCaster>& casters) {

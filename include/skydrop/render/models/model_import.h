@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <string>
 #include <vector>
@@ -61,5 +62,8 @@ struct ModelData {
 };
 
 ModelData importModel(const std::filesystem::path& path);
+
+// importModel(), or one that has another process do it.
+using ModelImport = std::function<ModelData(const std::filesystem::path&)>;
 
 }  // namespace skydrop::render

@@ -11,9 +11,9 @@ namespace skydrop::render {
 // What all packages are drawn with: loaded once, shared by the pass and the shadows. Owns GL objects: on the
 // context's thread, and must go before its context.
 struct PackageModels {
-  // Reads assets/models/package.glb and parachute.glb. Throws core::DataError for a file that is missing or
-  // broken, or a material with too many textures.
-  explicit PackageModels(gl::Context& context);
+  // Reads assets/models/package.glb and parachute.glb, with this. Throws core::DataError for a file that is
+  // missing or broken, or a material with too many textures.
+  explicit PackageModels(gl::Context& context, const ModelImport& import = importModel);
 
   Model crate, parachute;
 };
