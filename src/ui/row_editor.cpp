@@ -79,7 +79,7 @@ bool RowEditor::isTyped(const Field& field) {
 
 void RowEditor::type(const Field& field) {
   pending_.erase(field.path);
-  Typing& typing = typing_.emplace();
+  Typing& typing = typing_.emplace(Typing{});
   typing.path = field.path;
   typing.first = core::fieldText(field);
   typing.framesToFocus = kFramesToFocus;

@@ -1,7 +1,13 @@
 #include <array>
+#include <functional>
 #include <numeric>
+#include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
+#include "render/gl/owned_functions.h"
+#include "skydrop/core/error.h"
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/gl/frame_buffer.h"
 #include "skydrop/render/gl/query.h"
@@ -9,6 +15,7 @@
 #include "skydrop/render/gl/texture.h"
 #include "skydrop/render/gl/vertex_array.h"
 #include "support/gl_test.h"
+#include "support/refusal.h"
 
 namespace skydrop::render::gl {
 namespace {
@@ -46,6 +53,54 @@ TEST_F(GLTest, objectsMoveAndLeaveNothingBehind) {
   expectMoves(context(), Sampler(context(), GL_NEAREST, GL_NEAREST, GL_REPEAT, "sampler"));
   expectMoves(context(), Query(context(), GL_TIME_ELAPSED));
   expectMoves(context(), FrameBuffer(context(), 8, 8, {}, "frame buffer"));
+}
+
+// A driver that gives no more objects, while it lives.
+class NoMoreObjects {
+ public:
+  explicit NoMoreObjects(Context& context)
+      : functions_(const_cast<OwnedFunctions&>(context.owned())), old_(functions_) {
+    functions_.CreateBuffers = functions_.CreateFramebuffers = functions_.CreateSamplers =
+        functions_.CreateVertexArrays = [](GLsizei, GLuint* names) { *names = 0; };
+    functions_.CreateTextures = functions_.CreateQueries = [](GLenum, GLsizei, GLuint* names) { *names = 0; };
+    functions_.CreateProgram = []() -> GLuint { return 0; };
+    functions_.CreateShader = [](GLenum) -> GLuint { return 0; };
+  }
+  ~NoMoreObjects() { functions_ = old_; }
+  NoMoreObjects(const NoMoreObjects&) = delete;
+  NoMoreObjects& operator=(const NoMoreObjects&) = delete;
+
+ private:
+  OwnedFunctions& functions_;
+  OwnedFunctions old_;
+};
+
+TEST_F(GLTest, anObjectThatTheDriverDoesNotGiveIsOneLineAndLeavesNothingBehind) {
+  // Of each kind; what is there goes on, and is made again once the driver gives objects.
+  Buffer kept(context(), 64, Buffer::Use::fixed, "kept");
+  const std::int64_t before = context().resources().liveObjects();
+  const auto makeEach = [&] {
+    return std::vector<std::pair<std::string, std::function<void()>>>{
+        {"buffer", [&] { Buffer(context(), 64, Buffer::Use::fixed, "buffer"); }},
+        {"texture", [&] { Texture::make2D(context(), GL_RGBA8, 4, 4, "texture"); }},
+        {"vertex array", [&] { VertexArray(context(), "vertex array"); }},
+        {"sampler", [&] { Sampler(context(), GL_NEAREST, GL_NEAREST, GL_REPEAT, "sampler"); }},
+        {"query", [&] { Query(context(), GL_TIME_ELAPSED); }},
+        {"frame buffer", [&] { FrameBuffer(context(), 8, 8, {}, "frame buffer"); }}};
+  };
+  {
+    const NoMoreObjects none(context());
+    for (const auto& [kind, make] : makeEach()) {
+      EXPECT_EQ(
+          test::refusalOf<core::DataError>(make),
+          "OpenGL: " + kind + ": cannot be created: the driver is out of memory or has lost the device");
+    }
+    EXPECT_EQ(context().resources().liveObjects(), before);
+    EXPECT_THROW(kept = Buffer(context(), 64, Buffer::Use::fixed, "another"), core::DataError);
+    EXPECT_NE(kept.id(), 0u) << "the last good one stays";
+  }
+  for (const auto& [kind, make] : makeEach()) EXPECT_EQ(test::refusalOf<core::DataError>(make), "") << kind;
+  EXPECT_EQ(context().resources().liveObjects(), before);
 }
 
 TEST_F(GLTest, emptyObjectsCostNothing) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "render/gl/created.h"
 #include "render/gl/owned_functions.h"
 
 namespace skydrop::render::gl {
@@ -11,7 +12,7 @@ namespace {
 GLuint createBuffer(Context& context) {
   GLuint id = 0;
   context.owned().CreateBuffers(1, &id);
-  return id;
+  return created(id, "buffer");
 }
 
 }  // namespace

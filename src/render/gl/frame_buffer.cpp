@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "render/gl/created.h"
 #include "render/gl/owned_functions.h"
 #include "skydrop/core/error.h"
 
@@ -11,7 +12,7 @@ namespace {
 GLuint createFrameBuffer(Context& context) {
   GLuint id = 0;
   context.owned().CreateFramebuffers(1, &id);
-  return id;
+  return created(id, "frame buffer");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "skydrop/render/gl/query.h"
 
+#include "render/gl/created.h"
 #include "render/gl/owned_functions.h"
 
 namespace skydrop::render::gl {
@@ -8,7 +9,7 @@ namespace {
 GLuint createQuery(Context& context, GLenum target) {
   GLuint id = 0;
   context.owned().CreateQueries(target, 1, &id);
-  return id;
+  return created(id, "query");
 }
 
 }  // namespace

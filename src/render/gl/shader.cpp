@@ -7,19 +7,20 @@
 #include <glm/mat4x4.hpp>
 #include <utility>
 
+#include "render/gl/created.h"
 #include "render/gl/owned_functions.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::render::gl {
 namespace {
 
-GLuint createProgram(Context& context) { return context.owned().CreateProgram(); }
+GLuint createProgram(Context& context) { return created(context.owned().CreateProgram(), "program"); }
 
 // A shader object lives only while its program is built, so it is no member of the resource tracker.
 class CompiledStage {
  public:
   CompiledStage(Context& context, const ShaderStage& stage)
-      : gl_(context.owned()), id_(gl_.CreateShader(stage.type)) {
+      : gl_(context.owned()), id_(created(gl_.CreateShader(stage.type), "shader")) {
     const GLchar* text = stage.source.text().c_str();
     gl_.ShaderSource(id_, 1, &text, nullptr);
     gl_.CompileShader(id_);

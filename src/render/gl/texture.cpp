@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "render/gl/created.h"
 #include "render/gl/owned_functions.h"
 
 namespace skydrop::render::gl {
@@ -11,13 +12,13 @@ namespace {
 GLuint createTexture(Context& context, GLenum target) {
   GLuint id = 0;
   context.owned().CreateTextures(target, 1, &id);
-  return id;
+  return created(id, "texture");
 }
 
 GLuint createSampler(Context& context) {
   GLuint id = 0;
   context.owned().CreateSamplers(1, &id);
-  return id;
+  return created(id, "sampler");
 }
 
 bool isFilterable(GLenum format) {

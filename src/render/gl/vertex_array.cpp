@@ -1,5 +1,6 @@
 #include "skydrop/render/gl/vertex_array.h"
 
+#include "render/gl/created.h"
 #include "render/gl/owned_functions.h"
 
 namespace skydrop::render::gl {
@@ -8,7 +9,7 @@ namespace {
 GLuint createVertexArray(Context& context) {
   GLuint id = 0;
   context.owned().CreateVertexArrays(1, &id);
-  return id;
+  return created(id, "vertex array");
 }
 
 }  // namespace
