@@ -14,7 +14,9 @@ endforeach()
 
 add_library(fuzz_inputs STATIC ${fuzz_dir}/fuzz_input.cpp ${fuzz_dir}/model_input.cpp ${fuzz_dir}/weather_input.cpp
   ${fuzz_dir}/elevation_input.cpp support/paths.cpp)
-target_link_libraries(fuzz_inputs PUBLIC skydrop_test_paths skydrop::app)
+target_link_libraries(fuzz_inputs PUBLIC skydrop_test_paths skydrop::render skydrop::audio skydrop::accuracy
+  skydrop::forecast skydrop::elevation)
+set(fuzz_of_app command_line judged presets scene settings)  # that need the whole program
 skydrop_precompile(fuzz_inputs)
 
 if(SKYDROP_FUZZERS)
@@ -22,6 +24,9 @@ if(SKYDROP_FUZZERS)
   foreach(name ${fuzz_names})
     add_executable(fuzz_${name} ${fuzz_dir}/targets/${name}.cpp)
     target_link_libraries(fuzz_${name} PRIVATE fuzz_inputs)
+    if(name IN_LIST fuzz_of_app)
+      target_link_libraries(fuzz_${name} PRIVATE skydrop::app)
+    endif()
     target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
     add_dependencies(fuzzers fuzz_${name})
   endforeach()
@@ -49,7 +54,7 @@ std::span<const Target> targets() { return kTargets; }
   list(TRANSFORM fuzz_names REPLACE "(.+)" "${fuzz_dir}/targets/\\1.cpp" OUTPUT_VARIABLE target_sources)
   add_executable(fuzz_replay ${fuzz_dir}/replay.cpp support/mutants.cpp ${CMAKE_CURRENT_BINARY_DIR}/fuzz_targets.cpp
     ${target_sources})
-  target_link_libraries(fuzz_replay PRIVATE fuzz_inputs)
+  target_link_libraries(fuzz_replay PRIVATE fuzz_inputs skydrop::app)
   skydrop_precompile(fuzz_replay)
   foreach(name ${fuzz_names})
     set(seeds)
