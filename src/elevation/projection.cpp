@@ -3,6 +3,7 @@
 #include <geodesic.h>
 #include <proj.h>
 
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -31,11 +32,22 @@ Context makeContext() {
   return context;
 }
 
+// Whether words of a file make PROJ open another: grids and initialisation files by path, and so a pipe or a
+// device too, which it waits for.
+bool namesAFile(std::string words) {
+  for (char& c : words) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const std::string_view parameter : {"init=", "grids=", "file=", "tables=", "catalog="}) {
+    if (words.find(parameter) != std::string::npos) return true;
+  }
+  return false;
+}
+
 // The horizontal part of what the words name.
 Object systemOf(PJ_CONTEXT* context, const std::string& crs, std::string_view file) {
   const auto fail = [&](std::string_view reason) {
     throw DataError(file, "reference system", "'" + crs + "' " + std::string(reason));
   };
+  if (namesAFile(crs)) fail("names a file of PROJ, and none is read");
   // A bare PROJ string is a projection and no system.
   const bool isPlain = crs.starts_with("+proj") && crs.find("+type=crs") == std::string::npos;
   Object object(proj_create(context, (isPlain ? crs + " +type=crs" : crs).c_str()));

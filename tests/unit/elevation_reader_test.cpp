@@ -1,5 +1,6 @@
 // Elevation files of each form: what is in them, and what is refused.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <zip.h>
 
 #include <cmath>
@@ -153,6 +154,32 @@ TEST(ElevationReader, readsTexts) {
   const std::string refusal =
       refusalOf<core::DataError>([&] { openRaster(folder.write("c.xyz", "370000 5200000 500\n")); });
   EXPECT_NE(refusal.find(".prj"), std::string::npos) << refusal;
+}
+
+TEST(ElevationReader, aReferenceSystemThatNamesAFileIsRefusedAndTheFileIsNotOpened) {
+  // PROJ opens grids and initialisation files by path, and waits for a pipe that nobody writes to.
+  const test::TemporaryFolder folder;
+  const std::string pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string grid =
+      folder.write("a.asc", "ncols 2\nnrows 2\nxllcorner 7\nyllcorner 46\ncellsize 1\n1 2\n3 4\n");
+  for (const std::string& words :
+       {"+init=" + pipe + ":1", "init=" + pipe + ":1", "+proj=longlat +ellps=bessel +nadgrids=" + pipe,
+        "proj=longlat ellps=bessel nadgrids=@" + pipe, "+proj=longlat +ellps=bessel +GeoidGrids=" + pipe,
+        "+proj=pipeline +step +proj=hgridshift +grids=" + pipe, "+proj=affine +file=" + pipe,
+        "PROJCS[\"x\",GEOGCS[\"y\",DATUM[\"z\",SPHEROID[\"s\",6378137,298]],PRIMEM[\"Greenwich\",0],"
+        "UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"Mercator_1SP\"],UNIT[\"metre\",1],"
+        "EXTENSION[\"PROJ4\",\"+init=" +
+            pipe + ":1\"]]"}) {
+    folder.write("a.prj", words);
+    const std::string line = test::refusalOf<core::DataError>([&] {
+      const auto raster = openRaster(grid);
+      const Projection projection(raster->georeference().crs, raster->name());
+    });
+    EXPECT_NE(line.find("names a file of PROJ, and none is read"), std::string::npos) << words << ": " << line;
+  }
+  folder.write("a.prj", "+proj=longlat +datum=WGS84");
+  EXPECT_EQ(test::refusalOf<core::DataError>([&] { openRaster(grid); }), "");
 }
 
 TEST(ElevationReader, readsHeightsInColours) {
