@@ -73,7 +73,7 @@ else
   phase "test" run_tests ci -LE '^long$'
 fi
 if [ "$quick" != "--quick" ]; then
-  phase "build with address and undefined-behaviour sanitizers" build dev skydrop unit_tests stability_tests gl_tests
+  phase "build with address and undefined-behaviour sanitizers" build dev skydrop unit_tests stability_tests gl_tests fuzz_replay
   phase "test with address and undefined-behaviour sanitizers" cpu_suites dev
   phase "frames and effects with address and undefined-behaviour sanitizers" gl_smoke
   phase "build with the thread sanitizer" build tsan unit_tests stability_tests
