@@ -16,6 +16,9 @@ CONST Real kShellTop = Real(100000.0);  // above it there is no air
 CONST Real kOzoneMiddle = Real(25000.0);
 CONST Real kOzoneHalfWidth = Real(15000.0);
 
+// Heights and lengths beyond count as this, from where the earth is a point: their squares would be no floats.
+CONST Real kFarthestShell = Real(1e12);
+
 // Share of the middle's density, [0, 1].
 FN Real ozoneDensity(Real heightM) {
   return max(Real(1.0) - abs(heightM - kOzoneMiddle) / kOzoneHalfWidth, Real(0.0));
@@ -40,15 +43,19 @@ FN ShellAir shellAirAt(Atmosphere air, Real heightM) {
 // The height that a ray reaches after a length. Factored, so that a planet's radius cancels nowhere: 0.01 m in float
 // where radius - kEarthRadius is off by half a metre.
 FN Real shellHeightAlong(Real heightM, Real cosine, Real lengthM) {
-  Real r = kEarthRadius + heightM;
-  Real d = lengthM * (lengthM + Real(2.0) * r * cosine);
-  return heightM + d / (r + squareRoot(r * r + d));
+  Real h = min(heightM, kFarthestShell);
+  Real l = min(lengthM, kFarthestShell);
+  Real r = kEarthRadius + h;
+  Real d = l * (l + Real(2.0) * r * cosine);
+  return h + d / (r + squareRoot(r * r + d));
 }
 
 // The cosine there.
 FN Real shellCosineAlong(Real heightM, Real cosine, Real lengthM) {
-  Real there = kEarthRadius + shellHeightAlong(heightM, cosine, lengthM);
-  return clamp(((kEarthRadius + heightM) * cosine + lengthM) / there, Real(-1.0), Real(1.0));
+  Real h = min(heightM, kFarthestShell);
+  Real l = min(lengthM, kFarthestShell);
+  Real there = max(kEarthRadius + shellHeightAlong(h, cosine, l), Real(1.0));  // a ray through the middle: no 0
+  return clamp(((kEarthRadius + h) * cosine + l) / there, Real(-1.0), Real(1.0));
 }
 
 // Where a ray from a height meets the sphere of another height: lengths of entry and exit, x > y where it misses. With
@@ -65,22 +72,24 @@ FN Vec2 shellCrossing(Real heightM, Real cosine, Real sphereM) {
 
 // Sine of the elevation at which a level sea ends, seen from a height: 0 at the sea, negative above. (Below: 0.)
 FN Real horizonSine(Real heightM) {
-  Real h = max(heightM, Real(0.0));
+  Real h = clamp(heightM, Real(0.0), kFarthestShell);
   return -sqrt(h * (Real(2.0) * kEarthRadius + h)) / (kEarthRadius + h);
 }
 
 // Sine of the elevation above which a ray from a height meets no air; 1 within the air.
 FN Real airEndsSine(Real heightM) {
   if (heightM <= kShellTop) return Real(1.0);
-  Real above = heightM - kShellTop;
-  return -sqrt(above * (Real(2.0) * kEarthRadius + heightM + kShellTop)) / (kEarthRadius + heightM);
+  Real h = min(heightM, kFarthestShell);
+  return -sqrt((h - kShellTop) * (Real(2.0) * kEarthRadius + h + kShellTop)) / (kEarthRadius + h);
 }
 
 // Share of the sun's disc above the horizon of a height, [0, 1].
 FN Real sunVisibleShareAt(Real heightM, Real cosine) {
   Real dip = horizonSine(heightM);
   // The angle between both, exact where it matters: within some degrees of the horizon.
-  return sunVisibleShare((cosine - dip) / sqrt(Real(1.0) - dip * dip));
+  // The dip's cosine is R / (R + h); 1 - dip^2 is nothing from 1e11 m on.
+  Real h = clamp(heightM, Real(0.0), kFarthestShell);
+  return sunVisibleShare((cosine - dip) * ((kEarthRadius + h) / kEarthRadius));
 }
 
 // The table of transmittance to the end of the air, of rays that miss the ground: x along kTransmittanceSines, y along
@@ -103,10 +112,11 @@ FN Vec2 transmittanceTablePlace(Vec2 at) {
   Real most = sqrt(kShellTop * (Real(2.0) * kEarthRadius + kShellTop));
   Real toHorizon = at.y * most;
   Real h = toHorizon * toHorizon / (kEarthRadius + sqrt(kEarthRadius * kEarthRadius + toHorizon * toHorizon));
-  Real shortest = kShellTop - h;
+  // (R + top)^2 - (R + h)^2, and from that the way straight up: neither is a difference of numbers that are alike.
+  Real c = most * most * (Real(1.0) - at.y) * (Real(1.0) + at.y);
+  Real shortest = c / (Real(2.0) * kEarthRadius + kShellTop + h);
   Real length = shortest + at.x * (toHorizon + most - shortest);
   // From the triangle of both radii and the length.
-  Real c = (kShellTop - h) * (Real(2.0) * kEarthRadius + kShellTop + h);
   Real cosine = length > Real(0.0) ? (c - length * length) / (Real(2.0) * (kEarthRadius + h) * length) : Real(1.0);
   return Vec2(h, clamp(cosine, Real(-1.0), Real(1.0)));
 }
@@ -119,10 +129,12 @@ CONST int kSkyRowsAbove = 64;
 CONST int kSkyRowsBelow = 16;
 CONST int kSkyRows = kSkyRowsBelow + kSkyRowsAbove;
 
-// Row as a number: k + 0 is the middle of row k. horizon, airEnds: sines, horizon < airEnds <= 1.
+// Row as a number: k + 0 is the middle of row k. horizon, airEnds: sines, -1 <= horizon <= airEnds <= 1.
 FN Real skyTableRow(Real sine, Real horizon, Real airEnds) {
   bool isAbove = sine >= horizon;
-  Real share = sqrt(saturate((sine - horizon) / (isAbove ? airEnds - horizon : -(horizon + Real(1.0)))));
+  // From so far away that both are one float, or -1: all is the last row of its side.
+  Real reach = max(isAbove ? airEnds - horizon : horizon + Real(1.0), Real(1e-30));
+  Real share = sqrt(saturate(abs(sine - horizon) / reach));
   return isAbove ? Real(kSkyRowsBelow) + share * Real(kSkyRowsAbove - 1) : Real(kSkyRowsBelow - 1) * (Real(1.0) - share);
 }
 

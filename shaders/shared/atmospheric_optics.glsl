@@ -18,9 +18,12 @@ FN Real texturePlace(Real value, Real first, Real last, Real texels) {
 // How much longer than upright a ray of this elevation's sine is in a thin shell `aboveM` over the eye, >= 1: 20 for level
 // rays to ice 8 km up. Rays below the horizontal count as those above it.
 FN Real iceSlant(Real sine, Real aboveM) {
-  Real radius = kEarthRadius / (kEarthRadius + max(aboveM, Real(1.0)));
-  Real cosine2 = saturate(Real(1.0) - sine * sine);
-  return Real(1.0) / sqrt(Real(1.0) - cosine2 * radius * radius);
+  Real above = max(aboveM, Real(1.0));
+  Real sum = kEarthRadius + above;
+  // 1 - cosine^2 R^2 / (R + h)^2 without its difference of what is nearly 1.
+  Real sine2 = saturate(sine * sine);
+  Real rest = (above / sum) * ((Real(2.0) * kEarthRadius + above) / sum);
+  return Real(1.0) / sqrt(sine2 + (Real(1.0) - sine2) * rest);
 }
 
 // Light scattered once towards the eye, per illuminance and phase function, in ice that is lit from behind: of an optical
@@ -47,7 +50,7 @@ FN Real elevationOf(Vec3 direction) {
 // least deviation, how far above that circle, and the light's elevation.
 FN Vec3 sunDogDegrees(Vec3 direction, Vec3 toLight) {
   Real elevation = elevationOf(toLight);
-  Real aside = abs(direction.x * toLight.z - direction.z * toLight.x);
+  Real aside = abs(direction.x * toLight.z - direction.z * toLight.x) + Real(0.0);  // no -0, whose angle is -pi
   Real along = direction.x * toLight.x + direction.z * toLight.z;
   // Straight up there is no azimuth, and any will do.
   Real azimuth = atan(aside, abs(along) < Real(1e-20) ? Real(1e-20) : along);

@@ -62,8 +62,9 @@ FN Vec3 placeOnBentRay(Vec3 direction, Real bend, Real t) {
 FN RaySpan bentRayUnder(Real above, Real directionY, Real bend) {
   Real square = directionY * directionY - Real(4.0) * bend * above;
   if (!(square > Real(0.0))) {
-    // Only a ray that keeps its height can be under the level and not cross it.
-    Real far = above < Real(0.0) ? Real(1e30) : Real(-1e30);
+    // Only a ray that keeps its height can be under the level and not cross it. (One that bends and starts less than
+    // 1e-30 m below has a product that is 0.)
+    Real far = above < Real(0.0) && !(bend > Real(0.0)) ? Real(1e30) : Real(-1e30);
     return make_raySpan(-far, far);
   }
   Real root = sqrt(square);

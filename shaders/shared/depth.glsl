@@ -10,10 +10,13 @@ CONST Real kFarMarker = Real(1e30);
 
 FN Real depthOfViewZ(Real viewZ, Real nearM) { return nearM / viewZ; }
 
-FN Real viewZOfDepth(Real depth, Real nearM) { return depth > Real(0.0) ? nearM / depth : kFarMarker; }
+// At most kFarMarker: a depth that is no normal float is no surface.
+FN Real viewZOfDepth(Real depth, Real nearM) {
+  return depth > Real(0.0) ? min(nearM / depth, kFarMarker) : kFarMarker;
+}
 
 // Distance from the eye to the surface of a depth sample. `rayScale` is the length of the pixel's ray where its
-// component along the view axis is 1 (at least 1: larger in the corners).
+// component along the view axis is 1 (at least 1: larger in the corners). At most kFarMarker.
 FN Real distanceOfDepth(Real depth, Real nearM, Real rayScale) {
-  return depth > Real(0.0) ? nearM / depth * rayScale : kFarMarker;
+  return depth > Real(0.0) ? min(nearM / depth * rayScale, kFarMarker) : kFarMarker;
 }

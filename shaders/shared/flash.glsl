@@ -18,7 +18,8 @@ FN Real flashAirlight(Vec3 toLight, Vec3 direction, Real lengthM, Real core2) {
   Real along = dot(toLight, direction);
   Vec3 aside = toLight - direction * along;
   Real nearest = sqrt(dot(aside, aside) + core2);
-  return (atan((lengthM - along) / nearest) + atan(along / nearest)) / nearest;
+  // The sum of the angles to both ends, as one: of opposite signs, behind the eye or beyond the end, two would cancel.
+  return atan(nearest, (nearest * nearest + along * along) / lengthM - along) / nearest;
 }
 
 // Radiance per intensity of a thick cloud at a distance from a light within it. Nearly all light comes out, spread over

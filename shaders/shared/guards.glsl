@@ -5,19 +5,30 @@
 
 FN Real saturate(Real x) { return clamp(x, Real(0.0), Real(1.0)); }
 
-// x carried from [a, b] to [c, d], clamped to it. Equal bounds make a step: c below a, d from a on.
+// x carried from [a, b] to [c, d], clamped to it, both ends exact. Equal bounds make a step: c below a, d from a on.
 FN Real remapClamped(Real x, Real a, Real b, Real c, Real d) {
   Real width = b - a;
   Real t = abs(width) > Real(0.0) ? saturate((x - a) / width) : (x < a ? Real(0.0) : Real(1.0));
-  return c + (d - c) * t;
+  return c * (Real(1.0) - t) + d * t;  // c + (d - c) t is 0 for c = 1e30, d = 1, t = 1
 }
 
 FN Real squareRoot(Real x) { return sqrt(max(x, Real(0.0))); }
 
-// v / |v|, or `fallback` (a unit vector) where v has no direction.
+// x - floor(x) within [0, 1): the difference is rounded up to 1 where x is a little below 0.
+FN Real fractionOf(Real x) {
+  Real part = x - floor(x);
+  return part < Real(1.0) ? part : Real(0.0);
+}
+
+// v / |v|, or `fallback` (a unit vector) where v has no direction: no component beyond 2^-100, or one not finite.
 FN Vec3 directionOf(Vec3 v, Vec3 fallback) {
   Real square = dot(v, v);
-  return square > Real(1e-30) ? v / sqrt(square) : fallback;
+  if (square > Real(1e-30) && square < Real(1e30)) return v / sqrt(square);
+  // The square of what is shorter than 1e-19 or longer than 1e19 is no float: the longest component goes first.
+  Real longest = max(abs(v.x), max(abs(v.y), abs(v.z)));
+  if (!(longest > Real(7.888609052210118e-31) && longest < Real(3e38))) return fallback;
+  Vec3 scaled = v / longest;
+  return scaled / sqrt(dot(scaled, scaled));
 }
 
 // (1 - exp(-x)) / x for x >= 0; 1 at 0. The quotient cancels for small x, and Mesa's exp is good to 3e-6 only, so

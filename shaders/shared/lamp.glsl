@@ -10,9 +10,12 @@ CONST Real kLampLensM = Real(0.1);
 
 // Share of a spot's peak intensity at an angle from its axis: half of it at half the beam's width, as the widths of
 // sealed beams are given. Near the axis of narrow beams, 2 (1 - cosine) is the angle's square. 0 behind it.
-FN Real spotShare(Real cosine, Real halfAngleRad) {
-  Real square = Real(2.0) * max(Real(1.0) - cosine, Real(0.0)) / (halfAngleRad * halfAngleRad);
-  return cosine > Real(0.0) ? exp(-min(Real(0.693147) * square, Real(60.0))) : Real(0.0);
+// 2 (1 - cosine) is taken as the square of what lies between two unit vectors, `axis` and `ray`, both away from the spot:
+// from the cosine a float has it within 6e-8 only, 1e-3 of the beam's edge at half a degree.
+FN Real spotShare(Vec3 axis, Vec3 ray, Real halfAngleRad) {
+  Vec3 between = ray - axis;
+  Real square = dot(between, between) / (halfAngleRad * halfAngleRad);
+  return dot(axis, ray) > Real(0.0) ? exp(-min(Real(0.693147) * square, Real(60.0))) : Real(0.0);
 }
 
 // Illuminance per intensity on a surface with a unit normal; toLamp: from the surface to the lamp, m.
@@ -24,7 +27,7 @@ FN Real lampIlluminance(Vec3 toLamp, Vec3 normal) {
 // The same with a lamp that shines along a unit axis.
 FN Real spotIlluminance(Vec3 toLamp, Vec3 normal, Vec3 axis, Real halfAngleRad) {
   Real distanceM = sqrt(max(dot(toLamp, toLamp), kLampLensM * kLampLensM));
-  return lampIlluminance(toLamp, normal) * spotShare(-dot(axis, toLamp) / distanceM, halfAngleRad);
+  return lampIlluminance(toLamp, normal) * spotShare(axis, -toLamp / distanceM, halfAngleRad);
 }
 
 // Where the eye's own blur bounds the formula below, degrees.

@@ -78,7 +78,7 @@ FN Vec2 bandWave(Real x) {
 }
 
 // Layers of rock at a height: hard and soft in [-1, 1] (x), and how it changes with height, 1/m (y). `warpM` bends the
-// layers; footprintM is the height that a pixel covers.
+// layers; footprintM is the height that a pixel covers. Heights below 1e5 m of either sign.
 FN Vec2 rockStrata(Real heightM, Real warpM, Real footprintM) {
   Real h = heightM + warpM;
   Vec2 thick = bandWave(h / Real(47.0)) * saturate(Real(1.5) - footprintM / Real(12.0));

@@ -23,9 +23,11 @@ CONST Real kBeamOpacity = Real(0.9);
 // distanceM + footprintM / 2 away from the middle. So edges are smooth, and a ring thinner than a pixel fades.
 FN Real ringCoverage(Real distanceM, Real radiusM, Real footprintM) {
   Real width = max(footprintM, Real(1e-3));
-  Real inner = max(distanceM - Real(0.5) * width, radiusM - Real(0.5) * kRingWidth);
-  Real outer = min(distanceM + Real(0.5) * width, radiusM + Real(0.5) * kRingWidth);
-  return saturate((outer - inner) / width);
+  // By each edge of the ring: the ends of what a small pixel sees are one number at a distance.
+  Real fromMiddle = distanceM - radiusM;
+  Real within = saturate(Real(0.5) + (Real(0.5) * kRingWidth - fromMiddle) / width);
+  Real beyond = saturate(Real(0.5) - (Real(0.5) * kRingWidth + fromMiddle) / width);
+  return saturate(within - beyond);
 }
 
 // The ring lies on land up to this many radii above or below the foot (slopes of 60 degrees), and fades over the last

@@ -28,7 +28,8 @@ FN Real hiddenByWaves(Real sine, Real slope) {
   Real s = saturate(sine);
   Real level = squareRoot(Real(1.0) - s * s) * slope * Real(1.4142135623730951);
   Real hidden = (level * level - s * (Real(1.259) * level - Real(0.396) * s)) / (Real(3.535) * level + Real(2.181) * s);
-  return s < Real(1.6) * level ? hidden : Real(0.0);
+  // The fit falls below 0 a little before where it ends.
+  return s < Real(1.6) * level ? max(hidden, Real(0.0)) : Real(0.0);
 }
 
 // Sine of the mean elevation of what is above the horizon of a disc, by that of its middle and its radius (radians):

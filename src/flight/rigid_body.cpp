@@ -17,9 +17,10 @@ bool isFinite(const glm::dquat& q) {
   return std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
 }
 
-bool isFinite(const BodyState& s) {
-  return isFinite(s.position) && isFinite(s.velocity) && isFinite(s.orientation) &&
-         isFinite(s.angularVelocity);
+// An attitude that was divided by an infinite length is finite, and 0.
+bool isUsable(const BodyState& s) {
+  return isFinite(s.position) && isFinite(s.velocity) && isFinite(s.angularVelocity) &&
+         isFinite(s.orientation) && std::abs(glm::dot(s.orientation, s.orientation) - 1) < 1e-9;
 }
 
 glm::dquat checkedUnit(const glm::dquat& q) {
@@ -92,7 +93,7 @@ void RigidBody::update(double dt, const WrenchField& field, double time) {
     return w;
   };
   const BodyState next = integrate(integrator_, state_, properties_, total, dt, time, &memory_);
-  if (isFinite(next)) {
+  if (isUsable(next)) {
     state_ = next;
   } else {
     core::countGuard(core::Guard::notFiniteState);

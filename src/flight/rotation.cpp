@@ -51,6 +51,7 @@ Attitude attitudeOf(const glm::dquat& q) {
   if (level > 1e-9) {
     out.headingRad = dmath::atan2(forward.x, -forward.z);
     out.bankRad = dmath::atan2(-right.y, up.y);
+    if (out.bankRad <= -dmath::kPi) out.bankRad = dmath::kPi;  // upside down, with -0 or what rounds to it
   } else {
     const double sense = forward.y > 0 ? -1 : 1;  // nose up: the belly points along the heading
     out.headingRad = dmath::atan2(sense * up.x, -sense * up.z);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "skydrop/core/angles.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/json.h"
 
@@ -58,10 +59,7 @@ Unit lengthUnit(std::string_view name, std::string_view file, std::string_view p
   return find(kLengths, name, file, place);
 }
 
-double turned(double degrees) {
-  const double inside = degrees - 360 * std::floor(degrees / 360);
-  return inside < 360 ? inside + 0.0 : 0;
-}
+double turned(double degrees) { return core::wrappedDegrees(degrees); }
 
 std::optional<double> compassPoint(std::string_view text) {
   const auto found = std::ranges::find(kPoints, text);

@@ -122,7 +122,11 @@ glm::dvec3 worldDirection(const Horizontal& place) {
   return {across * dmath::sin(azimuth), dmath::sin(elevation), -across * dmath::cos(azimuth)};
 }
 
-Horizontal horizontalOf(const glm::dvec3& direction) {
+Horizontal horizontalOf(const glm::dvec3& given) {
+  // Lengths whose squares are no doubles go first.
+  const double largest = std::max({std::abs(given.x), std::abs(given.y), std::abs(given.z)});
+  const bool isPlain = largest > 1e-140 && largest < 1e140;
+  const glm::dvec3 direction = isPlain ? given : given / largest;
   const double across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
   constexpr double kNoAzimuth = 1e-12;  // what a double's rounding leaves of a vertical direction
   return {across > kNoAzimuth * std::abs(direction.y)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skydrop/core/angles.h"
 #include "skydrop/core/deterministic_math.h"
 
 namespace skydrop::sky {
@@ -29,10 +30,7 @@ glm::dmat3 aboutZ(double angle) {
 
 }  // namespace
 
-double turned(double degrees) {
-  const double within = degrees - 360 * std::floor(degrees / 360);
-  return within < 360 ? within : 0;
-}
+double turned(double degrees) { return core::wrappedDegrees(degrees); }
 
 // Nutation by its four largest terms (Meeus, chapter 22): 0.5 seconds of arc in longitude, 0.1 in obliquity.
 Earth earthAt(double days) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "skydrop/core/angles.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::weather {
@@ -26,11 +27,6 @@ void require(const std::string& place, double value, double min, double max) {
 }
 
 double between(double a, double b, double t) { return a + (b - a) * t; }
-
-double wrappedDegrees(double degrees) {
-  const double turned = degrees - 360 * std::floor(degrees / 360);
-  return turned < 360 ? turned : 0;  // -1e-20 is rounded up to 360
-}
 
 WindLevel mixed(const WindLevel& a, const WindLevel& b, double t) {
   return {between(a.heightM, b.heightM, t), between(a.speedMps, b.speedMps, t),
@@ -71,9 +67,9 @@ Layer mixed(const Layer& a, const Layer& b, double t) {
 double mixedDirection(double fromDeg, double fromSpeed, double toDeg, double toSpeed, double share) {
   const double from = (1 - share) * fromSpeed, to = share * toSpeed;
   const double t = from + to > 0 ? to / (from + to) : share;
-  double turn = wrappedDegrees(toDeg - fromDeg);
+  double turn = core::wrappedDegrees(toDeg - fromDeg);
   if (turn > 180) turn -= 360;
-  return wrappedDegrees(fromDeg + turn * t);
+  return core::wrappedDegrees(fromDeg + turn * t);
 }
 
 State mixed(const State& a, const State& b, double share) {

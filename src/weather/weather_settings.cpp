@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "skydrop/core/angles.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/hash.h"
 #include "weather/site_weather.h"
@@ -39,17 +40,12 @@ double smoothShare(double t) {
   return x * x * (3 - 2 * x);
 }
 
-double wrappedDegrees(double degrees) {
-  const double turned = degrees - 360 * std::floor(degrees / 360);
-  return turned < 360 ? turned : 0;
-}
-
 void turnAndScale(State& s, double variability, std::uint64_t seed, double time) {
   const double speed = 1 + kSpeedWander * variability * wander(seed, kOfSpeed, time);
   const double turn = kDirectionWanderDeg * variability * wander(seed, kOfDirection, time);
   const auto moved = [&](double& speedMps, double& directionDeg) {
     speedMps *= speed;
-    directionDeg = wrappedDegrees(directionDeg + turn);
+    directionDeg = core::wrappedDegrees(directionDeg + turn);
   };
   moved(s.wind.speedMps, s.wind.directionDeg);
   for (WindLevel& level : s.wind.levels) moved(level.speedMps, level.directionDeg);
@@ -73,9 +69,9 @@ void letWander(State& state, const WeatherSettings& s, std::uint64_t seed, doubl
 
 State stateOf(const SiteSettings& s) {
   State out;
-  out.wind = {s.windSpeed, wrappedDegrees(s.windDirection), s.gust, s.roughness, s.gradientHeight, {}};
+  out.wind = {s.windSpeed, core::wrappedDegrees(s.windDirection), s.gust, s.roughness, s.gradientHeight, {}};
   for (std::size_t i = 0; i < kWindLevels; ++i)
-    out.wind.levels[i] = {s.levels[i].height, s.levels[i].speed, wrappedDegrees(s.levels[i].direction)};
+    out.wind.levels[i] = {s.levels[i].height, s.levels[i].speed, core::wrappedDegrees(s.levels[i].direction)};
   for (std::size_t i = 0; i < kLayers; ++i) {
     const WeatherLayerSettings& l = s.layers[i];
     out.layers[i] = {l.genus, l.base, l.top, l.cover, l.density};

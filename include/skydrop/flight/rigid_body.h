@@ -28,8 +28,8 @@ class RigidBody {
   // Of all four: a value that is not finite is ignored and counted (Guard::notFiniteForce).
 
   // Advances by dt seconds under the applied forces, which are then forgotten. dt <= 0 or not finite changes
-  // nothing, and keeps the forces. A step that would leave a state that is not finite is refused and counted
-  // (Guard::notFiniteState).
+  // nothing, and keeps the forces. A step that would leave a state that is not finite, or an attitude that is
+  // no unit quaternion, is refused and counted (Guard::notFiniteState).
   void update(double dt);
   // The same with further forces that depend on the state and the time, evaluated within the step, so that
   // the integrator's order holds for them too. `time` (s) is that of the step's start on the clock of the

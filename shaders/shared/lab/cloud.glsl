@@ -18,7 +18,7 @@ struct CubeCloud {
 
 // Three octaves of Perlin noise in [0, 1], and Voronoi noise of two octaves, 1 at the seeds. The place is taken modulo 1.
 FN Vec2 cubeNoises(CubeCloud cloud, Vec3 place) {
-  Vec3 p = place - floor(place);
+  Vec3 p = Vec3(fractionOf(place.x), fractionOf(place.y), fractionOf(place.z));
   Real perlin = perlinSpace(p, cloud.cells, cloud.seed) + Real(0.5) * perlinSpace(p, cloud.cells * Uint(2u), cloud.seed) +
                 Real(0.25) * perlinSpace(p, cloud.cells * Uint(4u), cloud.seed);
   Real voronoi = Real(0.67) * worley3(p, cloud.cells, cloud.seed) +

@@ -1,4 +1,5 @@
-// Signed distances: negative inside, 0 on the surface, positive outside. Lengths in one unit, whichever it is.
+// Signed distances: negative inside, 0 on the surface, positive outside. Lengths in one unit, whichever it is, below 1e18:
+// their squares are floats.
 // Sources: Hart, "Sphere Tracing", The Visual Computer 12, 1996 (distances and their operators); Thomann, "Procedural
 // Cloud Shader", BFH 2020, sections 3.4 to 3.7 (which shapes, and how they are blended).
 #ifndef __cplusplus
@@ -38,16 +39,17 @@ FN Vec3 boxGradient(Vec3 p, Vec3 reach) {
   Vec3 q = abs(p) - reach;
   Vec3 signs = Vec3(awayFromZero(p.x), awayFromZero(p.y), awayFromZero(p.z));
   Vec3 outside = max(q, Vec3(Real(0.0), Real(0.0), Real(0.0)));
-  if (dot(outside, outside) > Real(0.0)) return signs * directionOf(outside, Vec3(Real(0.0), Real(1.0), Real(0.0)));
+  if (q.x > Real(0.0) || q.y > Real(0.0) || q.z > Real(0.0)) return signs * directionOf(outside, Vec3(Real(0.0), Real(1.0), Real(0.0)));
   if (q.x >= q.y && q.x >= q.z) return Vec3(signs.x, Real(0.0), Real(0.0));
   if (q.y >= q.z) return Vec3(Real(0.0), signs.y, Real(0.0));
   return Vec3(Real(0.0), Real(0.0), signs.z);
 }
 
 FN Vec3 torusGradient(Vec3 p, Real ring) {
-  Real around = max(length(Vec2(p.x, p.z)), Real(1e-12));
-  Vec3 middle = Vec3(p.x, Real(0.0), p.z) * (ring / around);
-  return directionOf(p - middle, Vec3(Real(0.0), Real(1.0), Real(0.0)));
+  // By the distance from the ring, which is one difference; p less the ring's nearest place would be two.
+  Vec3 outward = directionOf(Vec3(p.x, Real(0.0), p.z), Vec3(Real(0.0), Real(0.0), Real(0.0)));
+  Vec3 aside = outward * (length(Vec2(p.x, p.z)) - ring);
+  return directionOf(Vec3(aside.x, p.y, aside.z), Vec3(Real(0.0), Real(1.0), Real(0.0)));
 }
 
 // Both shapes, what they share, and the first without the second. On the surface and outside the union the union's

@@ -34,7 +34,7 @@ FN Vec2 phongLight(PhongShares shares, Vec3 normal, Vec3 toLight, Vec3 toEye) {
   Real facing = dot(normal, toLight);
   if (facing <= Real(0.0)) return Vec2(Real(0.0), Real(0.0));
   Vec3 mirrored = normal * (Real(2.0) * facing) - toLight;
-  Real along = max(dot(mirrored, toEye), Real(0.0));
+  Real along = clamp(dot(mirrored, toEye), Real(0.0), Real(1.0));  // rounding beyond 1 would grow with the power
   Real gloss = along > Real(0.0) ? pow(along, shares.shininess) : Real(0.0);
   return Vec2(shares.diffuse * facing, shares.specular * gloss);
 }
@@ -59,7 +59,7 @@ FN Shade shadeAlong(int scene, Real amount, Vec3 p, Vec3 direction, Real start, 
       shade.light = Real(0.0);
       return shade;
     }
-    shade.light = min(shade.light, hardness * distance / t);
+    shade.light = min(shade.light, hardness * distance / max(t, Real(1e-30)));
     t += distance;
     if (t > reach) return shade;
   }

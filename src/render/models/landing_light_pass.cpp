@@ -75,7 +75,7 @@ void LandingLightGlowPass::draw(FrameContext& context) {
   const SpotLight spot = landingSpot(context.frame.game->aircraft, settings_);
   const glm::dvec3 toEye = context.frame.view.position - spot.position;
   const double distance = std::max(glm::length(toEye), core::shared::f64::kLampLensM);
-  const double share = core::shared::f64::spotShare(glm::dot(spot.axis, toEye) / distance, spot.halfAngleRad);
+  const double share = core::shared::f64::spotShare(spot.axis, toEye / distance, spot.halfAngleRad);
   const Glow glow{spot.position, spot.intensity * share, kLensM};
   glow_.draw(context, {&glow, 1});
 }
