@@ -59,9 +59,8 @@ double evenWear(const CloudField& field, double periodM) {
   core::RandomStream random{2, 0};
   double worn = 0;
   for (int i = 0; i < kWornPlaces; ++i) {
-    const double height = random.nextUnit();
-    const glm::dvec3 place(random.nextUnit() * periodM, s.cloudHeight + s.thickness * height,
-                           random.nextUnit() * periodM);
+    const double height = random.nextUnit(), south = random.nextUnit(), east = random.nextUnit();
+    const glm::dvec3 place(east * periodM, s.cloudHeight + s.thickness * height, south * periodM);
     const float shape = field.shapeEstimateInFloat(place);
     if (!(shape > 0)) continue;
     places.push_back({static_cast<float>(height), shape});
@@ -94,8 +93,9 @@ ClearAir measureClearAir(std::shared_ptr<const PackedCloudNoise> noise, const La
   core::RandomStream random{1, 0};
   std::vector<float> rises;
   for (int i = 0; i < kPlaces; ++i) {
-    const glm::dvec3 place(random.nextUnit() * period, s.cloudHeight + s.thickness * random.nextUnit(),
-                           random.nextUnit() * period);
+    // One after another: compilers draw arguments in orders of their own.
+    const double south = random.nextUnit(), height = random.nextUnit(), east = random.nextUnit();
+    const glm::dvec3 place(east * period, s.cloudHeight + s.thickness * height, south * period);
     const glm::dvec3 direction = anyDirection(random);
     const float here = field.shapeEstimateInFloat(place);
     for (const double reach : kReachesM) {

@@ -114,7 +114,7 @@ HuntInput huntInput(const HuntedFunction& function, std::uint64_t seed, std::uin
 }
 
 std::string huntFault(const HuntedFunction& function, std::span<const float> input,
-                      std::span<const float> actual) {
+                      std::span<const float> actual, double room) {
   Doubles a{};
   std::copy(input.begin(), input.end(), a.begin());
   Results exact{};
@@ -125,11 +125,11 @@ std::string huntFault(const HuntedFunction& function, std::span<const float> inp
     const HuntRange& range = function.results[k];
     const double value = static_cast<double>(actual[k]);
     if (!std::isfinite(value)) return problem("is not finite; in double", k, value, exact[k]);
-    const double room = 1e-6 * std::max(std::abs(range.low), std::abs(range.high));
-    if (value < range.low - room) return problem("lies below", k, value, range.low);
-    if (value > range.high + room) return problem("lies above", k, value, range.high);
+    const double margin = 1e-6 * std::max(std::abs(range.low), std::abs(range.high));
+    if (value < range.low - margin) return problem("lies below", k, value, range.low);
+    if (value > range.high + margin) return problem("lies above", k, value, range.high);
     if (!std::isfinite(exact[k])) return problem("in float, in double", k, value, exact[k]);
-    const double tolerance = range.abs + range.rel * std::abs(exact[k]);
+    const double tolerance = room + range.abs + range.rel * std::abs(exact[k]);
     if (std::abs(value - exact[k]) <= tolerance) continue;
     if (!isSpread) {
       isSpread = true;
@@ -164,7 +164,7 @@ std::string huntFault(const HuntedFunction& function, std::span<const float> inp
       }
     }
     const double size = std::max({std::abs(exact[k]), std::abs(most[k]), std::abs(least[k])});
-    const double widened = range.abs + range.rel * size;
+    const double widened = room + range.abs + range.rel * size;
     if (!(value <= most[k] + widened && value >= least[k] - widened))
       return problem("is not that of double,", k, value, exact[k]);
   }

@@ -66,9 +66,10 @@ using HuntInput = std::vector<float>;
 // Input `number` of a function under a seed, within its domains.
 HuntInput huntInput(const HuntedFunction& function, std::uint64_t seed, std::uint64_t number);
 
-// Why a result is wrong, or empty. `actual`: of the function in float, wherever it ran.
+// Why a result is wrong, or empty. `actual`: of the function in float, wherever it ran; `room` is added to
+// each `abs`.
 std::string huntFault(const HuntedFunction& function, std::span<const float> input,
-                      std::span<const float> actual);
+                      std::span<const float> actual, double room = 0);
 
 // A failing input whose numbers are as plain as they can be: each in turn is replaced by 0, 1, an end of its
 // domain or fewer digits while it still fails.
