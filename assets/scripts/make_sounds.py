@@ -167,11 +167,20 @@ def thunder(duration, crack, body_hertz, rolls):
     return make
 
 
+def touchdown(rng):
+    """A tyre that is spun up on turf: a bump, a short chirp and what rolls on."""
+    t = seconds(.7)
+    bump = np.sin(2 * np.pi * (85 * t - 45 * t * t)) * envelope(t, .004, .07)
+    chirp = low_pass(noise(rng, len(t)), 2400) * envelope(t, .002, .05) * 2
+    roll = low_pass(noise(rng, len(t)), 260) * envelope(t, .05, .25) * 3
+    return faded(bump + chirp + roll, .003)
+
+
 SOUNDS = {"engine": (engine, .8), "drop": (drop, .7), "parachute": (parachute, .7), "landing": (landing, .8),
           "splash": (splash, .7), "score": (score, .55), "miss": (miss, .5), "crash": (crash, .9),
           "stall": (stall, .4), "rain": (rain, .7), "wind": (wind, .7),
           "thunderNear": (thunder(1.8, 1, 400, 2), .95), "thunder": (thunder(2.4, .25, 170, 4), .9),
-          "thunderFar": (thunder(3, 0, 80, 5), .9)}
+          "thunderFar": (thunder(3, 0, 80, 5), .9), "touchdown": (touchdown, .7)}
 
 
 def write_wav(path, signal, peak):

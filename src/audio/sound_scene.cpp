@@ -18,8 +18,8 @@ namespace {
 using game::GameEventKind;
 
 constexpr std::string_view kEngine = "engine", kStallHorn = "stall", kRain = "rain", kWind = "wind";
-constexpr std::array<std::string_view, 7> kEventSounds = {"drop", "parachute", "landing", "score",
-                                                          "miss", "crash",     "splash"};
+constexpr std::array<std::string_view, 8> kEventSounds = {"drop", "parachute", "landing", "score",
+                                                          "miss", "crash",     "splash",  "touchdown"};
 
 constexpr std::array<std::string_view, 3> kThunder = {"thunderNear", "thunder", "thunderFar"};
 
@@ -41,6 +41,11 @@ std::optional<std::string_view> soundOf(const game::GameEvent& event) {
       return "miss";
     case GameEventKind::crashed:
       return event.onWater ? "splash" : "crash";
+    case GameEventKind::touchedDown:
+      return "touchdown";
+    case GameEventKind::ditched:
+      return "splash";
+    case GameEventKind::tookOff:
     case GameEventKind::packageRemoved:
     case GameEventKind::targetDrawn:
     case GameEventKind::respawned:

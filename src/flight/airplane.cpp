@@ -191,16 +191,19 @@ Wrench airplaneWrench(const AirplaneSettings& s, const MassProperties& body, con
   // Near the stall the nose grows heavy, and where the flow has separated it drops.
   const double heavy = smoothStep(kHeavyNoseFrom, kHeavyNoseTo, std::abs(f.stallShare));
   acceleration.x -= std::copysign(s.stallNoseDrop * (0.4 * heavy + condition.separation), f.stallShare) *
-                    std::min(f.speed * stiff, 1.0);
+                    std::min(f.speed * stiff, 1.0) * (1 - condition.borne);
 
   // Damping of pitch and yaw is towards the rate at which the flight path itself turns: a turning aircraft is
   // not held back. Roll has no such rate.
   const glm::dvec3 pathRate =
       glm::conjugate(state.orientation) * (glm::cross(state.velocity - air.wind, w.force / body.mass) /
                                            (f.speed * f.speed + kPathRateSpeed * kPathRateSpeed));
+  // On its wheels it has none that the air does not give, or it could not turn on the spot.
   const glm::dvec3& spin = state.angularVelocity;
-  acceleration -= glm::dvec3(s.pitchDamping * (spin.x - pathRate.x), s.yawDamping * (spin.y - pathRate.y),
-                             s.rollDamping * spin.z);
+  const double free =
+      1 - condition.borne * (1 - std::min(f.speed * f.speed / (kFullControlSpeed * kFullControlSpeed), 1.0));
+  acceleration -= glm::dvec3(s.pitchDamping * (spin.x - pathRate.x),
+                             s.yawDamping * free * (spin.y - pathRate.y), s.rollDamping * spin.z);
   w.torque = body.inertia * acceleration;
   return w;
 }
@@ -229,18 +232,48 @@ double cruiseThrottle(const AirplaneSettings& s) {
 Airplane::Airplane(const AirplaneSettings& settings, const BodyState& start)
     : settings_(settings), body_(makeBody(settings, start)), condition_{cruiseThrottle(settings), 0} {}
 
-void Airplane::step(const AirplaneInput& input, const AirMass& air, double dt) {
-  if (!std::isfinite(dt) || dt <= 0) return;
-  const double cruise = cruiseThrottle(settings_);
-  const double wanted = std::clamp(cruise + input.thrust * (1 - cruise) - input.brake * cruise, 0.0, 1.0);
+AirplaneCondition Airplane::moveThrottle(const AirplaneInput& input, double dt) {
+  const double rest = input.idles ? 0 : cruiseThrottle(settings_);
+  const double wanted = std::clamp(rest + input.thrust * (1 - rest) - input.brake * rest, 0.0, 1.0);
   const double reach = settings_.throttleRate * dt;
   AirplaneCondition acting = condition_;
   condition_.throttle += std::clamp(wanted - condition_.throttle, -reach, reach);
   // The mean of a ramp: second order in the step.
   acting.throttle = 0.5 * (acting.throttle + condition_.throttle);
+  return acting;
+}
+
+void Airplane::step(const AirplaneInput& input, const AirMass& air, double dt) {
+  if (!std::isfinite(dt) || dt <= 0) return;
+  const AirplaneCondition acting = moveThrottle(input, dt);
   body_.update(dt, [&](const BodyState& at) {
     return airplaneWrench(settings_, body_.properties(), input, acting, air, at);
   });
+  separate(air, dt);
+}
+
+void Airplane::stepOnGround(const AirplaneInput& input, const AirMass& air, double dt, LandingGear& gear,
+                            const GearInput& wheels, const GroundField& ground) {
+  if (!std::isfinite(dt) || dt <= 0) return;
+  AirplaneCondition acting = moveThrottle(input, dt);
+  acting.borne = gear.borne(settings_.mass * kGravity);
+  gear.beginStep();
+  const double part = dt / kGearParts;
+  for (int i = 0; i < kGearParts; ++i) {
+    gear.meet(body_.state(), wheels, ground);
+    body_.update(part, [&](const BodyState& at, double seconds) {
+      Wrench w = airplaneWrench(settings_, body_.properties(), input, acting, air, at);
+      const Wrench bears = gear.wrench(at, seconds);
+      w.force += bears.force;
+      w.torque += bears.torque;
+      return w;
+    });
+    gear.settle(body_.state(), part);
+  }
+  separate(air, dt);
+}
+
+void Airplane::separate(const AirMass& air, double dt) {
   const Flow flow = flowOf(settings_, condition_.separation, air, body_.state());
   const double wantedSeparation = smoothStep(kSeparatesFrom, kSeparatesTo, std::abs(flow.stallShare));
   const double seconds = wantedSeparation > condition_.separation ? kSeparationSeconds : kAttachmentSeconds;

@@ -5,11 +5,13 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "game/landing_pilot.h"
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/flight/environment.h"
 #include "skydrop/game/contact.h"
 #include "skydrop/terrain/height_source.h"
+#include "skydrop/terrain/strips.h"
 
 namespace skydrop::game {
 namespace {
@@ -29,6 +31,8 @@ constexpr double kClimbSpeed = 50;
 // A target nearer than this, in diameters of a full turn, and not ahead is left behind first.
 constexpr double kTurnDiameters = 1.2, kReturnDiameters = 2.0;
 constexpr double kAheadRad = 0.6;
+// It looks so far for a strip to land on, m.
+constexpr double kFarthestStrip = 60000;
 // Full deflections a second.
 constexpr double kStickPerSecond = 4;
 
@@ -38,28 +42,12 @@ double wrapped(double angle) {  // to (-pi, pi]
   return angle;
 }
 
-// Where to fly: to the target, and in wind to where a package that is dropped on the way drifts onto it. What
-// it drifts is known for the ground below; it is scaled to the height above the target.
-struct Aim {
-  double bearingRad, distance;
-};
-Aim aimOf(const Snapshot& now) {
-  const glm::dvec3& wind = now.wind;
-  const Aim target{now.target.bearingRad, now.target.distance};
-  if (!now.predictedLanding || (wind.x == 0 && wind.z == 0)) return target;
-  const AircraftSnapshot& craft = now.aircraft;
-  const glm::dvec2 path(craft.velocity.x, craft.velocity.z);
-  const double speed2 = path.x * path.x + path.y * path.y;
-  if (!(speed2 > 1)) return target;
-  const glm::dvec2 fall(now.predictedLanding->x - craft.position.x,
-                        now.predictedLanding->z - craft.position.z);
-  const double height = std::max(craft.position.y - now.predictedLanding->y, 1.0);
-  const double share = std::clamp((craft.position.y - now.target.position.y) / height, 0.2, 4.0);
-  const glm::dvec2 aside = (fall - path * ((fall.x * path.x + fall.y * path.y) / speed2)) * share;
-  const glm::dvec2 way =
-      glm::dvec2(now.target.position.x - craft.position.x, now.target.position.z - craft.position.z) - aside;
-  if (way.x == 0 && way.y == 0) return target;
-  return {dmath::atan2(way.x, -way.y), std::sqrt(way.x * way.x + way.y * way.y)};
+// Its hand on the stick is no faster than a pilot's.
+Controls eased(const Controls& from, Controls to) {
+  const double reach = kStickPerSecond * core::FixedStep::kStepSeconds;
+  to.roll = from.roll + std::clamp(to.roll - from.roll, -reach, reach);
+  to.pitch = from.pitch + std::clamp(to.pitch - from.pitch, -reach, reach);
+  return to;
 }
 
 }  // namespace
@@ -91,18 +79,90 @@ void describe(core::SettingsVisitor& v, AutopilotSettings& s) {
             .help = "Drops when the predicted miss is below this share of the radius: less drops nearer to "
                     "the centre.",
             .aliases = "aim"});
+  v.integer("landEvery", s.landEvery,
+            {.unit = "packages",
+             .min = 0,
+             .max = 100,
+             .help = "Lands on the nearest strip after so many packages and takes off again; 0 never lands.",
+             .slider = core::Range{0, 10},
+             .aliases = "landing, strip"});
 }
 
 Autopilot::Autopilot(std::shared_ptr<const terrain::HeightSource> ground, const AutopilotSettings& settings)
-    : ground_(std::move(ground)), settings_(settings) {}
+    : ground_(std::move(ground)), settings_(settings), landing_(std::make_unique<LandingPilot>()) {}
+
+// Where to fly: to the target, and in wind to where a package that is dropped on the way drifts onto it. What
+// it drifts is known for the ground below; it is scaled to the height above the target.
+Autopilot::Aim Autopilot::aimOf(const Snapshot& now) {
+  const glm::dvec3& wind = now.wind;
+  const Aim target{now.target.bearingRad, now.target.distance, now.target.present};
+  if (!target.present) return target;
+  if (!now.predictedLanding || (wind.x == 0 && wind.z == 0)) return target;
+  const AircraftSnapshot& craft = now.aircraft;
+  const glm::dvec2 path(craft.velocity.x, craft.velocity.z);
+  const double speed2 = path.x * path.x + path.y * path.y;
+  if (!(speed2 > 1)) return target;
+  const glm::dvec2 fall(now.predictedLanding->x - craft.position.x,
+                        now.predictedLanding->z - craft.position.z);
+  const double height = std::max(craft.position.y - now.predictedLanding->y, 1.0);
+  const double share = std::clamp((craft.position.y - now.target.position.y) / height, 0.2, 4.0);
+  const glm::dvec2 aside = (fall - path * ((fall.x * path.x + fall.y * path.y) / speed2)) * share;
+  const glm::dvec2 way =
+      glm::dvec2(now.target.position.x - craft.position.x, now.target.position.z - craft.position.z) - aside;
+  if (way.x == 0 && way.y == 0) return target;
+  return {dmath::atan2(way.x, -way.y), std::sqrt(way.x * way.x + way.y * way.y), true};
+}
+
+Autopilot::~Autopilot() = default;
+Autopilot::Autopilot(Autopilot&&) noexcept = default;
+
+std::optional<Controls> Autopilot::handleGround(const Snapshot& now) {
+  using Phase = LandingPilot::Phase;
+  const AircraftSnapshot& craft = now.aircraft;
+  if (!craft.gear.present || craft.gear.swims) {
+    landing_->forget();
+    return {};
+  }
+  const terrain::Strips* strips = ground_->strips();
+  const glm::dvec2 here(craft.position.x, craft.position.z);
+  const bool isInAir = landing_->phase() == Phase::away || landing_->phase() == Phase::approach;
+  if (isInAir && craft.gear.wheelsDown > 0)
+    landing_->beginTakeOff(strips ? strips->at(here) : std::nullopt, now);
+  const bool wants =
+      settings_.landEvery > 0 && (!now.target.present || now.drops - landedAtDrops_ >= settings_.landEvery);
+  if (landing_->phase() == Phase::away && wants && strips) {
+    if (const auto strip = strips->nearest(here, kFarthestStrip)) landing_->begin(*strip, now);
+  }
+  if (landing_->phase() == Phase::away) return {};
+  if (landing_->phase() == Phase::approach && !landing_->entersFinal(now)) {
+    const glm::dvec2 way = landing_->gate() - here;
+    return flyTo(now, {dmath::atan2(way.x, -way.y), std::sqrt(way.x * way.x + way.y * way.y), true});
+  }
+  if (landing_->phase() == Phase::rollOut) landedAtDrops_ = now.drops;
+  Controls out = landing_->decide(now);
+  planned_ = goingAround_ = false;
+  return eased(craft.controls, out);
+}
 
 Controls Autopilot::decide(const Snapshot& now) {
-  Controls out;
   const AircraftSnapshot& craft = now.aircraft;
   if (!craft.present || craft.crashed) {
     planned_ = goingAround_ = false;
-    return out;
+    landing_->forget();
+    return {};
   }
+  if (const std::optional<Controls> onGround = handleGround(now)) return *onGround;
+  Controls out = flyTo(now, aimOf(now));
+  if (now.target.present && now.predictedLanding && now.cooldownSeconds <= 0 && !craft.controls.drop) {
+    const glm::dvec3 miss = *now.predictedLanding - now.target.position;
+    out.drop = std::sqrt(miss.x * miss.x + miss.z * miss.z) < settings_.dropMargin * now.target.radius;
+  }
+  return out;
+}
+
+Controls Autopilot::flyTo(const Snapshot& now, const Aim& aim) {
+  Controls out;
+  const AircraftSnapshot& craft = now.aircraft;
   const double speed = std::max(craft.airspeedMps, 20.0);
   const double track = dmath::atan2(craft.velocity.x, -craft.velocity.z);
   const double maxBank = settings_.maxBankDeg * dmath::kRadPerDeg;
@@ -113,8 +173,7 @@ Controls Autopilot::decide(const Snapshot& now) {
 
   // Where to: the target, or away from it when it lies inside the turn; without one around in a wide circle.
   double turn = 0.25;
-  if (now.target.present) {
-    const Aim aim = aimOf(now);
+  if (aim.present) {
     const double distance = aim.distance;
     turn = wrapped(aim.bearingRad - track);
     if (distance < kTurnDiameters * turnDiameter && std::abs(turn) > kAheadRad) goingAround_ = true;
@@ -159,22 +218,11 @@ Controls Autopilot::decide(const Snapshot& now) {
       dmath::atan2(craft.velocity.y, glm::length(glm::dvec2(craft.velocity.x, craft.velocity.z)));
   const double hold = 0.65 * dmath::sin(climb);
   out.pitch = std::clamp(hold + 2 * (climb - path) - 0.8 * craft.angularVelocityBody.x, -1.0, 1.0);
-  // Its hand is no faster than a pilot's.
-  const auto eased = [](double from, double to) {
-    const double reach = kStickPerSecond * core::FixedStep::kStepSeconds;
-    return from + std::clamp(to - from, -reach, reach);
-  };
-  out.roll = eased(craft.controls.roll, out.roll);
-  out.pitch = eased(craft.controls.pitch, out.pitch);
+  out = eased(craft.controls, out);
 
   // Speed: full thrust to climb, brake when a descent runs away.
   out.thrust = climb > 0.05 || speed < kClimbSpeed ? 1 : 0;
   out.brake = speed > 90 && climb < 0.02 ? 1 : 0;
-
-  if (now.target.present && now.predictedLanding && now.cooldownSeconds <= 0 && !craft.controls.drop) {
-    const glm::dvec3 miss = *now.predictedLanding - now.target.position;
-    out.drop = std::sqrt(miss.x * miss.x + miss.z * miss.z) < settings_.dropMargin * now.target.radius;
-  }
   return out;
 }
 

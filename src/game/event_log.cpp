@@ -25,8 +25,13 @@ void EventLog::say(std::string text, double seconds) {
 
 void EventLog::report(GameEventKind kind, const glm::dvec3& position, std::uint32_t id, double missDistance,
                       bool onWater) {
+  report({.kind = kind, .position = position, .id = id, .missDistance = missDistance, .onWater = onWater});
+}
+
+void EventLog::report(GameEvent event) {
   if (events_.size() == kMostEvents) events_.erase(events_.begin());
-  events_.push_back({kind, step_, position, id, missDistance, onWater});
+  event.step = step_;
+  events_.push_back(event);
 }
 
 std::vector<Message> EventLog::messages() const {

@@ -20,6 +20,7 @@ class EventLog {
   void say(std::string text, double seconds);
   void report(GameEventKind kind, const glm::dvec3& position, std::uint32_t id = 0, double missDistance = 0,
               bool onWater = false);
+  void report(GameEvent event);  // its step is this one
 
   // Oldest first.
   std::vector<Message> messages() const;

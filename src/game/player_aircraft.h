@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "game/event_log.h"
 #include "game/flown_air.h"
+#include "game/ground_handling.h"
 #include "game/safe_places.h"
 #include "game/trailing_attitude.h"
 #include "skydrop/flight/airplane.h"
@@ -28,6 +31,8 @@ class PlayerAircraft {
   // changes nothing, unless finite.
   void place(const StartPose& pose, std::uint64_t step);
   void apply(const flight::AirplaneSettings& settings) { airplane_.apply(settings); }
+  // After the setup's gear became another, came or went.
+  void applyGear(std::uint64_t step);
   // After the ground became another: where it is nearer than the safe height, or above, the aircraft is
   // lifted and flies on level.
   void clearGround(std::uint64_t step);
@@ -37,6 +42,8 @@ class PlayerAircraft {
   const flight::BodyState& body() const { return airplane_.body().state(); }
   double clearance() const { return clearance_; }
   bool crashed() const { return crashed_; }
+  // Whether a package can leave: in flight.
+  bool canDrop() const { return !crashed_ && !(ground_ && (ground_->onWheels() || ground_->swims())); }
   // Whether this step pressed the key that the last one did not.
   bool dropPressed() const { return controls_.drop && !lastControls_.drop; }
   std::uint32_t spawnCount() const { return spawnCount_; }
@@ -50,7 +57,12 @@ class PlayerAircraft {
   void respawn(std::uint64_t step);
   void fly(std::uint64_t step);
   void noteSafePlace(std::uint64_t step);
-  void crash(const Contact& contact);
+  void putOnWheels(const StartPose& pose, std::uint64_t step);
+  // Flies, or slides as a wreck; ends the flight where something breaks or the sea has it for long enough.
+  void move(std::uint64_t step);
+  void crash(const Contact& contact, std::string reason);
+  void endFlight(const Damage& damage);
+  void turnPropeller();
 
   const WorldSetup* setup_;
   FlownAir* air_;
@@ -63,7 +75,11 @@ class PlayerAircraft {
   std::uint64_t stepsToRespawn_ = 0;
   std::uint32_t spawnCount_ = 0;
   SafePlaces safePlaces_;
-  TrailingAttitude trail_;  // derived, for the view
+  std::optional<GroundHandling> ground_;  // with a gear
+  bool slides_ = false;                   // a wreck that moves on
+  bool hasFlown_ = false;                 // since it was placed: a safe place was noted
+  std::string endReason_;                 // derived, for the view
+  TrailingAttitude trail_;                // derived, for the view
 };
 
 }  // namespace skydrop::game

@@ -108,7 +108,7 @@ void World::State::advance(const Controls& wanted) {
     moved = spawned != aircraft->spawnCount() || aircraft->crashed();
   }
   targetsCost.measure([&] {
-    if (aircraft && aircraft->dropPressed() && !aircraft->crashed()) deliveries.drop(aircraft->body());
+    if (aircraft && aircraft->dropPressed() && aircraft->canDrop()) deliveries.drop(aircraft->body());
     deliveries.step(aircraftPosition(), steps);
     if (steps % kPredictionSteps == 0 || moved) predict();
   });
@@ -121,7 +121,7 @@ void World::State::shareWeather() {
 
 void World::State::predict() {
   predictedLanding.reset();
-  if (setup.hasTargets && aircraft && !aircraft->crashed())
+  if (setup.hasTargets && aircraft && aircraft->canDrop())
     predictedLanding = deliveries.predictLanding(aircraft->body());
 }
 
@@ -195,6 +195,7 @@ std::uint64_t World::State::hash() const {
     }
     if (aircraft) air.addTo(h);
   }
+  if (copy.gear) describe(settings, *copy.gear);
   if (aircraft) aircraft->addTo(h);
   deliveries.addTo(h);
   return h.value();
@@ -241,6 +242,11 @@ void World::apply(const flight::PackageSettings& settings) {
 void World::apply(const GameSettings& settings) {
   requireUsable(settings);
   state_->setup.game = settings;
+}
+
+void World::setGear(const std::optional<flight::GearSettings>& gear) {
+  state_->setup.gear = gear;
+  if (state_->aircraft) state_->aircraft->applyGear(state_->steps);
 }
 
 void World::setWind(const glm::dvec3& velocity) {

@@ -107,6 +107,10 @@ class SceneReader {
         start.headingDegrees = number(member, place, 0, 360);
       } else if (name == "speed") {
         start.speedMps = number(member, place, 0, 300);
+      } else if (name == "strip") {
+        const std::string where = text(member, place);
+        if (where != "standing" && where != "final") fail(place, "is neither \"standing\" nor \"final\"");
+        start.strip = where == "standing" ? StripStart::standing : StripStart::final;
       } else {
         fail(place, "unknown member");
       }

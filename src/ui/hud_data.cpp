@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "skydrop/ui/hud.h"
 
@@ -55,6 +56,16 @@ std::optional<HudAir> makeHudAir(const game::AirSnapshot& air) {
                 std::clamp(finiteOr0(air.icing), 0.0, 1.0)};
 }
 
+// What the wheels do, in few words.
+std::string groundNote(const game::AircraftSnapshot& aircraft) {
+  const game::GearSnapshot& gear = aircraft.gear;
+  if (!gear.present || aircraft.crashed) return "";
+  if (gear.swims) return "AFLOAT";
+  if (gear.wheelsDown == 0) return "";
+  if (gear.brakes <= 0) return gear.onStrip ? "ON THE STRIP" : "ON WHEELS";
+  return gear.groundSpeedMps < 0.5 ? "BRAKES HOLD" : "BRAKING";
+}
+
 }  // namespace
 
 HudData makeHudData(const game::Snapshot& snapshot) {
@@ -92,6 +103,7 @@ HudData makeHudData(const game::Snapshot& snapshot) {
   if (!snapshot.autopilot) data.hintOpacity = std::clamp(hintLeft / kFadeSeconds, 0.0, 1.0);
   data.stalled = aircraft.stalled && !aircraft.crashed;
   data.stallWarning = aircraft.stallWarning && !data.stalled && !aircraft.crashed;
+  data.ground = groundNote(aircraft);
   if (aircraft.crashed) data.respawnSeconds = std::max(finiteOr0(aircraft.secondsToRespawn), 0.0);
   return data;
 }

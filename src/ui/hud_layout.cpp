@@ -73,7 +73,7 @@ class Layouter {
       }
     }
     placeScore(data);
-    if (data.autopilot || data.frozen) placeNotes(data);
+    if (data.autopilot || data.frozen || !data.ground.empty()) placeNotes(data);
     float bottom = height_ - margin_;
     if (data.aircraft) bottom = placeInstruments(data) - gap_;
     if (middleRight_ - middleLeft_ < std::min(kNarrowestMiddle * line_, width_)) return std::move(layout_);
@@ -120,7 +120,11 @@ class Layouter {
   // Who flies, and whether time is held.
   void placeNotes(const HudData& data) {
     const char* both = "AUTOPILOT  FROZEN";
-    const char* note = data.autopilot && data.frozen ? both : data.frozen ? "TIME FROZEN" : "AUTOPILOT";
+    std::string note = data.ground;
+    if (data.autopilot || data.frozen) {
+      if (!note.empty()) note += "  ";
+      note += data.autopilot && data.frozen ? both : data.frozen ? "TIME FROZEN" : "AUTOPILOT";
+    }
     const std::string words = fit(note, width_ * 0.35f - margin_);
     const float right = width_ - margin_, left = right - measure(words) - 2 * padding_;
     HudItem item{"notes", {left, margin_, right, topRow()}, kPlate, {}};

@@ -104,6 +104,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using core::WindSettings;
   using elevation::ElevationSettings;
   using flight::AirplaneSettings;
+  using flight::GearSettings;
   using flight::PackageSettings;
   using game::AutopilotSettings;
   using game::GameSettings;
@@ -134,6 +135,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::SkySettings;
   using render::StarsSettings;
   using render::SunSettings;
+  using terrain::StripSettings;
   using terrain::TerrainSettings;
   using terrain::TerrainStreamingSettings;
   using weather::ForecastClock;
@@ -146,6 +148,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   const std::map<std::string, void (*)(const char*)> structs = {
       SKYDROP_STRUCT(AirplaneSettings),
       SKYDROP_STRUCT(PackageSettings),
+      SKYDROP_STRUCT(GearSettings),
+      SKYDROP_STRUCT(StripSettings),
       SKYDROP_STRUCT(GameSettings),
       SKYDROP_STRUCT(AutopilotSettings),
       SKYDROP_STRUCT(TerrainSettings),

@@ -46,6 +46,9 @@ constexpr test::IdlePart kIdleParts[] = {
     {"game.targetSlopeDeg", 27, 45, "land as steep as that is rare among 30 targets"},
     {"autopilot.maxBankDeg", 10, 35, "the target of this flight lies nearly ahead"},
     {"autopilot.dropMargin", 0, 0.15, "the first drop of this flight is nearer than that"},
+    {"strips.density", 0.4, 0.5, "none of the squares that are looked at lies between"},
+    {"gear.mostSideLoad", 0.1, 1.6, "tests/unit/ground_handling_test.cpp"},
+    {"gear.mostWaterSpeed", 5, 90, "arrivals as slow or as fast as that break or float alike"},
     {"streaming.seaFloorDepthM", 30, 45, "no patch of this view ends between"},
     {"streaming.seaFloorDepthM", 135, 150, "no patch of this view ends between"},
     {"streaming.cacheMiB", 27, 4096, "there is no more land in the five views"},
@@ -92,10 +95,10 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
   EXPECT_GT(rows, 0);
 }
 
-constexpr const char* kGroups[] = {"aircraft.",    "package.",   "game.",   "autopilot.", "terrain.",
-                                   "elevation.",   "streaming.", "audio.",  "view.",      "input.",
-                                   "quality",      "clouds.",    "render.", "wind.",      "weather.",
-                                   "weatherFile.", "lightning.", "live."};
+constexpr const char* kGroups[] = {"gear.",      "strips.",  "aircraft.",    "package.",   "game.",
+                                   "autopilot.", "terrain.", "elevation.",   "streaming.", "audio.",
+                                   "view.",      "input.",   "quality",      "clouds.",    "render.",
+                                   "wind.",      "weather.", "weatherFile.", "lightning.", "live."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {
     "cloudPlanes.", "cloudDome.",      "groundFog.",    "stars.", "landShadows.", "halo.",         "rainbow.",

@@ -28,6 +28,7 @@
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
+#include "skydrop/terrain/strips.h"
 #include "skydrop/weather/lightning.h"
 #include "support/temporary_folder.h"
 
@@ -159,6 +160,101 @@ std::uint64_t autopilot(const Settings& settings) {
 }
 
 // Hands off for ten seconds in that air.
+// The nearest strips of a gentle land, and the land on them.
+std::uint64_t stripHeights(const Settings& settings) {
+  StateHasher h;
+  const auto ground = terrain::makeLandWithStrips(land(), settings.strips, 1);
+  for (int x = -4; x <= 4; ++x) {
+    for (int z = -4; z <= 4; ++z) {
+      const auto strip = ground->strips()->nearest({x * 6000.0, z * 6000.0}, 8000);
+      h.add(std::uint64_t{strip.has_value()});
+      if (!strip) continue;
+      h.add(strip->middle.x), h.add(strip->halfLength), h.add(strip->halfWidth);
+      h.add(ground->height(strip->world(strip->halfLength, strip->halfWidth)));
+    }
+  }
+  return h.value();
+}
+
+// Packages and strips by the autopilot.
+std::uint64_t circuits(const Settings& settings) {
+  game::WorldSetup setup = worldOf(settings, terrain::makeFlatSource(50), 300);
+  setup.ground = terrain::makeLandWithStrips(setup.ground, {.density = 1}, 1);
+  setup.gear = settings.gear;
+  setup.game.targetNearest = 1200, setup.game.targetFarthest = 1500, setup.game.dropCooldown = 0;
+  game::Autopilot pilot(setup.ground, settings.autopilot);
+  return flight(setup, 900, [&](const game::Snapshot& now) { return pilot.decide(now); });
+}
+
+// Arrivals on the ground or the sea, from gentle to hard, each for a second: over the slider of a limit some
+// break and some do not.
+struct Arrival {
+  double slope = 0, speed = 36, diveRad = 0.03, crabRad = 0, bankRad = 0;
+  bool water = false;
+};
+std::uint64_t arrive(const Settings& settings, const std::function<Arrival(double)>& arrival) {
+  StateHasher h;
+  constexpr double kDegrees = 57.29577951308232;
+  for (int i = 0; i < 30; ++i) {
+    const Arrival a = arrival(i / 29.0);
+    game::WorldSetup setup =
+        worldOf(settings, terrain::makeTiltedPlaneSource(a.water ? -50 : 50, glm::dvec2(0, -a.slope)), 2.6);
+    setup.hasTargets = false;
+    setup.gear = settings.gear;
+    setup.start.headingDeg = kDegrees * a.crabRad;
+    setup.start.pitchDeg = kDegrees * (std::atan(a.slope) - a.diveRad);
+    setup.start.bankDeg = kDegrees * a.bankRad;
+    setup.start.speed = a.speed;
+    h.add(flight(setup, 1, [](const game::Snapshot&) { return Controls{.brake = 1}; }));
+  }
+  return h.value();
+}
+std::uint64_t sinkRates(const Settings& s) {
+  return arrive(s, [](double k) { return Arrival{.diveRad = 0.01 + 0.4 * k}; });
+}
+std::uint64_t sideLoads(const Settings& s) {
+  Settings others = s;
+  others.gear.mostSinkRate = 20, others.gear.friction = 1.5, others.gear.mostStrikeSpeed = 60;
+  return arrive(others, [](double k) { return Arrival{.diveRad = 0.02 + 0.1 * k, .crabRad = 1.5 * k}; });
+}
+std::uint64_t slopes(const Settings& s) {
+  Settings others = s;
+  others.gear.mostSinkRate = 20, others.gear.mostStrikeSpeed = 60;
+  return arrive(others, [](double k) { return Arrival{.slope = 1.1 * k, .speed = 20, .diveRad = 0.1}; });
+}
+std::uint64_t wingsFirst(const Settings& s) {
+  return arrive(s, [](double k) { return Arrival{.speed = 3 + 42 * k, .diveRad = 0.03, .bankRad = 0.7}; });
+}
+std::uint64_t waterSinks(const Settings& s) {
+  return arrive(s, [](double k) { return Arrival{.diveRad = 0.01 + 0.4 * k, .water = true}; });
+}
+std::uint64_t waterSpeeds(const Settings& s) {
+  return arrive(s, [](double k) { return Arrival{.speed = 4 + 96 * k, .diveRad = 0.02, .water = true}; });
+}
+
+// Taxi in a circle and braking; a touch-down on a meadow.
+std::uint64_t taxi(const Settings& settings) {
+  game::WorldSetup setup = worldOf(settings, terrain::makeFlatSource(50), 0);
+  setup.hasTargets = false;
+  setup.gear = settings.gear;
+  setup.start.onWheels = true;
+  StateHasher h;
+  h.add(flight(setup, 24, [](const game::Snapshot& now) {
+    const double t = now.simulatedSeconds;
+    return Controls{.thrust = t < 9 ? 0.2 : 0, .brake = t > 16 ? 0.5 : 0, .yaw = t < 14 ? 1.0 : 0};
+  }));
+  h.add(sideLoads(settings));
+  return h.value();
+}
+
+std::uint64_t floats(const Settings& settings) {
+  game::WorldSetup setup = worldOf(settings, terrain::makeFlatSource(-50), 3);
+  setup.hasTargets = false;
+  setup.gear = settings.gear;
+  setup.start.speed = 34;
+  return flight(setup, 26, [](const game::Snapshot&) { return Controls{.brake = 1}; });
+}
+
 std::uint64_t weatherFlight(const Settings& settings) {
   game::WorldSetup setup = worldOf(settings, land(), 300);
   setup.weather = {settings.weather, settings.wind, nullptr};
@@ -523,6 +619,16 @@ const std::vector<Probe>& settingsProbes() {
       {"live.follow", handedOver},
       {"live.blendSeconds", handedOver},
       {"lightning.", flashesOfAStorm},
+      {"autopilot.landEvery", circuits},
+      {"strips.", stripHeights, {"strips.density=0.5"}},
+      {"gear.mostSinkRate", sinkRates},
+      {"gear.mostSideLoad", sideLoads},
+      {"gear.mostSlopeDeg", slopes},
+      {"gear.mostStrikeSpeed", wingsFirst},
+      {"gear.mostWaterSink", waterSinks},
+      {"gear.mostWaterSpeed", waterSpeeds},
+      {"gear.floatSeconds", floats},
+      {"gear.", taxi},
       {"autopilot.", autopilot, {"game.targetNearest=1200", "game.targetFarthest=1500"}},
       {"terrain.", heights},
       {"elevation.atCentre", elevationRun},

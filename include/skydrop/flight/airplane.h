@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "skydrop/flight/airplane_settings.h"
+#include "skydrop/flight/landing_gear.h"
 #include "skydrop/flight/rigid_body.h"
 
 namespace skydrop::flight {
@@ -21,12 +22,16 @@ inline constexpr double kNewtonsPerThrottleUnit = 50.139;
 // leaves.
 inline constexpr double kStalledSeparation = 0.3;
 
+// A step on the ground is made in so many parts (docs/ground-handling.md has the error of others).
+inline constexpr int kGearParts = 4;
+
 struct AirplaneInput {
-  double thrust = 0;  // 0..1
-  double brake = 0;   // 0..1
-  double pitch = 0;   // -1..1, nose up positive
-  double roll = 0;    // -1..1, right wing down positive
-  double yaw = 0;     // -1..1, nose right positive
+  double thrust = 0;   // 0..1
+  double brake = 0;    // 0..1
+  double pitch = 0;    // -1..1, nose up positive
+  double roll = 0;     // -1..1, right wing down positive
+  double yaw = 0;      // -1..1, nose right positive
+  bool idles = false;  // the throttle rests at idle, not at cruise
 };
 
 // How the air meets the aircraft.
@@ -43,6 +48,7 @@ struct Airflow {
 struct AirplaneCondition {
   double throttle = 0;    // 0 idle .. 1 full
   double separation = 0;  // of the flow from the wing: 0 attached .. 1 stalled
+  double borne = 0;       // share of the weight that wheels bear, 0 .. 1
 };
 
 // The air that meets the aircraft during a step. A wind alone converts to it: air of the sea's level that
@@ -77,6 +83,10 @@ class Airplane {
   // Advances by dt seconds in this air. dt <= 0 or not finite changes nothing.
   void step(const AirplaneInput& input, const AirMass& air, double dt);
 
+  // The same where its gear may touch: in kGearParts parts, each with the ground asked again.
+  void stepOnGround(const AirplaneInput& input, const AirMass& air, double dt, LandingGear& gear,
+                    const GearInput& wheels, const GroundField& ground);
+
   const RigidBody& body() const { return body_; }
   double throttle() const { return condition_.throttle; }  // 0 idle .. 1 full
   // 0 attached .. 1 stalled: grows within a tenth of a second past the stall angle, and heals within a
@@ -87,11 +97,16 @@ class Airplane {
   // Places it again, at cruise throttle and with attached flow. Throws core::RangeError, and changes nothing,
   // unless finite.
   void place(const BodyState& state);
+  void setThrottle(double throttle) { condition_.throttle = throttle; }  // 0 .. 1
   // The same state, bit for bit, under other numbers. Throws core::RangeError, and changes nothing, when they
   // are unusable.
   void apply(const AirplaneSettings& settings);
 
  private:
+  // Moves it towards what is asked, and returns what acts meanwhile.
+  AirplaneCondition moveThrottle(const AirplaneInput& input, double dt);
+  void separate(const AirMass& air, double dt);
+
   AirplaneSettings settings_;
   RigidBody body_;
   AirplaneCondition condition_;

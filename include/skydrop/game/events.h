@@ -17,6 +17,9 @@ enum class GameEventKind {
   crashed,  // the aircraft touched ground or water
   respawned,
   reset,
+  touchedDown,  // wheels met the ground after a flight
+  tookOff,      // and left it
+  ditched,      // the aircraft swims; respawned follows
 };
 
 struct GameEvent {
@@ -26,6 +29,7 @@ struct GameEvent {
   std::uint32_t id = 0;     // of the package or target, 0 for the aircraft
   double missDistance = 0;  // scored, missed: horizontal, from the target's centre, m
   bool onWater = false;     // packageLanded, crashed
+  double sinkRate = 0;      // touchedDown, ditched: into the ground or the water, m/s
 };
 
 }  // namespace skydrop::game

@@ -15,6 +15,17 @@
 
 namespace skydrop::game {
 
+// What the ground knows of the aircraft, in flights with a gear.
+struct GearSnapshot {
+  bool present = false;  // false without a gear: the rest is then meaningless
+  int wheelsDown = 0;    // 0 .. 3
+  double brakes = 0;     // 0 .. 1, what the wheels do
+  double groundSpeedMps = 0;
+  bool onStrip = false;
+  bool swims = false;     // ditched, until the respawn
+  std::string endReason;  // why the flight ended; empty while it goes on
+};
+
 struct AircraftSnapshot {
   bool present = false;  // false in scenes without an aircraft: the rest is then meaningless
   glm::dvec3 position{0};
@@ -41,6 +52,7 @@ struct AircraftSnapshot {
   bool crashed = false;       // lies where it struck, until the respawn
   double secondsToRespawn = 0;
   std::uint32_t spawnCount = 0;  // changes when the aircraft is placed again: do not interpolate across it
+  GearSnapshot gear;
 };
 
 // The air round the aircraft, in scenes with weather.

@@ -21,6 +21,7 @@
 
 #include "skydrop/core/wind.h"
 #include "skydrop/flight/airplane_settings.h"
+#include "skydrop/flight/gear_settings.h"
 #include "skydrop/flight/package_settings.h"
 #include "skydrop/game/controls.h"
 #include "skydrop/game/events.h"
@@ -48,6 +49,9 @@ struct StartPose {
   double pitchDeg = 0;
   double bankDeg = 0;
   double speed = 70;  // m/s
+  // At rest on the wheels instead, where the flight has a gear: of `position` only x and z count, of the
+  // attitude the heading, and there is no speed.
+  bool onWheels = false;
 };
 
 // The weather that is flown in.
@@ -74,6 +78,7 @@ struct WorldSetup {
   flight::AirplaneSettings airplane;
   flight::PackageSettings package;
   GameSettings game;
+  std::optional<flight::GearSettings> gear = std::nullopt;  // without: whatever touches the ground crashes
 };
 
 // CPU time of the steps that were measured (World::setMeasuring), on the thread that made them.
@@ -117,6 +122,9 @@ class World {
   void apply(const flight::AirplaneSettings& settings);
   void apply(const flight::PackageSettings& settings);
   void apply(const GameSettings& settings);
+  // None: the gear is gone, and whatever touches the ground crashes. An aircraft on its wheels is then lifted
+  // and flies on level.
+  void setGear(const std::optional<flight::GearSettings>& gear);
   void setWind(const glm::dvec3& velocity);  // m/s, as WorldSetup::wind
   void setWeather(const std::optional<WeatherSetup>& weather);
 

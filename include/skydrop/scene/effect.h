@@ -34,6 +34,7 @@ enum class Effect {
   iceClouds,       // high clouds of ice: cirrus, cirrostratus, cirrocumulus
   precipitation,   // rain, snow and hail around the eye, its shafts, and what it leaves on the land
   lightning,       // flashes of the weather, their light and their thunder
+  groundHandling,  // the gear bears: taxi, take-off, landing, ditching
   count_           // how many there are; no effect itself, and always the last
 };
 
@@ -43,7 +44,7 @@ inline constexpr auto kEffectNames = std::to_array<std::string_view>(
      "targets",   "sound",         "hud",         "cloudPlanes",    "cloudDome",
      "groundFog", "moon",          "stars",       "landShadows",    "halo",
      "rainbow",   "weather",       "lightShafts", "aircraftLights", "landingLight",
-     "iceClouds", "precipitation", "lightning"});
+     "iceClouds", "precipitation", "lightning",   "groundHandling"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -65,10 +66,11 @@ struct EffectNeed {
   Effect needs;
 };
 inline constexpr std::array kEffectNeeds = {
-    EffectNeed{Effect::targets, Effect::aircraft},       // that drops the packages
-    EffectNeed{Effect::targets, Effect::terrain},        // that they land on
-    EffectNeed{Effect::weather, Effect::aircraft},       // that meets the air
-    EffectNeed{Effect::precipitation, Effect::weather},  // that it falls in
+    EffectNeed{Effect::targets, Effect::aircraft},         // that drops the packages
+    EffectNeed{Effect::targets, Effect::terrain},          // that they land on
+    EffectNeed{Effect::weather, Effect::aircraft},         // that meets the air
+    EffectNeed{Effect::precipitation, Effect::weather},    // that it falls in
+    EffectNeed{Effect::groundHandling, Effect::aircraft},  // that stands on it
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

@@ -7,7 +7,10 @@
 //     "effects": ["sky", "terrain", ...],         names of effect.h
 //     "start": {"position": [x, y, z],            metres; with terrain, y is above the ground or the sea
 //               "heading": 90,                    compass degrees
-//               "speed": 70},                     m/s
+//               "speed": 70,                      m/s
+//               "strip": "standing"},             at the grass strip nearest to the position: "standing" at
+//               its
+//                                                 beginning, or on its "final"; where there is none, as above
 //     "weatherFile": "bern.json",                 forecast or report, or several of one place
 //     "farWeatherFile": ["a.json", "b.json"],     those of a second site; both for the effect weather
 //     "elevationFile": ["a.tif", "b.tif"],        elevation data, for the effect terrain
@@ -30,10 +33,13 @@
 
 namespace skydrop::scene {
 
+enum class StripStart { none, standing, final };
+
 struct Start {
-  glm::dvec3 position{0, 600, 0};  // m; y above the surface where there is terrain
-  double headingDegrees = 90;      // compass, [0, 360]
-  double speedMps = 70;            // [0, 300]
+  glm::dvec3 position{0, 600, 0};       // m; y above the surface where there is terrain
+  double headingDegrees = 90;           // compass, [0, 360]
+  double speedMps = 70;                 // [0, 300]
+  StripStart strip = StripStart::none;  // in place of position and heading
 };
 
 struct Scene {

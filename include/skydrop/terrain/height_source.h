@@ -12,6 +12,7 @@
 namespace skydrop::terrain {
 
 struct ChunkData;
+class Strips;
 
 struct HeightSample {
   double height = 0;              // metres above sea level
@@ -55,6 +56,9 @@ class HeightSource {
   // less detail, but not its heights: a position that two levels share has the same code in both, or their
   // meshes would not meet.
   virtual bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const;
+
+  // The grass strips of this land (strips.h), which live as long as it; null where it has none.
+  virtual const Strips* strips() const { return nullptr; }
 };
 
 }  // namespace skydrop::terrain

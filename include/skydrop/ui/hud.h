@@ -77,6 +77,7 @@ struct HudData {
   bool paused = false;
   bool autopilot = false;
   bool frozen = false;
+  std::string ground;  // what the wheels do: empty in the air
 };
 
 // Values that are not finite are shown as 0.

@@ -131,6 +131,7 @@ const std::vector<EffectDescriptor>& effectTable() {
        .menuSections = {{"render.land", "Views of the land"},
                         {"streaming", "Terrain LOD"},
                         {"terrain", "Shape of the land"},
+                        {"strips", "Grass strips"},
                         {"elevation", "Elevation data"}}},
       {.effect = Effect::sky,
        .addPasses = addSky,
@@ -166,6 +167,7 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addFeatures = addPrecipitationFeatures,
        .apply = applyPrecipitation,
        .menuSections = {{"precipitation", "Rain and snow"}}},
+      {.effect = Effect::groundHandling, .menuSections = {{"gear", "Landing gear"}}},
       {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
       {.effect = Effect::hud},
   };

@@ -3,6 +3,7 @@
 #include "skydrop/elevation/elevation_height_source.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/noise_height_source.h"
+#include "skydrop/terrain/strips.h"
 
 namespace skydrop::app {
 
@@ -11,6 +12,8 @@ std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& 
                                                         const SimulationSetup& setup) {
   if (!effects.contains(scene::Effect::terrain)) return terrain::makeFlatSource(0);
   auto noise = terrain::makeNoiseHeightSource(settings.terrain, setup.seed);
+  if (settings.strips.density > 0)
+    noise = terrain::makeLandWithStrips(std::move(noise), settings.strips, setup.seed);
   if (setup.elevation.empty()) return noise;
   return elevation::makeElevationHeightSource(setup.elevation, settings.elevation, std::move(noise));
 }

@@ -172,7 +172,10 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
   Settings all = own;
   const core::SettingsTable allTable(all);
   if (run.setup.replay) {
-    all.wind.movesAircraft = false;  // logs that do not name it were flown in still air
+    // What a log does not name it was flown without.
+    all.wind.movesAircraft = false;
+    all.effects.on[static_cast<std::size_t>(scene::Effect::groundHandling)] = false;
+    all.strips.density = 0;
     applyLogged(allTable, run.setup.replay->settings, run.setup.replayFile);
   }
   applyOverrides(allTable, run.overrides);

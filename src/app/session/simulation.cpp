@@ -10,8 +10,10 @@
 #include "app/session/flown_weather.h"
 #include "app/session/ground.h"
 #include "app/types/version.h"
+#include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/guards.h"
+#include "skydrop/terrain/strips.h"
 
 namespace skydrop::app {
 namespace {
@@ -23,6 +25,22 @@ std::shared_ptr<const weather::Forecast> followed(const SimulationSetup& setup, 
   return settings.live.follow ? setup.forecast : nullptr;
 }
 
+// At the nearest strip, if the land has one within reach; else the start stays.
+void startAtStrip(scene::StripStart where, game::WorldSetup& world) {
+  const terrain::Strips* strips = world.ground->strips();
+  if (!strips) return;
+  constexpr double kReach = 60000, kFinalMetres = 1500, kFinalSlope = 0.06, kBeginMetres = 25;
+  const auto strip = strips->nearest({world.start.position.x, world.start.position.z}, kReach);
+  if (!strip) return;
+  world.start.headingDeg = strip->headingRad() / core::dmath::kRadPerDeg;
+  const bool stands = where == scene::StripStart::standing && world.gear;
+  const double before = stands ? -kBeginMetres : kFinalMetres;
+  const glm::dvec2 xz = strip->world(-strip->halfLength - before, 0);
+  world.start.position = {xz.x, strip->heightAt(-strip->halfLength) + kFinalSlope * kFinalMetres, xz.y};
+  world.start.aboveGround = false;
+  world.start.onWheels = stands;
+}
+
 game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects,
                             const Settings& settings, std::shared_ptr<const terrain::HeightSource> ground,
                             std::shared_ptr<const clouds::PackedCloudNoise>& noise) {
@@ -31,10 +49,12 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   world.seed = setup.seed;
   world.hasAircraft = effects.contains(Effect::aircraft);
   world.hasTargets = effects.contains(Effect::targets);
+  if (effects.contains(Effect::groundHandling)) world.gear = settings.gear;
   world.start.position = setup.scene.start.position;
   world.start.aboveGround = effects.contains(Effect::terrain);
   world.start.headingDeg = setup.scene.start.headingDegrees;
   world.start.speed = setup.scene.start.speedMps;
+  if (setup.scene.start.strip != scene::StripStart::none) startAtStrip(setup.scene.start.strip, world);
   world.wind = core::flownWind(settings.wind);
   world.weather = flownWeather(effects, settings, noise, followed(setup, settings));
   if (world.weather && setup.forecastsCome && !noise) world.weather->noise = noise = readFlownNoise();
@@ -187,10 +207,15 @@ void Simulation::applyToWorld() {
   world_.apply(settings_->aircraft);
   world_.apply(settings_->package);
   world_.apply(settings_->game);
+  applyGear();
   world_.setWind(core::flownWind(settings_->wind));
   applyWeather();
   if (autopilot_) autopilot_->apply(settings_->autopilot);
   keepFlownValues();
+}
+
+void Simulation::applyGear() {
+  world_.setGear(effects_.contains(Effect::groundHandling) ? std::optional(settings_->gear) : std::nullopt);
 }
 
 void Simulation::applyWeather() {
@@ -216,6 +241,7 @@ void Simulation::applyEffects() {
   if (changes(Effect::terrain) || changes(Effect::aircraft) || changes(Effect::targets))
     world_.setParts(ground_, effects_.contains(Effect::aircraft), effects_.contains(Effect::targets));
   if (changes(Effect::weather)) applyWeather();
+  if (changes(Effect::groundHandling)) applyGear();
   if (changes(Effect::terrain) && autopilot_) autopilot_.emplace(ground_, settings_->autopilot);
 }
 

@@ -106,6 +106,7 @@ class Simulation {
   void advance(const game::Controls& player);
   void applyToWorld();
   void applyWeather();
+  void applyGear();
   void applyEffects();
   void keepFlownValues();
   void beginRecording();

@@ -9,12 +9,13 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 9> kSimulationGroups = {
-    "aircraft.", "package.", "game.", "terrain.", "elevation.", "wind.", "weather.", "weatherFile.", "live."};
+constexpr std::array<std::string_view, 11> kSimulationGroups = {
+    "aircraft.", "package.",     "game.", "terrain.", "elevation.", "wind.",
+    "weather.",  "weatherFile.", "live.", "gear.",    "strips."};
 
 // Effects that are more than pictures and sounds.
-constexpr std::array<std::string_view, 4> kSimulatedEffects = {"effects.aircraft", "effects.targets",
-                                                               "effects.terrain", "effects.weather"};
+constexpr std::array<std::string_view, 5> kSimulatedEffects = {
+    "effects.aircraft", "effects.targets", "effects.terrain", "effects.weather", "effects.groundHandling"};
 
 constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "free"};
 
@@ -73,6 +74,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("game", settings.game, "Targets, drops and score.");
   visitor.group("autopilot", settings.autopilot, "How the autopilot flies.");
   visitor.group("terrain", settings.terrain, "The shape of the land.");
+  visitor.group("strips", settings.strips, "Grass strips in the land: places to land.");
+  visitor.group("gear", settings.gear, "The landing gear: what it bears, and what it stands.");
   visitor.group("elevation", settings.elevation, "Where elevation data lie, and how they end.");
   visitor.group("streaming", settings.streaming,
                 "How fine and how far the land is drawn, and what it may cost.");

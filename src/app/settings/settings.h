@@ -22,6 +22,7 @@
 #include "skydrop/core/wind.h"
 #include "skydrop/elevation/elevation_settings.h"
 #include "skydrop/flight/airplane_settings.h"
+#include "skydrop/flight/gear_settings.h"
 #include "skydrop/flight/package_settings.h"
 #include "skydrop/game/autopilot.h"
 #include "skydrop/game/game_settings.h"
@@ -37,6 +38,7 @@
 #include "skydrop/render/sky/rainbow_settings.h"
 #include "skydrop/render/sky/stars_settings.h"
 #include "skydrop/scene/scene.h"
+#include "skydrop/terrain/strips.h"
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
 #include "skydrop/weather/forecast.h"
@@ -73,6 +75,8 @@ struct Settings {
   game::GameSettings game;
   game::AutopilotSettings autopilot;
   terrain::TerrainSettings terrain;
+  terrain::StripSettings strips;
+  flight::GearSettings gear;
   elevation::ElevationSettings elevation;  // of elevation files, where there are some
   terrain::TerrainStreamingSettings streaming;
   render::RenderSettings render;
