@@ -94,7 +94,10 @@ void Chart::Row::enter(std::int64_t cell) {
     down[i] = slopeOf(polynomial, inZ_) / kNodeM;
   }
   toPolynomial(across, value_);
-  toPolynomial(down, slope_);
+  east_[0] = slopeOf(value_, 0) / kNodeM;
+  east_[1] = slopeOf(value_, 1) / kNodeM - east_[0];
+  south_[0] = down[1];
+  south_[1] = down[2] - down[1];
   isValid_ = std::isfinite(value_[3].x) && std::isfinite(value_[3].y) && std::isfinite(value_[2].x);
 }
 
@@ -106,7 +109,7 @@ Chart::Spot Chart::Row::at(double x) {
   if (cell != cell_) enter(cell);
   if (!isValid_) return {};
   const double t = place - static_cast<double>(cell);
-  return {valueOf(value_, t), slopeOf(value_, t) / kNodeM, valueOf(slope_, t), true};
+  return {valueOf(value_, t), east_[0] + t * east_[1], south_[0] + t * south_[1], true};
 }
 
 }  // namespace skydrop::elevation

@@ -148,6 +148,20 @@ glm::dvec2 gradientOf(std::uint16_t code) {
 
 bool isInChunk(int i) { return i >= 0 && i < terrain::kChunkSamples; }
 
+// HeightRange::encode with one division a chunk and not two a height.
+class HeightCoder {
+ public:
+  explicit HeightCoder(const HeightRange& range) : lowest_(range.lowest), perMetre_(1 / range.step()) {}
+  std::uint16_t encode(double height) const {
+    const double code = (height - lowest_) * perMetre_ + 0.5;
+    if (!(code >= 1)) return 0;
+    return code < 65535 ? static_cast<std::uint16_t>(code) : 65535;
+  }
+
+ private:
+  double lowest_, perMetre_;
+};
+
 }  // namespace
 
 bool Source::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const {
@@ -170,17 +184,24 @@ bool Source::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out
     around = terrain::makeChunk(*beyond_, key, stop);
     if (around.empty()) return false;
   }
+  const HeightCoder coder(out.heightRange);
+  const bool isAlone = isCovered && readers.size() == 1;
   for (int row = -reach; row < terrain::kChunkSamples + reach; ++row) {
     if (stop.stop_requested()) return false;
     const double z = origin.y + row * cell;
     for (Mosaic::Reader& reader : readers) reader.enterRow(z);
     for (int column = -reach; column < terrain::kChunkSamples + reach; ++column) {
       const double x = origin.x + column * cell;
-      Sum sum;
-      if (isCovered && readers.size() == 1) {
+      if (isAlone) {
         const Mosaic::Sample only = readers[0].at(x);
-        sum = {only.height, 0, only.gradient, {}};
+        out.normals[static_cast<std::size_t>(terrain::normalIndex(column, row))] =
+            terrain::encodeNormal(only.gradient);
+        if (isInChunk(row) && isInChunk(column))
+          out.heights[static_cast<std::size_t>(terrain::sampleIndex(column, row))] =
+              coder.encode(only.height);
+        continue;
       }
+      Sum sum;
       for (Mosaic::Reader& reader : readers) {
         if (sum.rest == 0) break;
         sum.add(reader.at(x));
@@ -190,7 +211,7 @@ bool Source::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out
       const auto index = static_cast<std::size_t>(isInside ? terrain::sampleIndex(column, row) : 0);
       if (sum.rest == 1 && sum.restGradient == glm::dvec2(0, 0)) {
         out.normals[normal] = around.normals[normal];
-        if (isInside) out.heights[index] = out.heightRange.encode(around.height(index) + facts_.raisedM);
+        if (isInside) out.heights[index] = coder.encode(around.height(index) + facts_.raisedM);
         continue;
       }
       if (sum.rest > 0) {
@@ -199,7 +220,7 @@ bool Source::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out
         sum.addRest(height + facts_.raisedM, gradientOf(around.normals[normal]));
       }
       out.normals[normal] = terrain::encodeNormal(sum.gradient);
-      if (isInside) out.heights[index] = out.heightRange.encode(sum.height);
+      if (isInside) out.heights[index] = coder.encode(sum.height);
     }
   }
   return true;

@@ -30,13 +30,23 @@ struct Patch {
 struct Weights {
   std::array<float, 4> value, slope;
 };
-Weights weightsOf(float t) {
-  const float t2 = t * t, t3 = t2 * t;
-  return {{-0.5F * t + t2 - 0.5F * t3, 1 - 2.5F * t2 + 1.5F * t3, 0.5F * t + 2 * t2 - 1.5F * t3,
-           -0.5F * t2 + 0.5F * t3},
-          {-0.5F + 2 * t - 1.5F * t2, -5 * t + 4.5F * t2, 0.5F + 4 * t - 4.5F * t2, -t + 1.5F * t2}};
+// Four at once, which compilers turn into one vector.
+constexpr std::array<float, 4> kFlat{0, 1, 0, 0}, kLinear{-0.5F, 0, 0.5F, 0}, kSquare{1, -2.5F, 2, -0.5F},
+    kCube{-0.5F, 1.5F, -1.5F, 0.5F};
+inline Weights weightsOf(float t) {
+  Weights weights;
+  for (std::size_t i = 0; i < 4; ++i) {
+    weights.value[i] = kFlat[i] + t * (kLinear[i] + t * (kSquare[i] + t * kCube[i]));
+    weights.slope[i] = kLinear[i] + t * (2 * kSquare[i] + t * (3 * kCube[i]));
+  }
+  return weights;
 }
-Patch surfaceAt(const float* cells, float across, float down) {
+// The largest whole number not above it; of places on a lattice, which are far below 2^62.
+inline std::int64_t floorOf(double value) {
+  const auto whole = static_cast<std::int64_t>(value);
+  return whole - (static_cast<double>(whole) > value ? 1 : 0);
+}
+inline Patch surfaceAt(const float* cells, float across, float down) {
   const Weights x = weightsOf(across), y = weightsOf(down);
   std::array<float, 4> values{}, slopes{};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -339,8 +349,7 @@ void Mosaic::Reader::enterPage(std::int64_t column, std::int64_t row) {
 Mosaic::Sample Mosaic::Reader::at(double x) {
   const Chart::Spot spot = row_->at(x);
   if (!spot.isValid) return {};
-  const double column = std::floor(spot.at.x), row = std::floor(spot.at.y);
-  const auto i = static_cast<std::int64_t>(column), k = static_cast<std::int64_t>(row);
+  const std::int64_t i = floorOf(spot.at.x), k = floorOf(spot.at.y);
   const std::int64_t pageColumn = i >> 7, pageRow = k >> 7;  // floors
   static_assert(Page::kCells == 1 << 7);
   if (!hasPage_ || pageColumn != pageColumn_ || pageRow != pageRow_) enterPage(pageColumn, pageRow);
@@ -350,8 +359,8 @@ Mosaic::Sample Mosaic::Reader::at(double x) {
   if (!page_) page_ = mosaic_->pageAt(pageColumn, pageRow);
   const float* cells = page_->patch(static_cast<int>(i - pageColumn * Page::kCells),
                                     static_cast<int>(k - pageRow * Page::kCells));
-  const Patch patch =
-      surfaceAt(cells, static_cast<float>(spot.at.x - column), static_cast<float>(spot.at.y - row));
+  const Patch patch = surfaceAt(cells, static_cast<float>(spot.at.x - static_cast<double>(i)),
+                                static_cast<float>(spot.at.y - static_cast<double>(k)));
   sample.height = patch.height;
   const double across = patch.acrossSlope, down = patch.downSlope;
   sample.gradient = {across * spot.dx.x + down * spot.dx.y, across * spot.dz.x + down * spot.dz.y};

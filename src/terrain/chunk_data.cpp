@@ -15,8 +15,9 @@ std::uint16_t encodeNormal(glm::dvec2 gradient) {
   // With the normal (-gx, 1, -gz): s scales with it, so it need not be normalised.
   const double x = -gradient.x, z = -gradient.y;
   const double scale = 127.0 / (std::abs(x) + 1.0 + std::abs(z));
-  const auto low = static_cast<unsigned>(std::floor((x + z) * scale + 128.5));
-  const auto high = static_cast<unsigned>(std::floor((x - z) * scale + 128.5));
+  // Both are above 0, where a cast rounds down.
+  const auto low = static_cast<unsigned>((x + z) * scale + 128.5);
+  const auto high = static_cast<unsigned>((x - z) * scale + 128.5);
   return static_cast<std::uint16_t>(low | high << 8);
 }
 
