@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/jpeg_check.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "support/instrumented.h"
@@ -48,6 +49,19 @@ TEST(PictureFile, thePictureFormatIsThatOfTheContentNotOfTheName) {
   EXPECT_EQ(readPicture(folder.path() / "really.jpg").rgba, image.rgba);
   std::filesystem::copy_file(corpus() / "goodBaseline.jpg", folder.path() / "really.png");
   EXPECT_EQ(readPicture(folder.path() / "really.png").width, 48);
+}
+
+TEST(PictureFile, aPhotographWithoutItsEndMarkIsRefusedBeforeItIsDecoded) {
+  // Cut before the mark, and with the mark of something else in its place: a decoder has all pixels by then.
+  const std::vector<std::byte> whole = readFile(corpus() / "goodBaseline.jpg");
+  ASSERT_EQ(whole.back(), std::byte{0xd9});
+  EXPECT_EQ(checkJpeg(whole, "whole").width, 48);
+  std::vector<std::byte> cut(whole.begin(), whole.end() - 2);
+  EXPECT_TRUE(
+      test::isOneLineAbout(test::refusalOf<DataError>([&] { checkJpeg(cut, "cut.jpg"); }), "cut.jpg"));
+  for (const int byte : {0xff, 0xfe, 0x00, 0x02}) cut.push_back(std::byte(byte));  // an empty comment
+  EXPECT_TRUE(test::isOneLineAbout(test::refusalOf<DataError>([&] { checkJpeg(cut, "comment.jpg"); }),
+                                   "comment.jpg"));
 }
 
 TEST(PictureCorpus, everyPhotographIsReadOrRefusedAsItsNameSays) {
