@@ -28,9 +28,7 @@ std::shared_ptr<const Raster> readText(const std::filesystem::path& file, std::s
 std::shared_ptr<const Raster> openAsItIs(const std::filesystem::path& file) {
   const std::string head = core::readFileStart(file, 1024);
   const auto begins = [&](std::string_view with) { return head.starts_with(with); };
-  if (begins(std::string_view("II*\0", 4)) || begins(std::string_view("MM\0*", 4)) ||
-      begins(std::string_view("II+\0", 4)) || begins(std::string_view("MM\0+", 4)))
-    return openGeoTiff(file);
+  if (isTiff(head)) return openGeoTiff(file);
   if (begins("\x89PNG")) return readHeightPng(file, core::readFile(file), crsBeside(file));
   if (begins("PK")) {
     Unpacked inner = unpackZip(file);
@@ -55,6 +53,11 @@ double finenessOf(const Raster& raster) {
 
 }  // namespace
 
+bool isTiff(std::string_view head) {
+  const auto begins = [&](const char* with) { return head.starts_with(std::string_view(with, 4)); };
+  return begins("II*\0") || begins("MM\0*") || begins("II+\0") || begins("MM\0+");
+}
+
 std::optional<std::string> guessedCrs(glm::dvec2 lowest, glm::dvec2 highest) {
   const auto isWithin = [&](double west, double south, double east, double north) {
     return lowest.x >= west && lowest.y >= south && highest.x <= east && highest.y <= north;
@@ -76,7 +79,7 @@ std::optional<std::string> crsBeside(const std::filesystem::path& file) {
 }
 
 std::optional<Georeference> worldFileBeside(const std::filesystem::path& file) {
-  for (const char* ending : {".pgw", ".pngw", ".tfw", ".wld"}) {
+  for (const char* ending : {".pgw", ".pngw", ".jgw", ".jpgw", ".tfw", ".wld"}) {
     std::filesystem::path beside = file;
     beside.replace_extension(ending);
     std::error_code error;

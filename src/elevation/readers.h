@@ -28,7 +28,12 @@ std::shared_ptr<const Raster> openSrtm(const std::filesystem::path& file);
 std::shared_ptr<const Raster> readSrtm(const std::string& name, std::string_view fileName,
                                        std::vector<std::byte> bytes);
 
+// By the first bytes of a file.
+bool isTiff(std::string_view head);
 std::shared_ptr<const Raster> openGeoTiff(const std::filesystem::path& file);
+
+class AerialImage;
+std::shared_ptr<const AerialImage> openGeoTiffImage(const std::filesystem::path& file);
 
 // Texts. A reference system that they do not name is that of a .prj file beside them, or told by their
 // coordinates (guessedCrs).
@@ -58,8 +63,8 @@ std::optional<std::string> guessedCrs(glm::dvec2 lowest, glm::dvec2 highest);
 // Text of the .prj file beside it, if there is one.
 std::optional<std::string> crsBeside(const std::filesystem::path& file);
 
-// Where a picture lies by the world file beside it (.pgw, .pngw, .wld; six lines), if there is one: without
-// its reference system.
+// Where a picture lies by the world file beside it (.pgw, .jgw, .wld, ..; six lines), if there is one:
+// without its reference system.
 std::optional<Georeference> worldFileBeside(const std::filesystem::path& file);
 
 // The same raster averaged over blocks of so many cells a side, voids left out.

@@ -93,6 +93,34 @@ def float_tiles(side=16):
     return tiff(geo(entries), blobs)
 
 
+def picture(bands=3, side=0, compress=False, rows_per_strip=5, **changes):
+    """An aerial image of 8-bit bands, in tiles where a side is given."""
+    def pixel(c, r):
+        return bytes([(c * 12) & 255, (r * 20) & 255, 128, 255 if c > 2 else 0][:bands] if bands > 1 else [c * 12 & 255])
+
+    blobs = []
+    if side:
+        parts = [(x, y, side, side) for y in range(0, HEIGHT, side) for x in range(0, WIDTH, side)]
+    else:
+        parts = [(0, y, WIDTH, min(rows_per_strip, HEIGHT - y)) for y in range(0, HEIGHT, rows_per_strip)]
+    for x, y, columns, rows in parts:
+        raw = b"".join(pixel(x + c, y + r) for r in range(rows) for c in range(columns))
+        blobs.append(zlib.compress(raw) if compress else raw)
+    entries = {256: long(WIDTH), 257: long(HEIGHT), 258: short(*[8] * bands), 259: short(8 if compress else 1),
+               262: short(2 if bands >= 3 else 1), 277: short(bands), 284: short(1)}
+    if bands in (2, 4):
+        entries[338] = short(2)
+    counts = long(*[len(b) for b in blobs])
+    if side:
+        entries.update({322: long(side), 323: long(side), 324: (4, len(blobs), "offsets"), 325: counts})
+    else:
+        entries.update({273: (4, len(blobs), "offsets"), 278: long(rows_per_strip), 279: counts})
+    entries = geo(entries)
+    del entries[42113]
+    entries.update(changes.get("entries", {}))
+    return tiff(entries, blobs)
+
+
 def png(decode_base):
     rows = b""
     for r in range(8):
@@ -117,7 +145,9 @@ def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(os.path.abspath(__file__)), "elevation")
 
     def write(name, content):
-        with open(os.path.join(folder, name), "wb") as file:
+        path = os.path.join(folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "wb") as file:
             file.write(content if isinstance(content, bytes) else content.encode())
 
     good = strips()
@@ -162,6 +192,33 @@ def main():
     write("badInfinite.xyz", "7 46 1\ninf 46 1\n")
     write("badZip.zip", b"PK\x03\x04" + bytes(40))
     write("badColours.png", png(lambda h: 0xfe0000))
+
+    # Aerial images.
+    rgb = picture()
+    write("../aerial/goodStrips.tif", rgb)
+    write("../aerial/goodTiles.tif", picture(4, 16, True))
+    write("../aerial/goodGrey.tif", picture(1, compress=True))
+    write("../aerial/goodPicture.png", png(lambda h: 0x4060a0 + int(h) % 32))
+    write("../aerial/goodPicture.pgw", "10\n0\n0\n-10\n2600005\n1200075\n")
+    write("../aerial/badCutOff.tif", rgb[:150])
+    write("../aerial/badLastStrip.tif", picture(entries={279: long(300, 300, 3000000)}))
+    write("../aerial/badStripCounts.tif", picture(entries={278: long(3)}))
+    write("../aerial/badBits.tif", picture(entries={258: short(16, 16, 16)}))
+    write("../aerial/badPlanes.tif", picture(entries={284: short(2)}))
+    write("../aerial/badColours.tif", picture(entries={262: short(8)}))
+    write("../aerial/badPacking.tif", picture(entries={259: short(34712)}))
+    write("../aerial/badHuge.tif", picture(entries={256: long(200000), 257: long(200000)}))
+    write("../aerial/badNoPlace.tif", picture(entries={33550: double(0, 0, 0)}))
+    write("../aerial/badSystem.tif", picture(entries={34735: short(1, 1, 0, 1, 3072, 0, 1, 31)}))
+    write("../aerial/badPixels.tif", picture(compress=True, entries={279: long(9, 9, 9)}))
+    write("../aerial/badAlone.png", png(lambda h: 0))
+    write("../aerial/badRotated.png", png(lambda h: 0))
+    write("../aerial/badRotated.pgw", "10\n1\n1\n-10\n2600005\n1200075\n")
+    write("../aerial/badWord.png", png(lambda h: 0))
+    write("../aerial/badWord.pgw", "10\n0\nzero\n-10\n2600005\n1200075\n")
+    write("../aerial/badFew.png", png(lambda h: 0))
+    write("../aerial/badFew.pgw", "10\n0\n0\n")
+    write("../aerial/badText.jpg", "no picture")
 
 
 main()
