@@ -105,6 +105,10 @@ LandSight landSight(vec3 relative) {
   return sight;
 }
 
+#ifdef GROUND_PICTURE
+#include "terrain/ground_picture.glsl"
+#endif
+
 // All but the finest.
 LandNoise coarseNoise(LandSight sight) {
   vec2 wide = noiseAt(sight.place, 1), middle = turnedNoiseAt(sight.place, 1), fine = noiseAt(sight.place, 24);
@@ -151,6 +155,9 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   vec3 normal = sight.normal;
   LandSurface land =
       landSurface(growthHeight(sight.heightM), normal.y, landCurvature(sight.texel), noise, strata.x, crowns, sight.treeShare);
+#ifdef GROUND_PICTURE
+  land = worn(land, sight, length(relative));
+#endif
 #ifdef FALLEN_WATER
   Fallen lying = fallenOn(land, sight.heightM, normal, noise, -relative / length(relative));
   land = lying.land;
@@ -173,6 +180,9 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
   LandNoise noise = coarseNoise(sight);
   LandSurface land = landSurface(growthHeight(sight.heightM), sight.normal.y, 0.0, noise, 0.0, noCrowns, 0.0);
+#ifdef GROUND_PICTURE
+  land = worn(land, sight, length(relative));
+#endif
 #ifdef FALLEN_WATER
   Fallen lying = fallenOn(land, sight.heightM, sight.normal, noise, -relative / length(relative));
   return litLand(lying.land, sight.normal, relative, lightShares) + mirroredSky(lying, lightShares);

@@ -47,6 +47,10 @@ class SceneReader {
         scene.farWeatherFiles = filesBeside(value, name);
       else if (name == "elevationFile")
         scene.elevationFiles = filesBeside(value, name, kMostElevationFiles);
+      else if (name == "imageFile")
+        scene.imageFiles = filesBeside(value, name, kMostElevationFiles);
+      else if (name == "imageCorners")
+        scene.imageCorners = corners(value, name);
       else
         fail(name, "unknown member");
     }
@@ -56,6 +60,10 @@ class SceneReader {
       fail("weatherFile", "the scene does not name the effect weather");
     if (!scene.elevationFiles.empty() && !scene.effects.contains(Effect::terrain))
       fail("elevationFile", "the scene does not name the effect terrain");
+    if (!scene.imageFiles.empty() && !scene.effects.contains(Effect::terrain))
+      fail("imageFile", "the scene does not name the effect terrain");
+    if (scene.imageCorners && scene.imageFiles.size() != 1)
+      fail("imageCorners", "there is not one imageFile");
     return scene;
   }
 
@@ -129,6 +137,13 @@ class SceneReader {
       files.push_back(std::filesystem::path(file_).parent_path() / name);
     }
     return files;
+  }
+
+  std::array<double, 4> corners(const json& value, std::string_view place) const {
+    if (!value.is_array() || value.size() != 4) fail(place, "is not a list of four numbers");
+    std::array<double, 4> all{};
+    for (std::size_t i = 0; i < 4; ++i) all[i] = number(value[i], place, -1e9, 1e9);
+    return all;
   }
 
   std::string settings(const json& value) const {

@@ -135,6 +135,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::SkySettings;
   using render::StarsSettings;
   using render::SunSettings;
+  using terrain::GroundPictureSettings;
   using terrain::StripSettings;
   using terrain::TerrainSettings;
   using terrain::TerrainStreamingSettings;
@@ -205,6 +206,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(PrecipitationSettings),
       SKYDROP_STRUCT(LightningSettings),
       SKYDROP_STRUCT(ElevationSettings),
+      SKYDROP_STRUCT(GroundPictureSettings),
       SKYDROP_STRUCT(LiveSettings),
   };
   std::set<std::string> tested;

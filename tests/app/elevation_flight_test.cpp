@@ -9,6 +9,7 @@
 #include "skydrop/core/file.h"
 #include "skydrop/game/contact.h"
 #include "support/elevation_files.h"
+#include "support/paths.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -104,12 +105,61 @@ TEST_F(ElevationFlight, sceneFilesNameThem) {
     line.scene = folder_.write("scene.json", R"({"schema": 1, "effects": ["terrain"], )" + members + "}");
     return prepareRun(line);
   };
-  EXPECT_EQ(prepare(R"("elevationFile": "hills.tif")")->setup.elevation.size(), 1u);
+  EXPECT_EQ(prepare(R"("elevationFile": "hills.tif")")->setup.land.elevation.size(), 1u);
   const auto refusal = [&](const std::string& members) {
     return test::refusalOf<core::DataError>([&] { prepare(members); });
   };
   EXPECT_NE(refusal(R"("elevationFile": "none.tif")").find("none.tif"), std::string::npos);
   EXPECT_NE(refusal(R"("effects": [], "elevationFile": "hills.tif")"), "");
+}
+
+TEST_F(ElevationFlight, aSceneThatIsWrittenAnewBringsItsLandAndADamagedOneChangesNothing) {
+  write();
+  const auto other = folder_.path() / "other.tif";
+  test::writeGeoTiff(other, 100, 100, {2640000, 1250000}, {20, 20},
+                     test::heightsOf(100, 100, [](double, double) { return 700.0; }));
+  folder_.write("damaged.tif", core::readTextFile(other).substr(0, 300));
+  const auto name = [&](const std::string& members) {
+    return folder_.write("scene.json", R"({"schema": 1, "effects": ["terrain"])" + members + "}");
+  };
+  CommandLine line;
+  line.verb = Verb::simulate;
+  line.scene = name(R"(, "elevationFile": "hills.tif")");
+  const auto run = prepareRun(line);
+  const double before = run->settings.elevation.latitude;
+  name(R"(, "elevationFile": "other.tif")");
+  reloadScene(*run, line);
+  ASSERT_EQ(run->setup.land.elevation.size(), 1u);
+  EXPECT_NE(run->setup.land.elevation[0]->name().find("other.tif"), std::string::npos);
+  EXPECT_GT(run->settings.elevation.latitude, before + 0.3);
+  EXPECT_EQ(run->settings.render.sun.latitudeDegrees, run->settings.elevation.latitude);
+  const Settings kept = run->settings;
+  const auto land = run->setup.land.elevation[0];
+  for (const char* file : {"damaged.tif", "none.tif"}) {
+    name(std::string(R"(, "elevationFile": ")") + file + '"');
+    const std::string refusal = test::refusalOf<core::DataError>([&] { reloadScene(*run, line); });
+    EXPECT_TRUE(test::isOneLineAbout(refusal, file)) << refusal;
+    EXPECT_EQ(run->setup.land.elevation[0], land) << "the last good land stays";
+    EXPECT_EQ(run->settings.elevation, kept.elevation);
+  }
+  name("");
+  reloadScene(*run, line);
+  EXPECT_TRUE(run->setup.land.elevation.empty());
+}
+
+TEST_F(ElevationFlight, anImageAloneLiesOnTheEndlessLandOfItsPlace) {
+  std::filesystem::copy_file(test::sourceDir() + "/tests/corpus/aerial/goodStrips.tif",
+                             folder_.path() / "image.tif");
+  CommandLine line;
+  line.verb = Verb::simulate;
+  line.scene =
+      folder_.write("scene.json", R"({"schema": 1, "effects": ["terrain"], "imageFile": "image.tif"})");
+  const auto run = prepareRun(line);
+  ASSERT_EQ(run->setup.land.images.size(), 1u);
+  EXPECT_TRUE(run->setup.land.elevation.empty());
+  EXPECT_NEAR(run->settings.elevation.latitude, 46.951, 0.001);
+  line.scene = folder_.write("bad.json", R"({"schema": 1, "effects": [], "imageFile": "image.tif"})");
+  EXPECT_NE(test::refusalOf<core::DataError>([&] { prepareRun(line); }), "");
 }
 
 TEST_F(ElevationFlight, dataFarFromThePlaceAreRefused) {

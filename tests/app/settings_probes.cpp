@@ -16,12 +16,16 @@
 #include "app/input/player_input.h"
 #include "app/session/flown_weather.h"
 #include "app/session/forecast_in_force.h"
+#include "app/session/photo_seen.h"
 #include "app/session/run_config.h"
 #include "app/window/overlay.h"
 #include "skydrop/audio/audio_manager.h"
 #include "skydrop/audio/sound_scene.h"
 #include "skydrop/core/hash.h"
+#include "skydrop/core/image.h"
 #include "skydrop/core/job_pool.h"
+#include "skydrop/core/shared.h"
+#include "skydrop/elevation/aerial_image.h"
 #include "skydrop/elevation/elevation_height_source.h"
 #include "skydrop/game/world.h"
 #include "skydrop/render/frame/camera.h"
@@ -382,6 +386,49 @@ std::uint64_t originPlace(const Settings& settings) {
   return h.value();
 }
 
+// An aerial image of 12 km around Bern, laid out.
+std::uint64_t groundPictures(const Settings& settings) {
+  static const test::TemporaryFolder folder;
+  static const auto image = [] {
+    core::Image picture(512, 512);
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+      picture.rgba[i] = static_cast<std::uint8_t>(i % 4 == 3 ? 255 : i / 512 % 200);
+    core::writePng(folder.path() / "image.png", picture);
+    return elevation::openAerialImage(folder.path() / "image.png",
+                                      elevation::ImageCorners{2594000, 1194000, 2606000, 1206000});
+  }();
+  const terrain::GroundPicture picture =
+      elevation::makeGroundPicture({image}, {46.95, 7.44}, settings.aerialImage);
+  core::StateHasher h;
+  for (const std::uint8_t byte : picture.levels[1].rgba) h.add(static_cast<std::uint64_t>(byte));
+  return h.value();
+}
+
+// What the land wears of an image, by the formulas of the shader.
+std::uint64_t wornGround(const Settings& settings) {
+  namespace shared = core::shared::f64;
+  const terrain::GroundPictureSettings& worn = settings.aerialImage;
+  core::StateHasher h;
+  for (double distance = 10; distance < 20000; distance *= 1.3) {
+    const double share = shared::groundPictureShare(0.8, distance, worn.share, worn.nearShare, worn.nearM);
+    h.add(shared::pictured({0.1, 0.2, 0.1}, {0.3, 0.3, 0.2}, share, worn.gain).x);
+  }
+  return h.value();
+}
+
+// A photograph over a picture.
+std::uint64_t photographs(const Settings& settings) {
+  core::Image dark(100, 2), light(100, 2);
+  for (std::size_t i = 0; i < dark.rgba.size(); ++i) {
+    dark.rgba[i] = static_cast<std::uint8_t>(i % 4 == 3 ? 255 : 10);
+    light.rgba[i] = static_cast<std::uint8_t>(i % 4 == 3 ? 255 : 240);
+  }
+  core::StateHasher h;
+  for (const std::uint8_t byte : together(dark, light, settings.view.photo, settings.view.photoShare).rgba)
+    h.add(static_cast<std::uint64_t>(byte));
+  return h.value();
+}
+
 // Where a flight over the file begins.
 std::uint64_t elevationRun(const Settings& settings) {
   CommandLine line;
@@ -631,6 +678,11 @@ const std::vector<Probe>& settingsProbes() {
       {"gear.", taxi},
       {"autopilot.", autopilot, {"game.targetNearest=1200", "game.targetFarthest=1500"}},
       {"terrain.", heights},
+      {"aerialImage.edgeM", groundPictures},
+      {"aerialImage.share", wornGround},
+      {"aerialImage.near", wornGround},
+      {"aerialImage.gain", wornGround},
+      {"view.photo", photographs},
       {"elevation.atCentre", elevationRun},
       {"elevation.blendM", elevationHeights},
       {"elevation.", originPlace},

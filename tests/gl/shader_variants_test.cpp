@@ -27,11 +27,13 @@ namespace {
 class ShaderVariantsGLTest : public test::GLTest {
  protected:
   // Draws what warms a flight up, and keeps the stages of the programs that it needed.
-  void draw(const std::string& scene, const std::vector<std::string>& set) {
+  void draw(const std::string& scene, const std::vector<std::string>& set,
+            const std::vector<std::filesystem::path>& images = {}) {
     CommandLine line;
     line.verb = Verb::render;
     line.scene = scene;
     line.set = set;
+    line.imageFiles = images;
     const auto run = prepareRun(line);
     Simulation simulation(run->setup, run->settings, run->table);
     SceneRenderer sceneRenderer(context(),
@@ -39,7 +41,8 @@ class ShaderVariantsGLTest : public test::GLTest {
                                  .ground = simulation.ground(),
                                  .workers = 1,
                                  .prepared = PreparedResources(test::sharedNoise()),
-                                 .framesFollow = true},
+                                 .framesFollow = true,
+                                 .images = simulation.images()},
                                 run->settings);
     sceneRenderer.warmUp(simulation.world().now(), {64, 36});
     for (const render::gl::ShaderProgram* program : sceneRenderer.renderer().shaders().programs()) {
@@ -81,6 +84,8 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("fair", {"clouds.march.history=quarter"});
   draw("warmFront", {});
   draw("bern", {});
+  draw("bern", {}, {core::assetPath("elevation/mittelland_aerial.tif")});
+  draw("bern", {"render.land.detail=plain"}, {core::assetPath("elevation/mittelland_aerial.tif")});
   draw("afterRain", {"clouds.march.history=quarter"});
   draw("afterRain", {"clouds.tier=reference"});
   draw("fair", {"clouds.march.history=sixteenth", "clouds.march.resolution=full"});

@@ -14,6 +14,8 @@
 //     "weatherFile": "bern.json",                 forecast or report, or several of one place
 //     "farWeatherFile": ["a.json", "b.json"],     those of a second site; both for the effect weather
 //     "elevationFile": ["a.tif", "b.tif"],        elevation data, for the effect terrain
+//     "imageFile": ["a.tif", "b.jpg"],            aerial images, for the effect terrain
+//     "imageCorners": [west, south, east, north], of the one image, where its file says nothing of its place
 //     "settings": {"aircraft": {...}, ...}        overrides of described settings (app checks them)
 //   }
 //
@@ -21,10 +23,12 @@
 // refused.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +59,8 @@ struct Scene {
   // Weather from files (module forecast); empty for none. A far one only with a near one.
   std::vector<std::filesystem::path> weatherFiles, farWeatherFiles;
   std::vector<std::filesystem::path> elevationFiles;  // of the land (module elevation); empty for none
+  std::vector<std::filesystem::path> imageFiles;      // of the ground's colours (module elevation)
+  std::optional<std::array<double, 4>> imageCorners;  // west, south, east, north; with one image alone
 };
 
 inline constexpr std::size_t kMostSceneBytes = std::size_t{1} << 20;

@@ -254,6 +254,7 @@ class Parser {
   void addFly(CLI::App& verb) {
     addView(verb);
     verb.add_flag("--fullscreen", line_.fullscreen, "fill the screen");
+    photoFlags_.addWindow(verb, line_);
   }
 
   void addRender(CLI::App& verb) {

@@ -77,6 +77,22 @@ void ElevationFlags::addLand(CLI::App& verb, CommandLine& line, bool views) {
       "there. With a HEIGHT above the ground, or with --look-at, a camera stands there",
       [&line](const std::string& t) { line.start = placeOf("--place", t, true); });
   if (!views) return;
+  addFiles(
+      verb, "--image", "--image",
+      "colours of the land from above: GeoTIFF, or PNG or JPEG with a world file beside it; of several the "
+      "first has the say",
+      line.imageFiles)
+      ->type_name("FILE..")
+      ->expected(1, 1000);
+  addText(verb, "--image-corners", "W,S,E,N",
+          "of one --image as PNG or JPEG: where its edges are, in degrees or LV95",
+          [&line](const std::string& t) {
+            const std::vector<std::string> parts = partsOf(t);
+            if (parts.size() != 4)
+              throw UsageError("--image-corners: '" + t + "' is not of the form W,S,E,N");
+            const auto part = [&](std::size_t i) { return number("--image-corners", parts[i], -1e9, 1e9); };
+            line.imageCorners = {part(0), part(1), part(2), part(3)};
+          });
   addText(verb, "--look-at", "LAT,LON|NAME", "of --place: where the camera looks, level",
           [&line](const std::string& t) { line.lookAt = placeOf("--look-at", t, false).place; });
 }
@@ -112,6 +128,8 @@ void ElevationFlags::finish(CommandLine& line, bool hasCamera) const {
   if (line.lookAt && !line.start) throw UsageError("--look-at belongs to --place, which is not given");
   if (line.verb == Verb::elevation && line.elevation.files.empty())
     throw UsageError("elevation check: there is no file to check");
+  if (line.imageCorners && line.imageFiles.size() != 1)
+    throw UsageError("--image-corners belongs to one --image");
   if (!line.start) return;
   if (line.replay) throw UsageError("--replay brings its own place: --place cannot be given with it");
   const elevation::GeoPlace& place = line.start->place;

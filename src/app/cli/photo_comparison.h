@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/types/command_line.h"
+#include "app/cli/photo_series.h"
+#include "app/session/photo_seen.h"
+#include "app/types/photo_request.h"
 #include "skydrop/accuracy/picture_histogram.h"
 #include "skydrop/core/image.h"
 #include "skydrop/core/output_file.h"
@@ -14,39 +16,31 @@
 
 namespace skydrop::app {
 
-// The photograph as the view would see it: of the view's size, transparent where it shows nothing. Of a
-// panorama the middle row is the horizon, and a degree is as many pixels high as wide; else the photograph's
-// middle is the view's, by its field of view or, without one, by the view's.
-core::Image asSeen(const core::Image& photo, const PhotoRequest& request, const render::View& view);
-
-// The picture with the photograph of its size: laid over it, up to a share of its width, or to its left.
-core::Image together(const core::Image& picture, const core::Image& photo, PhotoView view, double share);
-
-struct PhotoDistances {
-  int frame = 0;
-  double seconds = 0;  // simulated
-  std::array<double, accuracy::kPictureChannels> chiSquare{}, earthMovers{};
-};
-
-std::string photoTable(const std::vector<PhotoDistances>& frames);  // CSV
-core::Image photoPlot(const std::vector<PhotoDistances>& frames);   // earth mover's over the frames
-
 class PhotoComparison {
  public:
-  // Reads photograph and mask, and opens the outputs. Throws core::DataError.
+  // Reads the first photograph and the mask, and opens the outputs. Throws core::DataError.
   explicit PhotoComparison(const PhotoRequest& request);
 
-  // A line about the frame; it becomes a row of the table. Throws core::DataError where they share no pixel.
-  std::string compare(const core::Image& picture, const render::View& view, int frame, double seconds);
+  // Whether compare() wants the sky of the frame.
+  bool wantsSky() const { return request_.sky == PhotoSky::frame && !request_.mask; }
+  // A line about the frame; it becomes a row of the table. `utc`: its time, where the sun goes by the clock;
+  // skyOfFrame: of the picture's size, white where it shows sky (photo_sky.h). Throws core::DataError where
+  // they share no pixel, and a photograph that cannot be read.
+  std::string compare(const core::Image& picture, const render::View& view, int frame, double seconds,
+                      const std::optional<sky::Instant>& utc = {}, const core::Image* skyOfFrame = nullptr);
   // What is written of the frame.
   core::Image shown(const core::Image& picture, const render::View& view) const;
   // Writes table and plot.
   void finish();
 
  private:
+  void take(const std::filesystem::path& file);
+  const std::filesystem::path& photoAt(const std::optional<sky::Instant>& utc) const;
+
   PhotoRequest request_;
-  core::Image photo_;  // what the mask leaves out is transparent
-  core::Image whole_;  // without the mask
+  std::filesystem::path taken_;  // the photograph that is held now
+  core::Image photo_;            // what the mask leaves out is transparent
+  core::Image whole_;            // without the mask
   std::vector<PhotoDistances> frames_;
   std::optional<core::OutputFile> table_, plot_;
 };

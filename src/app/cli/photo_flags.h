@@ -12,12 +12,15 @@ namespace skydrop::app {
 // Outlives the parsing.
 class PhotoFlags {
  public:
-  void add(CLI::App& verb, CommandLine& line);
+  void add(CLI::App& verb, CommandLine& line);        // of the verb that writes pictures
+  void addWindow(CLI::App& verb, CommandLine& line);  // of the flight in a window
   // Throws core::UsageError.
   void check(const CommandLine& line) const;
 
  private:
-  std::vector<std::string> words_;  // flags that belong to --compare
+  void addPlace(CLI::App& verb, CommandLine& line, const std::string& of);
+
+  std::vector<std::string> words_;  // flags that belong to --compare or --photo
 };
 
 }  // namespace skydrop::app

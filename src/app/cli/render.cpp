@@ -6,6 +6,7 @@
 
 #include "app/cli/frame_path.h"
 #include "app/cli/photo_comparison.h"
+#include "app/cli/photo_sky.h"
 #include "app/cli/verbs.h"
 #include "app/console/message.h"
 #include "app/console/progress.h"
@@ -28,6 +29,8 @@
 #include "app/window/weather_bar_data.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/fixed_step.h"
+#include "skydrop/render/terrain/terrain_pass.h"
+#include "skydrop/sky/instant.h"
 
 namespace skydrop::app {
 namespace {
@@ -103,6 +106,33 @@ void noteIdle(core::FrameStatistics& statistics, const Overlay* overlay) {
 
 }  // namespace
 
+namespace {
+
+// The photograph beside a frame that has just been drawn.
+std::string compared(PhotoComparison& photo, SceneRenderer& sceneRenderer, const core::Image& image,
+                     const render::View& view, int frame, double seconds, const Settings& settings) {
+  const render::SunSettings& sun = settings.render.sun;
+  std::optional<sky::Instant> utc;
+  if (sun.source == render::SunSource::clock) {
+    const double later =
+        sun.shiftDays * 86400 + sun.shiftHours * 3600 + sun.offsetSeconds + seconds * sun.timeScale;
+    utc = sky::Instant{sun.utcMs + std::llround(1000 * later)};
+  }
+  if (!photo.wantsSky()) return photo.compare(image, view, frame, seconds, utc);
+  std::vector<float> depths;
+  if (const auto* land = sceneRenderer.renderer().find<render::TerrainPass>()) {
+    const render::gl::Texture& depth = land->landDepth();
+    depths.resize(static_cast<std::size_t>(depth.width()) * static_cast<std::size_t>(depth.height()));
+    depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(depths)));
+    if (depth.width() != view.width || depth.height() != view.height)
+      throw core::UsageError("--photo-mask frame: needs render.scale=1");
+  }
+  const core::Image sky = skyOfFrame(view, depths);
+  return photo.compare(image, view, frame, seconds, utc, &sky);
+}
+
+}  // namespace
+
 int render(const CommandLine& line) {
   const std::unique_ptr<RunConfig> run = prepareRun(line);
   if (sets(line, "view.frameBudgetMs") && run->settings.view.frameBudgetMs > 0)
@@ -123,9 +153,14 @@ int render(const CommandLine& line) {
   const int workers = line.workers.value_or(core::JobPool::defaultWorkerCount() + 1);
   preparations.waitUntilReady();
   const scene::EffectSet& effects = simulation.effects();
-  SceneRenderer sceneRenderer(
-      *context, {effects, simulation.ground(), workers, stats.has_value(), preparations.results(effects)},
-      run->settings);
+  SceneRenderer sceneRenderer(*context,
+                              {.effects = effects,
+                               .ground = simulation.ground(),
+                               .workers = workers,
+                               .measuring = stats.has_value(),
+                               .prepared = preparations.results(effects),
+                               .images = simulation.images()},
+                              run->settings);
   simulation.setMeasuring(stats.has_value());
   for (const std::string& message : preparations.takeMessages()) warn(message);
   if (line.pose) {
@@ -206,7 +241,8 @@ int render(const CommandLine& line) {
     statistics.other["readBack"] += reading.ms();
     const render::View seen = sceneRenderer.view(now, size);
     const std::string distances =
-        photo ? photo->compare(image, seen, frame, now.simulatedSeconds) : std::string();
+        photo ? compared(*photo, sceneRenderer, image, seen, frame, now.simulatedSeconds, run->settings)
+              : std::string();
     const Stopwatch writing;
     files.write(frame, photo ? photo->shown(image, seen) : image, pictureTexts(*run, now, seen));
     statistics.other["png"] += writing.ms();

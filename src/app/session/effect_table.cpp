@@ -59,12 +59,17 @@ void addLand(SceneRenderer& sceneRenderer) {
   const int workers = setup.workers.value_or(core::JobPool::defaultWorkerCount());
   sceneRenderer.stream(std::make_unique<LandStreaming>(sceneRenderer.renderer(), setup.ground, workers,
                                                        sceneRenderer.settings().streaming));
+  if (setup.images.empty()) return;
+  const elevation::ElevationSettings& place = sceneRenderer.settings().elevation;
+  sceneRenderer.streaming()->wear(setup.images, {place.latitude, place.longitude},
+                                  sceneRenderer.settings().aerialImage);
 }
 
 void removeLand(SceneRenderer& sceneRenderer) { sceneRenderer.stream(nullptr); }
 
 void applyLand(SceneRenderer& sceneRenderer, const SettingsChange& change) {
   if (change.touches("streaming")) sceneRenderer.streaming()->apply(sceneRenderer.settings().streaming);
+  if (change.touches("aerialImage")) sceneRenderer.streaming()->apply(sceneRenderer.settings().aerialImage);
 }
 
 void addHaze(render::FrameFeatures& features) { features.haze = true; }
@@ -132,7 +137,8 @@ const std::vector<EffectDescriptor>& effectTable() {
                         {"streaming", "Terrain LOD"},
                         {"terrain", "Shape of the land"},
                         {"strips", "Grass strips"},
-                        {"elevation", "Elevation data"}}},
+                        {"elevation", "Elevation data"},
+                        {"aerialImage", "Aerial image"}}},
       {.effect = Effect::sky,
        .addPasses = addSky,
        .menuSections = {{"sky", "Sky", false, {"render.sky"}, ui::MenuSection::Head::choiceButtons},

@@ -14,8 +14,8 @@ std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& 
   auto noise = terrain::makeNoiseHeightSource(settings.terrain, setup.seed);
   if (settings.strips.density > 0)
     noise = terrain::makeLandWithStrips(std::move(noise), settings.strips, setup.seed);
-  if (setup.elevation.empty()) return noise;
-  return elevation::makeElevationHeightSource(setup.elevation, settings.elevation, std::move(noise));
+  if (setup.land.elevation.empty()) return noise;
+  return elevation::makeElevationHeightSource(setup.land.elevation, settings.elevation, std::move(noise));
 }
 
 }  // namespace skydrop::app

@@ -20,6 +20,28 @@ LandStreaming::LandStreaming(render::Renderer& renderer, std::shared_ptr<const t
   renderer.add(std::move(pass));
 }
 
+void LandStreaming::wear(std::vector<std::shared_ptr<const elevation::AerialImage>> images,
+                         const elevation::GeoPlace& origin, const terrain::GroundPictureSettings& settings) {
+  images_ = std::move(images);
+  origin_ = origin;
+  worn_ = settings;
+  if (images_.empty()) return;
+  const terrain::GroundPicture picture = elevation::makeGroundPicture(images_, origin_, worn_);
+  render::gl::GpuResourceTracker& resources = renderer_.context().resources();
+  resources.setOwner(owner_);
+  pass_->wear(picture);
+  resources.setOwner("");
+  pass_->setWorn(worn_);
+}
+
+void LandStreaming::apply(const terrain::GroundPictureSettings& settings) {
+  if (images_.empty()) return;
+  if (settings.edgeM != worn_.edgeM || settings.megatexels != worn_.megatexels)
+    return wear(std::move(images_), origin_, settings);
+  worn_ = settings;
+  pass_->setWorn(settings);
+}
+
 const terrain::TerrainFrame& LandStreaming::update(const render::View& view) {
   return take(terrain_.update(render::viewVolume(view)));
 }

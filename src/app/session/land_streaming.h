@@ -8,6 +8,7 @@
 
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/job_pool.h"
+#include "skydrop/elevation/aerial_image.h"
 #include "skydrop/render/frame/renderer.h"
 #include "skydrop/render/terrain/terrain_pass.h"
 #include "skydrop/terrain/endless_terrain.h"
@@ -19,6 +20,13 @@ class LandStreaming {
   // Adds the pass to the renderer, which must outlive this. workers: threads, at least 1.
   LandStreaming(render::Renderer& renderer, std::shared_ptr<const terrain::HeightSource> ground, int workers,
                 const terrain::TerrainStreamingSettings& settings);
+
+  // From now on the land wears these images: around a world's origin at the place. Reads all of them, which
+  // takes some hundredths of a second a megatexel. Throws core::DataError.
+  void wear(std::vector<std::shared_ptr<const elevation::AerialImage>> images,
+            const elevation::GeoPlace& origin, const terrain::GroundPictureSettings& settings);
+  // The images are read again where the settings ask for another picture of them.
+  void apply(const terrain::GroundPictureSettings& settings);
 
   const terrain::EndlessTerrain& terrain() const { return terrain_; }
   const terrain::HeightSource& ground() const { return *ground_; }
@@ -46,6 +54,9 @@ class LandStreaming {
   core::JobPool workers_;
   terrain::EndlessTerrain terrain_;
   render::TerrainPass* pass_;  // the renderer's
+  std::vector<std::shared_ptr<const elevation::AerialImage>> images_;
+  elevation::GeoPlace origin_;
+  terrain::GroundPictureSettings worn_;
 };
 
 }  // namespace skydrop::app

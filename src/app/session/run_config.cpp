@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "app/session/flown_weather.h"
+#include "app/session/land_files.h"
 #include "app/session/live_weather.h"
+#include "app/session/recorded_files.h"
 #include "app/settings/cloud_tier.h"
 #include "app/settings/mood.h"
 #include "app/settings/preset_store.h"
@@ -17,8 +19,6 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/core/fixed_step.h"
-#include "skydrop/elevation/projection.h"
-#include "skydrop/elevation/raster.h"
 #include "skydrop/forecast/forecast_of.h"
 
 namespace skydrop::app {
@@ -236,30 +236,6 @@ std::string pathOf(const core::SettingsTable& table, const std::string& assignme
   return field ? field->path : "";
 }
 
-using WeatherRecords = std::vector<game::InputLog::WeatherRecord>;
-
-// What a log keeps of weather files. In a replay they are to be those that were flown in.
-WeatherRecords recordsOf(const forecast::Files& files, const std::vector<std::uint64_t>& digests,
-                         const WeatherRecords* flown, const std::string& log) {
-  WeatherRecords records;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::absolute(files[i], error);
-    records.push_back({(error ? files[i] : absolute).string(), digests[i]});
-    if (flown && (*flown)[i].digest != digests[i])
-      throw core::DataError(
-          core::inputName(files[i]), "",
-          "is not what " + log + " was flown in: " + (*flown)[i].source + " had another content");
-  }
-  return records;
-}
-
-forecast::Files sourcesOf(const WeatherRecords& records) {
-  forecast::Files files;
-  for (const auto& record : records) files.emplace_back(record.source);
-  return files;
-}
-
 // Whether the start of the flight lies outside of the near site's hours.
 void noteHeld(const weather::Forecast& forecast, const weather::ForecastClock& clock, const std::string& file,
               RunConfig& run) {
@@ -308,46 +284,17 @@ void readWeatherFiles(const CommandLine& line, RunConfig& run) {
            core::inputName(near[0]), run);
 }
 
-// The elevation files of the command line, of the scene, or those that a replay was flown over. The world's
-// origin, and the place whose sky it is, follow the data unless somebody says otherwise. Settings are
-// composed again where that sets rows.
-void readElevationFiles(const CommandLine& line, RunConfig& run) {
+// The files of the land, and the rows that follow them, under all that somebody says. Settings are composed
+// again where that sets rows.
+void readLandFiles(const CommandLine& line, RunConfig& run) {
   SimulationSetup& setup = run.setup;
   const game::InputLog* log = setup.replay ? &*setup.replay : nullptr;
-  std::vector<std::filesystem::path> files = line.elevationFiles;
-  if (files.empty()) files = log ? sourcesOf(log->elevation) : setup.scene.elevationFiles;
-  if (log && log->elevation.size() != files.size())
-    throw core::DataError(setup.replayFile, "elevation",
-                          "was flown over " + std::to_string(log->elevation.size()) +
-                              " elevation files, and not over the " + std::to_string(files.size()) +
-                              " that are given");
-  if (files.empty()) return;
-  for (const std::filesystem::path& file : files) setup.elevation.push_back(elevation::openRaster(file));
-  if (log || line.record) {
-    std::vector<std::uint64_t> digests;
-    for (const std::filesystem::path& file : files) digests.push_back(elevation::contentDigest(file));
-    setup.elevationRecords = recordsOf(files, digests, log ? &log->elevation : nullptr, setup.replayFile);
-  }
+  setup.land = openLandFiles(line, setup.scene, log, setup.replayFile);
   if (log) return;
-  std::vector<std::string> rows;
-  const auto put = [&](const std::string& path, double value) {
-    const core::Field& field = run.table.at(path);
-    Settings before;
-    const core::SettingsTable defaults(before);
-    if (field.get() != defaults.at(path).get()) return;  // somebody has said where
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "=%.9f", value);
-    rows.push_back(path + text.data());
-  };
-  elevation::GeoPlace origin{run.settings.elevation.latitude, run.settings.elevation.longitude};
-  if (run.settings.elevation.atCentre) {
-    origin = elevation::centreOf(*setup.elevation[0]);
-    put("elevation.latitude", origin.latitude);
-    put("elevation.longitude", origin.longitude);
-  }
-  put("render.sun.latitudeDegrees", origin.latitude);
-  put("render.sun.longitudeDegrees", origin.longitude);
-  run.overrides.insert(run.overrides.begin(), rows.begin(), rows.end());
+  std::erase_if(run.overrides, [&](const std::string& set) { return holds(run.landRows, set); });
+  run.landRows = rowsOfLand(setup.land, run.settings, run.table);
+  if (run.landRows.empty()) return;
+  run.overrides.insert(run.overrides.begin(), run.landRows.begin(), run.landRows.end());
   compose(run, setup.scene, ownChoices(run.userSettings), When::start);
 }
 
@@ -378,8 +325,9 @@ void forgetOverrides(RunConfig& run, const std::string& path) {
 }  // namespace
 
 Choices choicesOf(const RunConfig& run) {
-  return {run.settings, run.base,    run.player,  run.bindings,    run.userSettings, run.overrides,
-          run.governed, run.beneath, run.quality, run.setup.scene, run.setup.seed};
+  return {run.settings,   run.base,       run.player,  run.bindings, run.userSettings,
+          run.overrides,  run.governed,   run.beneath, run.quality,  run.setup.scene,
+          run.setup.seed, run.setup.land, run.landRows};
 }
 
 SettingsChange goBackTo(const Choices& choices, RunConfig& run) {
@@ -395,6 +343,8 @@ SettingsChange goBackTo(const Choices& choices, RunConfig& run) {
   run.quality = choices.quality;
   run.setup.scene = choices.scene;
   run.setup.seed = choices.seed;
+  run.setup.land = choices.land;
+  run.landRows = choices.landRows;
   run.table.takeDefaults(run.baseTable);
   return changeSince(before, run);
 }
@@ -428,7 +378,7 @@ std::unique_ptr<RunConfig> prepareRun(const CommandLine& line) {
   }
   compose(*run, setup.scene, ownChoices(run->userSettings), When::start);
   if (line.replay) noteOverrides(*run);
-  readElevationFiles(line, *run);
+  readLandFiles(line, *run);
   readWeatherFiles(line, *run);
   if (line.record) run->recorder = std::make_unique<FlightRecorder>(*line.record);
   setup.recorder = run->recorder.get();
@@ -485,7 +435,23 @@ Settings ungoverned(const RunConfig& run) {
 SettingsChange reloadScene(RunConfig& run, const CommandLine& line) {
   const Settings before = run.settings;
   const scene::Scene scene = scene::loadScene(run.setup.scene.source);
-  compose(run, scene, ownChoices(run.userSettings), When::flying);
+  const bool isOtherLand = namesOtherLand(line, run.setup.scene, scene);
+  const LandFiles land =
+      isOtherLand ? openLandFiles(line, scene, nullptr, run.setup.replayFile) : run.setup.land;
+  const Choices whole = choicesOf(run);
+  try {
+    if (isOtherLand) {
+      std::erase_if(run.overrides, [&](const std::string& set) { return holds(run.landRows, set); });
+      compose(run, scene, ownChoices(run.userSettings), When::flying);
+      run.landRows = rowsOfLand(land, run.settings, run.table);
+      run.overrides.insert(run.overrides.begin(), run.landRows.begin(), run.landRows.end());
+    }
+    compose(run, scene, ownChoices(run.userSettings), When::flying);
+  } catch (...) {
+    goBackTo(whole, run);
+    throw;
+  }
+  run.setup.land = land;
   run.setup.scene = scene;
   if (!line.seed && !line.replay) run.setup.seed = scene.seed;
   return changeSince(before, run);

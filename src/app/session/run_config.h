@@ -31,6 +31,7 @@ struct RunConfig {
   core::SettingsTable playerTable;
   Bindings bindings;                   // the player's
   std::vector<std::string> overrides;  // --set, without what the menu changed since
+  std::vector<std::string> landRows;   // those of them that the files of the land stand for
   // By a frame budget: over all of these, and nobody's choice; and what these rows are without it.
   GovernedRows governed, beneath;
   bool softwareRenderer = false;
@@ -59,6 +60,8 @@ struct Choices {
   Quality quality = Quality::high;
   scene::Scene scene;
   std::uint64_t seed = 1;
+  LandFiles land;
+  std::vector<std::string> landRows;
 };
 Choices choicesOf(const RunConfig& run);
 // Returns what changed by it.

@@ -19,6 +19,7 @@
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
+#include "skydrop/elevation/aerial_image.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/eye_adaptation.h"
@@ -49,6 +50,7 @@ class SceneRenderer {
     // Frames are drawn one after the other, as they are flown: each may use what the one before it left
     // (render::FrameInput::followsLast). Off, each is a function of snapshot, view and settings.
     bool framesFollow = false;
+    std::vector<std::shared_ptr<const elevation::AerialImage>> images = {};  // that the land wears
   };
 
   // Adds the passes of the effects (effect_table.h). Context and settings must outlive it. Throws

@@ -106,7 +106,7 @@ void Simulation::beginRecording() {
   start.scene = {setup_.scene.source, setup_.scene.text};
   start.weather = setup_.weatherRecords;
   start.farWeather = setup_.farWeatherRecords;
-  start.elevation = setup_.elevationRecords;
+  start.elevation = setup_.land.records;
   start.seed = setup_.seed;
   start.settings = simulationSettings(*table_);
   setup_.recorder->begin(start, world_.stateHash());

@@ -11,12 +11,12 @@
 
 #include "app/session/flight_recorder.h"
 #include "app/session/forecast_in_force.h"
+#include "app/session/land_files.h"
 #include "app/settings/settings.h"
 #include "app/settings/settings_change.h"
 #include "skydrop/clouds/cloud_field.h"
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
-#include "skydrop/elevation/raster.h"
 #include "skydrop/game/autopilot.h"
 #include "skydrop/game/input_log.h"
 #include "skydrop/game/world.h"
@@ -38,9 +38,8 @@ struct SimulationSetup {
   std::shared_ptr<const weather::Forecast> forecast;  // of weather files; null: there are none
   bool forecastsCome = false;                         // newer ones, while flying: see takeForecast()
   std::vector<game::InputLog::WeatherRecord> weatherRecords,
-      farWeatherRecords;                                            // of those files, for the log
-  std::vector<std::shared_ptr<const elevation::Raster>> elevation;  // what the land is made of; empty: noise
-  std::vector<game::InputLog::WeatherRecord> elevationRecords;
+      farWeatherRecords;  // of those files, for the log
+  LandFiles land;
 };
 
 // Why the setting cannot change in this flight, empty if it can: what would load it again during a recording
@@ -64,6 +63,9 @@ class Simulation {
   const game::World& world() const { return world_; }
   game::World& world() { return world_; }
   const std::shared_ptr<const terrain::HeightSource>& ground() const { return ground_; }
+  const std::vector<std::shared_ptr<const elevation::AerialImage>>& images() const {
+    return setup_.land.images;
+  }
   // Those that are on and have something to do (scene::effective).
   const scene::EffectSet& effects() const { return effects_; }
   Pilot pilot() const { return setup_.pilot; }

@@ -65,6 +65,18 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
   visitor.flag("weatherBar", settings.weatherBar,
                {.help = "The bar of the forecast at the bottom, in flights with weather data.",
                 .aliases = "forecast, time slider, live, play"});
+  visitor.choice(
+      "photo", settings.photo, kPhotoViewNames,
+      {.help = "How a photograph (--photo) is laid over the picture: not, with an opacity, up to a "
+               "share of the width, or small to the left.",
+       .aliases = "photograph, overlay, wipe, side by side, compare"});
+  visitor.number("photoShare", settings.photoShare,
+                 {.unit = "1",
+                  .min = 0,
+                  .max = 1,
+                  .help = "The opacity of a photograph that is laid over, or the share of the width that a "
+                          "wiped one has from the left.",
+                  .aliases = "opacity, wipe"});
   visitor.group("split", settings.split, "The picture beside a reference.");
 }
 
@@ -77,6 +89,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("strips", settings.strips, "Grass strips in the land: places to land.");
   visitor.group("gear", settings.gear, "The landing gear: what it bears, and what it stands.");
   visitor.group("elevation", settings.elevation, "Where elevation data lie, and how they end.");
+  visitor.group("aerialImage", settings.aerialImage, "How the land wears aerial images.");
   visitor.group("streaming", settings.streaming,
                 "How fine and how far the land is drawn, and what it may cost.");
   visitor.group("render", settings.render, "Sun, air, cameras and exposure.");

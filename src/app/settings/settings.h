@@ -12,6 +12,7 @@
 #include "app/settings/effect_switches.h"
 #include "app/settings/mood.h"
 #include "app/settings/split_settings.h"
+#include "app/types/photo_request.h"
 #include "skydrop/audio/audio_settings.h"
 #include "skydrop/clouds/cloud_dome_settings.h"
 #include "skydrop/clouds/cloud_planes_settings.h"
@@ -38,6 +39,7 @@
 #include "skydrop/render/sky/rainbow_settings.h"
 #include "skydrop/render/sky/stars_settings.h"
 #include "skydrop/scene/scene.h"
+#include "skydrop/terrain/ground_picture.h"
 #include "skydrop/terrain/strips.h"
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
@@ -57,8 +59,10 @@ struct ViewSettings {
   double frameBudgetMs = 0;  // that frames may take; 0: none
   bool vsync = true;
   double interfaceScale = 1;
-  bool eyeAdaptation = true;  // in frames that follow each other
-  bool weatherBar = false;    // where there is weather data
+  bool eyeAdaptation = true;             // in frames that follow each other
+  bool weatherBar = false;               // where there is weather data
+  PhotoView photo = PhotoView::overlay;  // how it is shown, in flights with a photograph
+  double photoShare = 0.5;               // its opacity, or how much of the width it has, [0, 1]
   SplitSettings split;
 };
 
@@ -77,7 +81,8 @@ struct Settings {
   terrain::TerrainSettings terrain;
   terrain::StripSettings strips;
   flight::GearSettings gear;
-  elevation::ElevationSettings elevation;  // of elevation files, where there are some
+  elevation::ElevationSettings elevation;      // of elevation files, where there are some
+  terrain::GroundPictureSettings aerialImage;  // of aerial images, where there are some
   terrain::TerrainStreamingSettings streaming;
   render::RenderSettings render;
   clouds::CloudSettings clouds;

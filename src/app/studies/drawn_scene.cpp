@@ -24,7 +24,8 @@ DrawnScene::DrawnScene(std::unique_ptr<RunConfig> run, double seconds, Size size
                                                                    .workers = std::nullopt,
                                                                    .measuring = false,
                                                                    .prepared = preparations_.results(effects),
-                                                                   .table = &table},
+                                                                   .table = &table,
+                                                                   .images = simulation_->images()},
                                               run_->settings);
 }
 

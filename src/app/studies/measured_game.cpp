@@ -41,8 +41,10 @@ MeasuredGame::MeasuredGame(const Setup& setup)
   preparations_.waitUntilReady();
   sceneRenderer_ =
       std::make_unique<SceneRenderer>(*context_,
-                                      SceneRenderer::Setup{effects, simulation_->ground(), std::nullopt,
-                                                           false, preparations_.results(effects)},
+                                      SceneRenderer::Setup{.effects = effects,
+                                                           .ground = simulation_->ground(),
+                                                           .prepared = preparations_.results(effects),
+                                                           .images = simulation_->images()},
                                       run_->settings);
   if (effects.contains(scene::Effect::hud)) {
     overlay_ = std::make_unique<Overlay>(effects, size_, helpRows(Bindings()));

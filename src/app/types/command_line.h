@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "app/types/lab_request.h"
+#include "app/types/photo_request.h"
 #include "app/types/pose.h"
 #include "app/types/report_format.h"
 #include "app/types/size.h"
+#include "skydrop/elevation/aerial_image.h"
 #include "skydrop/elevation/projection.h"
 #include "skydrop/forecast/fetch.h"
 #include "skydrop/noise/noise_generator.h"
@@ -91,21 +93,6 @@ struct ElevationRequest {
   std::vector<glm::dvec2> at;  // north, east in degrees where both can be that; else east, north in metres
 };
 
-// A photograph beside the rendered picture.
-enum class PhotoView { none, overlay, wipe, beside };
-inline constexpr std::array<std::string_view, 4> kPhotoViewNames = {"none", "overlay", "wipe", "beside"};
-
-struct PhotoRequest {
-  std::filesystem::path file;  // PNG or JPEG
-  PhotoView view = PhotoView::none;
-  double share = 0.5;                          // opacity, or how much of the width the photograph has
-  std::optional<double> fieldDegrees;          // its horizontal field of view; without: that of the picture
-  std::optional<double> panoramaFromDegrees;   // it goes round the horizon from this heading at its left edge
-  std::optional<std::filesystem::path> mask;   // of the photograph: white is what counts, the sky
-  std::optional<std::filesystem::path> table;  // CSV, a line for each frame
-  std::optional<std::filesystem::path> plot;   // PNG of the table
-};
-
 // The service whose weather is flown in and renewed.
 struct LiveRequest {
   forecast::FetchRequest fetch;  // without its key
@@ -124,9 +111,10 @@ struct CommandLine {
   std::optional<std::filesystem::path> userDir, stats, replay, record;
   std::vector<std::filesystem::path> weatherFiles,
       farWeatherFiles;  // forecasts; far ones only with near ones
-  std::vector<std::filesystem::path> elevationFiles;
-  std::optional<PlaceRequest> start;          // --place
-  std::optional<elevation::GeoPlace> lookAt;  // needs a start
+  std::vector<std::filesystem::path> elevationFiles, imageFiles;
+  std::optional<elevation::ImageCorners> imageCorners;  // of the one image
+  std::optional<PlaceRequest> start;                    // --place
+  std::optional<elevation::GeoPlace> lookAt;            // needs a start
   bool autopilot = false;
 
   // fly

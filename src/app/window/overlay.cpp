@@ -42,6 +42,9 @@ OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
   result.fontsChanged =
       interface_.beginFrame(frame.size.width, frame.size.height, frame.seconds, frame.scale);
   if (frame.begun) frame.begun();
+  if (frame.photo)
+    ui::drawPhotoLayer(*frame.photo, static_cast<float>(frame.size.width),
+                       static_cast<float>(frame.size.height));
   if (frame.split) result.divider = ui::drawSplitLabels(interface_, *frame.split);
   if (frame.costs) result.costsClosed = !ui::drawCostPanel(interface_, *frame.costs);
   if (frame.guards) ui::drawGuardList(interface_, ui::guardLines(*frame.guards));

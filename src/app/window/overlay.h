@@ -20,6 +20,7 @@
 #include "skydrop/ui/imgui_context.h"
 #include "skydrop/ui/loading_picture.h"
 #include "skydrop/ui/menu.h"
+#include "skydrop/ui/photo_layer.h"
 #include "skydrop/ui/split_labels.h"
 #include "skydrop/ui/weather_bar.h"
 
@@ -39,6 +40,7 @@ struct OverlayFrame {
   const ui::CostPanelContent* costs = nullptr;  // of the panel of costs; null: it is closed
   const std::vector<core::FiredGuard>* guards =
       nullptr;                                        // of this frame, to be listed; null: they are not shown
+  const ui::PhotoLayer* photo = nullptr;              // null: there is none, or it is hidden
   const ui::WeatherBarContent* weatherBar = nullptr;  // null: it is hidden, or there is no weather data
   std::function<void()> begun = nullptr;  // called when the frame has taken the input (EventFeed::frameBuilt)
 };

@@ -87,6 +87,7 @@ WindowGame::WindowGame(const CommandLine& line)
   imguiInput_.emplace(clipboard_.get());
   feed_.emplace(*imguiInput_);
   controls_.setKeyLabels(keyboardLabels());
+  if (line_.photo) photo_.emplace(window_.context(), *line_.photo);
   if (auto warning = menuController_.load(overlay_->menu())) warnings.push_back(std::move(*warning));
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, requestEnd);
 #ifdef SIGHUP
@@ -142,7 +143,8 @@ WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
                                    .measuring = stats_.has_value(),
                                    .prepared = preparations_.results(effects),
                                    .compilesAhead = true,
-                                   .framesFollow = true};
+                                   .framesFollow = true,
+                                   .images = next.simulation->images()};
   next.sceneRenderer = std::make_unique<SceneRenderer>(window_.context(), setup, run_->settings);
   if (sceneRenderer_) {
     next.sceneRenderer->camera() = sceneRenderer_->camera();
@@ -493,6 +495,8 @@ OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double 
   const std::optional<ui::WeatherBarContent> weatherBar =
       showsWeatherBar() ? std::optional(weatherBarContent(snapshot, size)) : std::nullopt;
   if (weatherBar) frame.weatherBar = &*weatherBar;
+  if (photo_ && !split_)
+    frame.photo = photo_->layer(sceneRenderer_->view(snapshot, size), run_->settings.view);
   frame.begun = [this] { feed_->frameBuilt(); };
   const OverlayResult result = overlay_->build(frame);
   if (result.fontsChanged) sceneRenderer_->uploadFonts();

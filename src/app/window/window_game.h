@@ -34,6 +34,7 @@
 #include "app/window/menu_controller.h"
 #include "app/window/notices.h"
 #include "app/window/overlay.h"
+#include "app/window/photo_overlay.h"
 #include "app/window/screenshots.h"
 #include "app/window/weather_bar_data.h"
 #include "skydrop/audio/audio_manager.h"
@@ -211,7 +212,8 @@ class WindowGame {
   FileWatch sceneFile_, playerFile_;
   std::unique_ptr<forecast::Renewal> renewal_;  // with --live only
   WeatherBarData weatherBarData_;
-  bool saidRenewalFailed_ = false;  // on stderr, of the failures since the last answer
+  std::optional<PhotoOverlay> photo_;  // with --photo only
+  bool saidRenewalFailed_ = false;     // on stderr, of the failures since the last answer
 };
 
 }  // namespace skydrop::app

@@ -100,6 +100,8 @@ void TerrainPass::take(const terrain::TerrainFrame& frame) {
   seaFloorDepthM_ = frame.seaFloorDepthM;
 }
 
+void TerrainPass::wear(const terrain::GroundPicture& picture) { ground_.emplace(context_, picture); }
+
 std::optional<std::string> TerrainPass::skipReason(const FrameInput&) const {
   if (textures_.layers() == 0) return "no land has been handed over yet";
   return std::nullopt;
@@ -243,6 +245,7 @@ void TerrainPass::setLand(gl::Shader& shader, const View& view) const {
 void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
   shader.use();
   setLand(shader, view);
+  if (ground_) ground_->set(shader, base_, worn_);
   triangle_.draw();
 }
 
@@ -262,6 +265,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
         if (!isAsked(hasFlash, flash, features.flashLight)) continue;
         std::vector<std::string> defines = landDefines(context);
         if (hasAlpineBelts_) defines.emplace_back("ALPINE_BELTS");
+        if (ground_) defines.emplace_back(GroundTexture::kDefine);
         if (hasFallen) defines.emplace_back(FallenWater::kDefine);
         if (hasSpot) defines.emplace_back(SpotLight::kDefine);
         if (hasFlash) defines.emplace_back(FlashLight::kDefine);

@@ -3,12 +3,14 @@
 // is (docs/terrain-streaming.md).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "skydrop/render/frame/fullscreen_triangle.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/terrain/chunk_textures.h"
+#include "skydrop/render/terrain/ground_texture.h"
 #include "skydrop/terrain/terrain_frame.h"
 #include "skydrop/terrain/view_volume.h"
 
@@ -34,6 +36,12 @@ class TerrainPass final : public Pass {
   // Carries out the frame's uploads and draws its patches from now on. To be called for each frame that
   // EndlessTerrain makes, before the frame is drawn.
   void take(const terrain::TerrainFrame& frame);
+
+  // The land wears a picture of the ground from now on: a texture, and a variant of its shaders.
+  void wear(const terrain::GroundPicture& picture);
+  void setWorn(const terrain::GroundPictureSettings& settings) { worn_ = settings; }
+  // Null while it wears none.
+  const GroundTexture* groundTexture() const { return ground_ ? &*ground_ : nullptr; }
 
   std::string_view name() const override { return "terrain"; }
   RenderStage stage() const override { return RenderStage::terrain; }
@@ -76,6 +84,8 @@ class TerrainPass final : public Pass {
   FullscreenTriangle triangle_;
   gl::VertexArray seaPlane_;  // without buffers
   bool hasAlpineBelts_;
+  std::optional<GroundTexture> ground_;
+  terrain::GroundPictureSettings worn_;
   GLsizei instanceCount_ = 0;
   glm::dvec2 base_{0.0};
   terrain::HeightRange heightRange_;
