@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <glm/common.hpp>
 #include <limits>
 
 #include "elevation/chart.h"
@@ -116,7 +117,8 @@ Averaged averaged(const AerialImage& image, glm::ivec2 times) {
 struct Placed {
   WorldRect rect;
   glm::dvec2 cellM;
-  double middle;  // its east coordinate there
+  double middle;           // its east coordinate there
+  bool isByAPole = false;  // in degrees, where each texel has to be asked for
 };
 
 Placed placedOf(const LocalPlane& plane, const AerialImage& image) {
@@ -130,6 +132,10 @@ Placed placedOf(const LocalPlane& plane, const AerialImage& image) {
       const auto place = projection.inverse(
           centreOf(of, image.width() * i / double{kSteps} - 0.5, image.height() * k / double{kSteps} - 0.5));
       if (!place) continue;
+      constexpr double kNodesDegrees = 0.2;  // that the nodes of a chart reach further
+      placed.isByAPole =
+          placed.isByAPole ||
+          (projection.isGeographic() && std::abs(place->latitude) > Chart::kSmoothLatitude - kNodesDegrees);
       const glm::dvec2 at = plane.positionOf(*place);
       placed.rect.lo = glm::min(placed.rect.lo, at);
       placed.rect.hi = glm::max(placed.rect.hi, at);
@@ -285,7 +291,12 @@ GroundPicture makeGroundPicture(const std::vector<std::shared_ptr<const AerialIm
   }
   // A whole number of the finest image's pixels, as few as the budget allows.
   const glm::dvec2 size = all.hi - all.lo;
-  const double budget = settings.megatexels * 1048576;
+  // By a pole a texel takes a hundred times as long.
+  constexpr double kBudgetByAPole = 1 << 17;
+  const bool isByAPole =
+      std::any_of(placed.begin(), placed.end(), [](const Placed& p) { return p.isByAPole; });
+  double budget = settings.megatexels * 1048576;
+  if (isByAPole) budget = std::min(budget, kBudgetByAPole);
   double least = std::max({finest, std::sqrt(size.x * size.y / budget),
                            std::max(size.x, size.y) / (terrain::kMostGroundTexels - 2 * kGrainTexels)});
   GroundPicture picture;

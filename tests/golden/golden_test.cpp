@@ -82,14 +82,6 @@ std::vector<std::string> viewOfBern(const std::string& from, const std::string& 
                      "weather.variability=0"});
 }
 
-// The same with the aerial image, from 700 m above the hill.
-std::vector<std::string> aerialView() {
-  std::vector<std::string> words = viewOfBern("Gurten,700", "Solothurn");
-  words.insert(words.end(),
-               {"--image", std::string(sourceDir()) + "/assets/elevation/mittelland_aerial.tif"});
-  return words;
-}
-
 const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all = {
       {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
@@ -233,7 +225,6 @@ const std::vector<Golden>& goldens() {
                                  "clouds.layers.0.coverage=0.5", "weather.sites.0.layers.0.cover=0.5"})},
       {"gurtenTowardsSolothurn", viewOfBern("Gurten", "Solothurn")},
       {"bantigerTowardsFribourg", viewOfBern("Bantiger", "Fribourg")},
-      {"gurtenWithAerialImage", aerialView()},
       {"stratusFromBelow", ofGenus("stratus", 400, 900, 1, "0,200,0,40,6,0")},
       {"stratocumulusFromBelow", ofGenus("stratocumulus", 1200, 1900, 0.85, "0,300,0,40,10,0")},
       {"cumulusOfTheWeather", ofGenus("cumulus", 1555, 3355, 0.45, "0,600,0,40,12,0")},

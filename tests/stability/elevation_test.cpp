@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "skydrop/core/error.h"
+#include "skydrop/core/image.h"
+#include "skydrop/elevation/aerial_image.h"
 #include "skydrop/elevation/elevation_height_source.h"
 #include "skydrop/elevation/survey.h"
 #include "skydrop/terrain/analytic_height_sources.h"
@@ -266,6 +268,51 @@ TEST_F(ElevationStability, D41_anyPositionHasAHeight) {
     }
   }
   EXPECT_FALSE(terrain::makeChunk(*source, terrain::chunkAt({1e12, -1e12}, 6)).empty());
+}
+
+TEST_F(ElevationStability, D42_anAerialImageOfOnePixelAcrossTheDateLineAndByAPole) {
+  // The picture holds the image's colour in the middle, its shares rise from 0 at its rim, its size is
+  // bounded.
+  const test::TemporaryFolder folder;
+  const auto write = [&](int width, int height) {
+    core::Image image(width, height);
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) image.rgba[i] = image.rgba[i + 3] = 255;
+    core::writePng(folder.path() / "image.png", image);
+    return folder.path() / "image.png";
+  };
+  struct Where {
+    int width, height;
+    ImageCorners corners;
+    GeoPlace origin;
+  };
+  for (const Where& where :
+       {Where{1, 1, {7.4, 46.9, 7.5, 47.0}, {46.95, 7.45}},
+        Where{1, 200, {7.4, 46.9, 7.4005, 47.0}, {46.95, 7.40025}},
+        Where{60, 40, {179.7, -17.2, 180.3, -16.8}, {-17, -180}},
+        Where{400, 20, {-180, 89, 180, 90}, {90, 0}}, Where{400, 20, {-180, -90, 180, -89}, {-89.9, 20}}}) {
+    const auto image = openAerialImage(write(where.width, where.height), where.corners);
+    const terrain::GroundPicture picture =
+        makeGroundPicture({image}, where.origin, {.edgeM = 100, .megatexels = 0.25});
+    const terrain::GroundPicture::Level& level = picture.levels[0];
+    EXPECT_LE(level.width, terrain::kMostGroundTexels);
+    EXPECT_LE(level.rgba.size(), std::size_t{8} << 20) << where.width;
+    const glm::dvec2 texel = -picture.corner / picture.texelM;  // of the origin
+    ASSERT_TRUE(texel.x >= 0 && texel.y >= 0 && texel.x < level.width && texel.y < level.height)
+        << where.width;
+    const std::uint8_t* pixel = level.rgba.data() + 4 * (static_cast<std::size_t>(texel.y) * level.width +
+                                                         static_cast<std::size_t>(texel.x));
+    EXPECT_EQ(pixel[0], 255) << where.width << " " << where.origin.latitude;
+    EXPECT_GT(pixel[3], 0) << where.width << " " << where.origin.latitude;
+    for (int x = 0; x < level.width; ++x) ASSERT_EQ(level.rgba[4 * static_cast<std::size_t>(x) + 3], 0);
+  }
+  EXPECT_NE(test::refusalOf<core::DataError>([&] {
+              openAerialImage(write(2, 2), ImageCorners{7, 46, 7, 47});
+            }),
+            "");
+  EXPECT_NE(test::refusalOf<core::DataError>([&] {
+              openAerialImage(write(2, 2), ImageCorners{NAN, 46, 8, 47});
+            }),
+            "");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "skydrop/render/terrain/ground_texture.h"
 
+#include <glm/vec4.hpp>
 #include <span>
 
 namespace skydrop::render {
