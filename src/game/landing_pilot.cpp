@@ -13,7 +13,8 @@ namespace {
 namespace dmath = core::dmath;
 
 // The approach: from a gate so far before the strip, down a path that ends so far behind its beginning, m.
-constexpr double kGateMetres = 2000, kAimMetres = 60, kJoinMetres = 2500, kJoinRadius = 700, kFinalSlope = 0.055;
+constexpr double kGateMetres = 2000, kAimMetres = 60, kJoinMetres = 2500, kJoinRadius = 700,
+                 kFinalSlope = 0.055;
 // How near the gate, and how well along the strip, the final begins: m, radians.
 constexpr double kGateRadius = 400, kGateAheadRad = 0.9;
 constexpr double kFinalSpeed = 37, kFlareHeight = 7;  // m/s, m of the wheels
@@ -78,7 +79,9 @@ void LandingPilot::beginTakeOff(const std::optional<terrain::Strip>& strip, cons
   if (!fits) strip_ = strip_.reversed();
 }
 
-glm::dvec2 LandingPilot::gate() const { return strip_.world(-strip_.halfLength - kGateMetres - (joined_ ? 0 : kJoinMetres), 0); }
+glm::dvec2 LandingPilot::gate() const {
+  return strip_.world(-strip_.halfLength - kGateMetres - (joined_ ? 0 : kJoinMetres), 0);
+}
 
 bool LandingPilot::entersFinal(const Snapshot& now) {
   const AircraftSnapshot& craft = now.aircraft;
@@ -90,8 +93,8 @@ bool LandingPilot::entersFinal(const Snapshot& now) {
   }
   const bool isNear = way.x * way.x + way.y * way.y < kGateRadius * kGateRadius;
   const double before = -strip_.halfLength - at.x;
-  const bool isBefore = before > 0.5 * kGateMetres && before < kGateMetres + kGateRadius &&
-                        std::abs(at.y) < kGateRadius;
+  const bool isBefore =
+      before > 0.5 * kGateMetres && before < kGateMetres + kGateRadius && std::abs(at.y) < kGateRadius;
   const double off = wrapped(trackOf(craft.velocity) - strip_.headingRad());
   if (!(isNear || isBefore) || std::abs(off) > kGateAheadRad) return false;
   phase_ = Phase::final;

@@ -311,7 +311,7 @@ std::uint64_t lightVolumeHash(const Options&) {
                                    {0.8, 0.6, 0});
   StateHasher hasher;
   for (const clouds::LightVolume::Texel& texel : volume.texels()) {
-    for (const float x : {texel.sun, texel.sky, texel.ground, texel.extinction}) addBits(hasher, x);
+    for (const float x : {texel.sun, texel.sky}) addBits(hasher, x);
   }
   return hasher.value();
 }

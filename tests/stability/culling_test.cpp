@@ -162,8 +162,8 @@ TEST(Stability, T09_noVisibleChunkIsCulledAndFewInvisibleOnesAreDrawn) {
     seen += visible.size();
   }
   EXPECT_EQ(missed, 0u);
-  EXPECT_TRUE(
-      test::holds("T09", static_cast<double>(drawn), test::atMost(1.6 * static_cast<double>(seen)), "chunks drawn"))
+  EXPECT_TRUE(test::holds("T09", static_cast<double>(drawn), test::atMost(1.6 * static_cast<double>(seen)),
+                          "chunks drawn"))
       << drawn << " drawn, " << seen << " seen";
   RecordProperty("drawnPerSeen", std::to_string(static_cast<double>(drawn) / static_cast<double>(seen)));
 }

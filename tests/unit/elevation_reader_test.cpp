@@ -176,7 +176,8 @@ TEST(ElevationReader, aReferenceSystemThatNamesAFileIsRefusedAndTheFileIsNotOpen
       const auto raster = openRaster(grid);
       const Projection projection(raster->georeference().crs, raster->name());
     });
-    EXPECT_NE(line.find("names a file of PROJ, and none is read"), std::string::npos) << words << ": " << line;
+    EXPECT_NE(line.find("names a file of PROJ, and none is read"), std::string::npos)
+        << words << ": " << line;
   }
   folder.write("a.prj", "+proj=longlat +datum=WGS84");
   EXPECT_EQ(test::refusalOf<core::DataError>([&] { openRaster(grid); }), "");

@@ -129,7 +129,8 @@ TEST(Scene, unknownNamesListWhatThereIs) {
   } catch (const core::DataError& error) {
     EXPECT_EQ(std::string(error.what()),
               "nowhere: scene: there is none of this name; "
-              "there are: afterRain, airstrip, bern, breeze, cirrus, clear, coldFront, dome, duskPlanes, empty, fair, "
+              "there are: afterRain, airstrip, bern, breeze, cirrus, clear, coldFront, dome, duskPlanes, "
+              "empty, fair, "
               "night-approach, night-range, overcast, plane1, plane3, shafts, snowfall, stress, terrain, "
               "thunderstorm, valleyFog, warmFront");
   }

@@ -35,7 +35,8 @@ glm::dvec2 photoPlaceOf(const core::Image& photo, const PhotoRequest& request, c
                         const glm::dvec2& pixel) {
   if (request.panoramaFromDegrees) {
     const glm::dvec3 d = render::rayDirection(view, pixel);
-    const double heading = glm::degrees(std::atan2(d.x, -d.z)), pitch = glm::degrees(std::asin(d.y));
+    const double heading = glm::degrees(std::atan2(d.x, -d.z)),
+                 pitch = glm::degrees(std::asin(std::clamp(d.y, -1.0, 1.0)));
     const double turn = (heading - *request.panoramaFromDegrees) / 360;
     return {turn - std::floor(turn), 0.5 - pitch * photo.width / (360.0 * photo.height)};
   }

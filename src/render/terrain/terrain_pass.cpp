@@ -145,8 +145,8 @@ void TerrainPass::drawPatches(gl::Shader& shader, const View& view, GLenum mode)
 void TerrainPass::drawDepth(FrameContext& context) {
   const View& view = context.frame.view;
   if (!surface_) {
-    surface_ =
-        gl::FrameBuffer(context_, view.width, view.height, {GL_RGBA16F, GL_DEPTH_COMPONENT32F}, "land surface");
+    surface_ = gl::FrameBuffer(context_, view.width, view.height, {GL_RGBA16F, GL_DEPTH_COMPONENT32F},
+                               "land surface");
     surface_.setClearColor(1, 1, 0, 1);  // kOpenSky
   }
   surface_.resize(view.width, view.height);
@@ -158,8 +158,7 @@ void TerrainPass::drawDepth(FrameContext& context) {
   if (cloudShadows) drawCloudShadows(context, *cloudShadows);
   if (context.frame.features.landShadows)  // in every frame: none is compiled when the sun sinks
     context.shaders.shader("fullscreen.vert", "terrain/land_shade.frag");
-  if (const auto* shadowMap = context.resources.find<LandShadowMap>())
-    drawLandShadows(context, *shadowMap);
+  if (const auto* shadowMap = context.resources.find<LandShadowMap>()) drawLandShadows(context, *shadowMap);
   if (const auto* ice = context.resources.find<IceShade>()) drawIceShade(context, *ice);
   if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
   surface_.unBind();
