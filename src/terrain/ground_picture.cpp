@@ -31,7 +31,7 @@ void describe(core::SettingsVisitor& visitor, GroundPictureSettings& settings) {
                   .help = "How light the ground is for the values of the aerial image.",
                   .logarithmic = true,
                   .slider = core::Range{0.25, 2},
-                  .aliases = "brightness, exposure"});
+                  .aliases = "brightness of the image"});
   visitor.number("edgeM", settings.edgeM,
                  {.unit = "m",
                   .min = 1,

@@ -42,13 +42,14 @@ TEST(SettingsChange, eachPathCountsOnce) {
 }
 
 TEST(SettingsChange, theDescriptionSaysHowItTakesEffect) {
-  // The land alone, of noise or of elevation data, needs the flight to be loaded again; nothing of the
-  // weather does.
+  // The land alone, of noise or of elevation data, with strips or without, needs the flight to be loaded
+  // again; nothing of the weather does.
   Settings settings;
   const core::SettingsTable table(settings);
   for (const core::Field& field : table.fields()) {
     const bool reloads = SettingsChange{field.path}.needs(core::TakesEffect::restart, table);
-    EXPECT_EQ(reloads, field.group == "terrain" || field.group == "elevation") << field.path;
+    EXPECT_EQ(reloads, field.group == "terrain" || field.group == "elevation" || field.group == "strips")
+        << field.path;
   }
   const SettingsChange land{"view.hud", "terrain.landBias"};
   EXPECT_TRUE(land.needs(core::TakesEffect::restart, table));

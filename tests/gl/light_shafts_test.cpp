@@ -197,7 +197,8 @@ TEST_F(LightShaftsGLTest, belowEvenCloudTheLossIsTheIntegralInDouble) {
     FrameInput input = gameFrame(snapshot_, view, features_);
     input.toSun = directionToSun(settings_.sun);
     // The depth that leaves the land below what it has.
-    const double shareAtLand = system->lightAt({0, 0, 0}, input).sun;
+    const LightShares atLand = system->lightAt({0, 0, 0}, input);
+    const double shareAtLand = atLand.sun + atLand.diffuseSun;
     double low = 0, high = 1000;
     for (int i = 0; i < 100; ++i)
       (shared::sunBelowCloud(0.5 * (low + high)) > shareAtLand ? low : high) = 0.5 * (low + high);

@@ -178,7 +178,7 @@ HUNTED(cloudPhases, (signedUnit(), in(-1, 1), in(-1e30, 1e30)), (out(0, 62.1), o
        Vec4 p = cloudPhases(a[0], a[1], a[2]); r[0] = p.x; r[1] = p.y; r[2] = p.z; r[3] = p.w)
 HUNTED(scatteredSun, (in(-1e30, 1e30), signedUnit()), (out(0, 100)),
        r[0] = scatteredSun(cloudPhases(a[1], Real(0.6), Real(0.3)), a[0]))
-HUNTED(volumePhases, (signedUnit(), in(-1, 0.99), in(-1e30, 1e30)), (out(0, 62.1), out(0, 62.1), out(0, 120), out(0, 1)),
+HUNTED(volumePhases, (signedUnit(), in(-0.9, 0.95), in(-1e30, 1e30)), (out(0, 62.1), out(0, 62.1), out(0, 120), out(0, 1)),
        Vec4 p = volumePhases(a[0], a[1], a[2]); r[0] = p.x; r[1] = p.y; r[2] = p.z; r[3] = p.w)
 HUNTED(scatteredSunOfVolume, (in(0, 62), in(-1e30, 1e30), unit(), in(0, 1), in(1, 1000)), (out(0, 200)),
        r[0] = scatteredSunOfVolume(Vec4(a[0], a[0], Real(2.0), Real(0.1)), a[1], a[2], a[3], a[4]))

@@ -28,7 +28,7 @@ TEST(FlightSettings, everyTunedNumberIsDescribedWithUnitRangeAndSentence) {
   expectComplete<flight::AirplaneSettings>(28);
   expectComplete<flight::PackageSettings>(6);
   expectComplete<game::GameSettings>(11);
-  expectComplete<game::AutopilotSettings>(4);
+  expectComplete<game::AutopilotSettings>(5);
 }
 
 }  // namespace
