@@ -18,20 +18,6 @@ constexpr std::size_t kMostBlockBytes = std::size_t{8} << 20;   // of a strip or
 constexpr std::size_t kMostWholeBytes = std::size_t{64} << 20;  // else it is read once, and held
 constexpr std::size_t kKeptBytes = std::size_t{4} << 20;        // decoded blocks that a file keeps
 
-std::string compressionName(std::uint16_t code) {
-  switch (code) {
-    case COMPRESSION_NONE:
-      return "not compressed";
-    case COMPRESSION_LZW:
-      return "LZW";
-    case COMPRESSION_ADOBE_DEFLATE:
-    case COMPRESSION_DEFLATE:
-      return "deflate";
-    default:
-      return {};
-  }
-}
-
 class GeoTiff final : public Raster {
  public:
   struct Layout {
@@ -142,8 +128,8 @@ GeoTiff::Layout layoutOf(const TiffFile& file) {
                     std::to_string(bands) + " of " + std::to_string(bits) +
                         " bits a cell: heights are one float32, float64, int16 or uint16 a cell");
   const auto compression = file.fieldOr<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE);
-  const std::string packing = compressionName(compression);
-  if (packing.empty())
+  const std::string packing = packingName(compression);
+  if (packing.empty() || compression == COMPRESSION_JPEG)  // lossy: no heights
     throw DataError(name, "compression", std::to_string(compression) + " is none of: none, LZW, deflate");
   layout.blocks = file.blocks(static_cast<std::size_t>(layout.bytes), compression != COMPRESSION_NONE,
                               sizeof(float), kMostWholeBytes);

@@ -16,22 +16,6 @@ using core::DataError;
 
 constexpr std::size_t kMostBlockBytes = std::size_t{64} << 20;  // of a strip or tile as RGBA
 
-std::string packingName(std::uint16_t code) {
-  switch (code) {
-    case COMPRESSION_NONE:
-      return "not compressed";
-    case COMPRESSION_LZW:
-      return "LZW";
-    case COMPRESSION_ADOBE_DEFLATE:
-    case COMPRESSION_DEFLATE:
-      return "deflate";
-    case COMPRESSION_JPEG:
-      return "JPEG";
-    default:
-      return {};
-  }
-}
-
 enum class Alpha { none, straight, premultiplied };
 
 struct Layout {

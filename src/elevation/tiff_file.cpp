@@ -82,6 +82,22 @@ std::string crsOf(GTIF* keys, const std::string& name) {
 
 }  // namespace
 
+std::string packingName(std::uint16_t code) {
+  switch (code) {
+    case COMPRESSION_NONE:
+      return "not compressed";
+    case COMPRESSION_LZW:
+      return "LZW";
+    case COMPRESSION_ADOBE_DEFLATE:
+    case COMPRESSION_DEFLATE:
+      return "deflate";
+    case COMPRESSION_JPEG:
+      return "JPEG";
+    default:
+      return {};
+  }
+}
+
 void TiffFile::Closer::operator()(TIFF* tiff) const { XTIFFClose(tiff); }
 
 TiffFile::TiffFile(const std::filesystem::path& file)

@@ -29,6 +29,9 @@ struct TiffBlocks {
   std::uint32_t down() const { return (height + blockHeight - 1) / blockHeight; }
 };
 
+// Of the tag for compression, for people; empty for what is not read.
+std::string packingName(std::uint16_t code);
+
 // One thread at a time. All throw core::DataError with file, place and reason.
 class TiffFile {
  public:

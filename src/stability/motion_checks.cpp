@@ -10,6 +10,7 @@
 #include "skydrop/flight/rigid_body.h"
 #include "skydrop/flight/rotation.h"
 #include "stability/checks.h"
+#include "stability/projectile.h"
 
 namespace skydrop::stability {
 namespace {
@@ -37,21 +38,6 @@ double worstOfFreeBodies(const Error& error) {
     worst = std::max(worst, error(start, body));
   }
   return worst;
-}
-
-struct Truth {
-  long double x, y, vx, vy;
-};
-
-// v' = g - k v from (0, 0) in long double, by expm1 and, where that cancels, by series.
-Truth projectile(long double vx, long double vy, long double k, long double t) {
-  const long double g = kGravity, z = k * t;
-  const long double one = z > 0 ? -expm1l(-z) / k : t;  // (1 - exp(-kt)) / k
-  const long double two = z > 0.01L ? (t - one) / k
-                                    : t * t *
-                                          (1 / 2.0L - z / 6 + z * z / 24 - z * z * z / 120 +
-                                           z * z * z * z / 720 - z * z * z * z * z / 5040);
-  return {vx * one, vy * one - g * two, vx * expl(-z), vy * expl(-z) - g * one};
 }
 
 double apart(double found, long double truth) { return std::abs(found - static_cast<double>(truth)); }

@@ -7,25 +7,19 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
-#include <nlohmann/json.hpp>
 
 #include "app/session/run_config.h"
 #include "app/session/simulation.h"
 #include "skydrop/core/error.h"
 #include "support/refusal.h"
+#include "support/renewal_server.h"
 #include "support/shared_noise.h"
-#include "support/weather_server.h"
 
 namespace skydrop::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using forecast::Renewal;
-
-double secondsSince(Clock::time_point since) {
-  return std::chrono::duration<double>(Clock::now() - since).count();
-}
+using test::Clock, test::secondsSince;
 
 int threads() {
   std::ifstream status("/proc/self/status");
@@ -38,40 +32,15 @@ int threads() {
   return -1;
 }
 
-class RenewalTest : public test::WeatherServerTest {
+class RenewalTest : public test::RenewalServerTest {
  protected:
   void SetUp() override {
-    WeatherServerTest::SetUp();
+    RenewalServerTest::SetUp();
     if (IsSkipped()) return;
     test::copySharedNoise(folder_.path() / "cache" / "skydrop");
     setenv("XDG_CACHE_HOME", (folder_.path() / "cache").c_str(), 1);
   }
   void TearDown() override { setenv("XDG_CACHE_HOME", test::sharedCacheHome().c_str(), 1); }
-
-  forecast::RenewalSetup setupAt(const std::string& path) const {
-    forecast::RenewalSetup setup;
-    setup.folder = folder_.path() / "kept";
-    setup.request = at(path);
-    setup.limits = limits();
-    return setup;
-  }
-
-  // Waits for what a thread does; false after 20 s.
-  static bool waitFor(const std::function<bool()>& condition) {
-    for (const auto since = Clock::now(); secondsSince(since) < 20;) {
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return false;
-  }
-
-  // Makes all hours of what the server sends from now on so much warmer.
-  void warm(double degrees) const {
-    nlohmann::json answer = nlohmann::json::parse(core::readTextFile(answerFile_));
-    for (nlohmann::json& value : answer.at("hourly").at("temperature_2m"))
-      if (value.is_number()) value = value.get<double>() + degrees;
-    core::writeFileAtomically(answerFile_, answer.dump());
-  }
 
   CommandLine liveLine(const std::string& path) const {
     CommandLine line;

@@ -7,25 +7,13 @@
 #include "skydrop/flight/linear_drag.h"
 #include "skydrop/flight/package.h"
 #include "skydrop/flight/rigid_body.h"
+#include "stability/projectile.h"
 #include "support/margin.h"
 
 namespace skydrop::flight {
 namespace {
 
-struct Truth {
-  long double x, y, vx, vy;
-};
-
-// v' = g - k v from (0, 0) in long double, by expm1 and, where that cancels, by series.
-Truth projectile(long double vx, long double vy, long double k, long double t) {
-  const long double g = kGravity, z = k * t;
-  const long double one = z > 0 ? -expm1l(-z) / k : t;  // (1 - exp(-kt)) / k
-  const long double two = z > 0.01L ? (t - one) / k
-                                    : t * t *
-                                          (1 / 2.0L - z / 6 + z * z / 24 - z * z * z / 120 +
-                                           z * z * z * z / 720 - z * z * z * z * z / 5040);
-  return {vx * one, vy * one - g * two, vx * expl(-z), vy * expl(-z) - g * one};
-}
+using stability::Truth, stability::projectile;
 
 TEST(Stability, P07_exponentialStepIsExactForAnyStepLength) {
   // One step of 1 ms to 1000 s at drag rates from 0 to 100 1/s: within 1e-12 of the closed form, relative to

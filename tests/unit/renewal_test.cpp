@@ -4,49 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <functional>
-#include <nlohmann/json.hpp>
 
 #include "skydrop/core/error.h"
 #include "support/refusal.h"
-#include "support/weather_server.h"
+#include "support/renewal_server.h"
 
 namespace skydrop::forecast {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point since) {
-  return std::chrono::duration<double>(Clock::now() - since).count();
-}
-
-class RenewalTest : public test::WeatherServerTest {
- protected:
-  forecast::RenewalSetup setupAt(const std::string& path) const {
-    forecast::RenewalSetup setup;
-    setup.folder = folder_.path() / "kept";
-    setup.request = at(path);
-    setup.limits = limits();
-    return setup;
-  }
-
-  // Waits for what a thread does; false after 20 s.
-  static bool waitFor(const std::function<bool()>& condition) {
-    for (const auto since = Clock::now(); secondsSince(since) < 20;) {
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return false;
-  }
-
-  // Makes all hours of what the server sends from now on so much warmer.
-  void warm(double degrees) const {
-    nlohmann::json answer = nlohmann::json::parse(core::readTextFile(answerFile_));
-    for (nlohmann::json& value : answer.at("hourly").at("temperature_2m"))
-      if (value.is_number()) value = value.get<double>() + degrees;
-    core::writeFileAtomically(answerFile_, answer.dump());
-  }
-};
+using test::Clock, test::secondsSince;
+using RenewalTest = test::RenewalServerTest;
 
 TEST_F(RenewalTest, asksAgainAndGivesOnlyWhatIsNew) {
   // The first answer comes at once, the same one (304) is none, another one is.
