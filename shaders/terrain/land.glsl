@@ -108,6 +108,9 @@ LandSight landSight(vec3 relative) {
 #ifdef GROUND_PICTURE
 #include "terrain/ground_picture.glsl"
 #endif
+#ifdef GRASS_STRIP
+#include "terrain/grass_strip.glsl"
+#endif
 
 // All but the finest.
 LandNoise coarseNoise(LandSight sight) {
@@ -158,6 +161,9 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
 #ifdef GROUND_PICTURE
   land = worn(land, sight, length(relative));
 #endif
+#ifdef GRASS_STRIP
+  land = mown(land, sight, noise);
+#endif
 #ifdef FALLEN_WATER
   Fallen lying = fallenOn(land, sight.heightM, normal, noise, -relative / length(relative));
   land = lying.land;
@@ -182,6 +188,9 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   LandSurface land = landSurface(growthHeight(sight.heightM), sight.normal.y, 0.0, noise, 0.0, noCrowns, 0.0);
 #ifdef GROUND_PICTURE
   land = worn(land, sight, length(relative));
+#endif
+#ifdef GRASS_STRIP
+  land = mown(land, sight, noise);
 #endif
 #ifdef FALLEN_WATER
   Fallen lying = fallenOn(land, sight.heightM, sight.normal, noise, -relative / length(relative));

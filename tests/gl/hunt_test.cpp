@@ -45,6 +45,7 @@ class HuntGLTest : public test::GLTest {
 #include "shared/dialect.glsl"
 #include "shared/flash.glsl"
 #include "shared/gradient_noise.glsl"
+#include "shared/grass_strip.glsl"
 #include "shared/ground_fog.glsl"
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"

@@ -213,6 +213,8 @@ const std::vector<Golden>& goldens() {
         "sky.utc=2026-09-26T21:00Z", "--set", "stars.twinkle=0"}},
       {"nightApproach",
        withoutHud({"--scene", "night-approach", "--time", "1.4", "--set", "stars.twinkle=0"})},
+      {"standingOnTheStrip", withoutHud({"--scene", "airstrip", "--time", "2"})},
+      {"stripOnFinal", withoutHud({"--scene", "airstrip", "--pose=-1925,137,4216,128,-11,0"})},
       {"nightCockpit", withoutHud({"--scene", "night-approach", "--time", "1.4", "--set",
                                    "view.camera=cockpit", "--set", "stars.twinkle=0"})},
       {"rainUnderADarkSky", withoutHud({"--scene", "coldFront", "--pose=6000,600,2000,130,-4,0", "--set",

@@ -120,6 +120,15 @@ HUNTED(landSurface, (in(-1e4, 1e30), unit(), in(-1e30, 1e30), signedUnit(), sign
        crown.slope = Vec2(Real(0.0), Real(0.0)); crown.height = a[7]; crown.tree = a[6];
        LandSurface land = landSurface(a[0], a[1], a[2], n, a[5], crown, a[8]); r[0] = land.albedo.y;
        r[1] = land.roughness; r[2] = land.wooded; r[3] = land.open)
+HUNTED(stripMarks, (in(-1e5, 1e5), in(-1e3, 1e3), in(100, 750), in(5, 60), in(1e-3, 1e4)), (share(2e-3)),
+       r[0] = stripMarks(Vec2(a[0], a[1]), Vec2(a[2], a[3]), a[4]))
+HUNTED(mownLand, (in(-900, 900), in(-200, 200), in(100, 750), in(5, 60), in(1e-3, 1e4), signedUnit(), signedUnit(),
+                  unit(), unit()),
+       (out(0, 1.2, 0, 2e-2), out(0, 1, 0, 2e-2), out(0, 1, 0, 2e-3), out(0, 1, 0, 2e-3)),
+       LandNoise n; n.region = a[5]; n.grove = a[5]; n.tuft = a[6]; n.clod = a[5]; n.grain = a[6]; LandSurface land;
+       land.albedo = Vec3(a[7], a[7], a[7]); land.roughness = a[8]; land.wooded = a[8]; land.open = a[7];
+       land = mownLand(land, Vec2(a[0], a[1]), Vec2(a[2], a[3]), a[4], n); r[0] = land.albedo.y;
+       r[1] = land.roughness; r[2] = land.wooded; r[3] = land.open)
 HUNTED(seaReflectance, (in(-1, 1), in(0, 1)), (share()), r[0] = seaReflectance(a[0], a[1]))
 HUNTED(throughWater, (in(-1e30, 1e30)), (share(), share(), share()),
        Vec3 t = throughWater(a[0]); r[0] = t.x; r[1] = t.y; r[2] = t.z)

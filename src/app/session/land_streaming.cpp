@@ -3,8 +3,14 @@
 #include <utility>
 
 #include "skydrop/elevation/elevation_height_source.h"
+#include "skydrop/terrain/strips.h"
 
 namespace skydrop::app {
+namespace {
+
+constexpr double kStripSeenM = 8000;  // 40 m are then two pixels of 640 at a slant
+
+}  // namespace
 
 LandStreaming::LandStreaming(render::Renderer& renderer, std::shared_ptr<const terrain::HeightSource> ground,
                              int workers, const terrain::TerrainStreamingSettings& settings)
@@ -43,10 +49,19 @@ void LandStreaming::apply(const terrain::GroundPictureSettings& settings) {
 }
 
 const terrain::TerrainFrame& LandStreaming::update(const render::View& view) {
+  layStrip(view);
   return take(terrain_.update(render::viewVolume(view)));
 }
 
-void LandStreaming::settle(const render::View& view) { take(terrain_.settle(render::viewVolume(view))); }
+void LandStreaming::settle(const render::View& view) {
+  layStrip(view);
+  take(terrain_.settle(render::viewVolume(view)));
+}
+
+void LandStreaming::layStrip(const render::View& view) {
+  if (const terrain::Strips* strips = ground_->strips())
+    pass_->lay(strips->nearest({view.position.x, view.position.z}, kStripSeenM));
+}
 
 // What is uploaded counts for whoever made this.
 const terrain::TerrainFrame& LandStreaming::take(const terrain::TerrainFrame& frame) {

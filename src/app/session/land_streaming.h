@@ -45,6 +45,7 @@ class LandStreaming {
   void writeTo(core::FrameStatistics& statistics) const;
 
  private:
+  void layStrip(const render::View& view);
   const terrain::TerrainFrame& take(const terrain::TerrainFrame& frame);
 
   render::Renderer& renderer_;

@@ -6,14 +6,16 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/flight/airplane.h"
 #include "skydrop/flight/environment.h"
+#include "skydrop/flight/landing_gear.h"
+#include "skydrop/flight/rotation.h"
 
 namespace skydrop::app {
 namespace {
 
 using flight::Integrator;
 
-enum class Body { torqueFree, projectile, flight };
-constexpr std::array<std::string_view, 3> kBodyNames = {"torqueFree", "projectile", "flight"};
+enum class Body { torqueFree, projectile, flight, touchdown };
+constexpr std::array<std::string_view, 4> kBodyNames = {"torqueFree", "projectile", "flight", "touchdown"};
 
 struct MotionParameters {
   Body body = Body::torqueFree;
@@ -76,8 +78,28 @@ flight::RigidBody flownBody(const MotionParameters& p) {
   return airplane.body();
 }
 
+// A landing on level ground, nose up, at 1 m/s of sink, and the run after it with some brake and rudder.
+flight::RigidBody landedBody(const MotionParameters& p) {
+  flight::AirplaneSettings settings;
+  settings.integrator = p.integrator;
+  flight::BodyState start;
+  start.position = {0, 1.8, 0};
+  start.velocity = {0, -1, -28};
+  start.orientation = flight::orientationOf({0, 0.14, 0});
+  flight::Airplane airplane(settings, start);
+  airplane.setThrottle(0);
+  flight::LandingGear gear{flight::GearSettings{}};
+  const flight::GearInput wheels{.brake = 0.2, .steer = 0.05};
+  const auto meadow = [](const glm::dvec2&) { return flight::GroundPatch{}; };
+  const auto steps = static_cast<std::int64_t>(p.seconds * static_cast<double>(p.rateHz));
+  for (std::int64_t i = 0; i < steps; ++i)
+    airplane.stepOnGround({.idles = true}, {}, 1.0 / static_cast<double>(p.rateHz), gear, wheels, meadow);
+  return airplane.body();
+}
+
 flight::RigidBody movedBody(const MotionParameters& p) {
   if (p.body == Body::flight) return flownBody(p);
+  if (p.body == Body::touchdown) return landedBody(p);
   const bool isThrown = p.body == Body::projectile;
   flight::RigidBody body = isThrown ? thrownBody(p.integrator) : tumblingBody(p.integrator);
   const auto steps = static_cast<std::int64_t>(p.seconds * static_cast<double>(p.rateHz));

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 
+#include "render/frame/visibility.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/clouds/ice_shade.h"
 #include "skydrop/render/frame/fallen_water.h"
@@ -19,6 +22,8 @@ namespace {
 constexpr GLuint kHeightsUnit = 0, kNormalsUnit = 1, kTableUnit = 2, kDepthUnit = 3;  // as in shaders/terrain
 constexpr GLuint kLightSharesUnit = 4;
 constexpr GLsizei kSeaVertices = 12;  // four triangles (shaders/terrain/sea.glsl)
+constexpr const char* kStripDefine = "GRASS_STRIP";
+constexpr double kStripClearedM = 41;  // around it (shaders/shared/grass_strip.glsl)
 constexpr int kPatchSide = terrain::kPatchCells + 1;
 constexpr GLsizei kPatchIndices = 3 * terrain::kTrianglesPerPatch;
 
@@ -101,6 +106,11 @@ void TerrainPass::take(const terrain::TerrainFrame& frame) {
 }
 
 void TerrainPass::wear(const terrain::GroundPicture& picture) { ground_.emplace(context_, picture); }
+
+void TerrainPass::lay(const std::optional<terrain::Strip>& strip) {
+  hasStrips_ = true;
+  strip_ = strip;
+}
 
 std::optional<std::string> TerrainPass::skipReason(const FrameInput&) const {
   if (textures_.layers() == 0) return "no land has been handed over yet";
@@ -248,38 +258,61 @@ void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
   triangle_.draw();
 }
 
-// Where lamps, flashes, or rain and snow on the ground may come and go, all variants are asked for, and those
-// who warm up draw all that they can.
+// Where lamps, flashes, rain and snow on the ground, or strips may come and go, all variants are asked for,
+// and those who warm up draw all that they can.
 void TerrainPass::drawLitLand(FrameContext& context) {
+  const View& view = context.frame.view;
   const FrameFeatures& features = context.frame.features;
   const auto* fallen = context.resources.find<FallenWater>();
   const auto* spot = context.resources.find<SpotLight>();
   const auto* flash = context.resources.find<FlashLight>();
-  const auto isAsked = [](bool has, bool isThere, bool mayCome) { return mayCome || has == isThere; };
-  for (const bool hasFallen : {false, true}) {
-    if (!isAsked(hasFallen, fallen, features.fallenWater)) continue;
-    for (const bool hasSpot : {false, true}) {
-      if (!isAsked(hasSpot, spot, features.spotLight)) continue;
-      for (const bool hasFlash : {false, true}) {
-        if (!isAsked(hasFlash, flash, features.flashLight)) continue;
-        std::vector<std::string> defines = landDefines(context);
-        if (hasAlpineBelts_) defines.emplace_back("ALPINE_BELTS");
-        if (ground_) defines.emplace_back(GroundTexture::kDefine);
-        if (hasFallen) defines.emplace_back(FallenWater::kDefine);
-        if (hasSpot) defines.emplace_back(SpotLight::kDefine);
-        if (hasFlash) defines.emplace_back(FlashLight::kDefine);
-        gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
-        const bool isThis = hasFallen == (fallen != nullptr) && hasSpot == (spot != nullptr) &&
-                            hasFlash == (flash != nullptr);
-        const bool isPossible = (fallen || !hasFallen) && (spot || !hasSpot) && (flash || !hasFlash);
-        if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
-        if (hasFallen) fallen->set(shader);
-        if (hasSpot) spot->set(shader, context.frame.view);
-        if (hasFlash) flash->set(shader);
-        drawLand(shader, context.frame.view);
-      }
+  struct Part {
+    const char* define;
+    bool isThere, mayCome;
+    std::function<void(gl::Shader&)> set;
+  };
+  const std::array<Part, 4> parts{
+      {{FallenWater::kDefine, fallen != nullptr, features.fallenWater,
+        [&](gl::Shader& shader) { fallen->set(shader); }},
+       {SpotLight::kDefine, spot != nullptr, features.spotLight,
+        [&](gl::Shader& shader) { spot->set(shader, view); }},
+       {FlashLight::kDefine, flash != nullptr, features.flashLight,
+        [&](gl::Shader& shader) { flash->set(shader); }},
+       {kStripDefine, isStripSeen(view), hasStrips_, [&](gl::Shader& shader) { setStrip(shader); }}}};
+
+  std::vector<std::string> always = landDefines(context);
+  if (hasAlpineBelts_) always.emplace_back("ALPINE_BELTS");
+  if (ground_) always.emplace_back(GroundTexture::kDefine);
+  for (unsigned variant = 0; variant < 1u << parts.size(); ++variant) {
+    bool isAsked = true, isThis = true, isPossible = true;
+    std::vector<std::string> defines = always;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const bool has = (variant >> i & 1) != 0;
+      isAsked = isAsked && (parts[i].mayCome || has == parts[i].isThere);
+      isThis = isThis && has == parts[i].isThere;
+      isPossible = isPossible && (parts[i].isThere || !has);
+      if (has) defines.emplace_back(parts[i].define);
     }
+    if (!isAsked) continue;
+    gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
+    if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if ((variant >> i & 1) != 0) parts[i].set(shader);
+    drawLand(shader, view);
   }
+}
+
+bool TerrainPass::isStripSeen(const View& view) const {
+  if (!strip_) return false;
+  const glm::dvec3 middle(strip_->middle.x, strip_->height, strip_->middle.y);
+  const double radius = std::hypot(strip_->halfLength, strip_->halfWidth) + kStripClearedM;
+  return isPotentiallyVisible(view, middle, radius);
+}
+
+void TerrainPass::setStrip(gl::Shader& shader) const {
+  const glm::dvec2 middle = strip_->middle - base_;
+  shader.setVec4("stripFrame", glm::vec4(middle.x, middle.y, strip_->along.x, strip_->along.y));
+  shader.setVec2("stripHalf", glm::vec2(strip_->halfLength, strip_->halfWidth));
 }
 
 // Separate from the land, so that only pixels that show water pay for it: a software renderer runs both sides

@@ -11,6 +11,7 @@
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/terrain/chunk_textures.h"
 #include "skydrop/render/terrain/ground_texture.h"
+#include "skydrop/terrain/strips.h"
 #include "skydrop/terrain/terrain_frame.h"
 #include "skydrop/terrain/view_volume.h"
 
@@ -43,6 +44,10 @@ class TerrainPass final : public Pass {
   // Null while it wears none.
   const GroundTexture* groundTexture() const { return ground_ ? &*ground_ : nullptr; }
 
+  // The strip that is drawn from now on, where it is in view; none where there is none near. Land for which
+  // this is never called has no shader that knows of strips.
+  void lay(const std::optional<terrain::Strip>& strip);
+
   std::string_view name() const override { return "terrain"; }
   RenderStage stage() const override { return RenderStage::terrain; }
   std::optional<std::string> skipReason(const FrameInput& input) const override;
@@ -65,6 +70,8 @@ class TerrainPass final : public Pass {
   void setEye(gl::Shader& shader, const View& view) const;
   void setSurface(gl::Shader& shader, const View& view) const;
   void setLand(gl::Shader& shader, const View& view) const;
+  bool isStripSeen(const View& view) const;
+  void setStrip(gl::Shader& shader) const;
   void drawDepth(FrameContext& context);
   void drawLitLand(FrameContext& context);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
@@ -86,6 +93,8 @@ class TerrainPass final : public Pass {
   bool hasAlpineBelts_;
   std::optional<GroundTexture> ground_;
   terrain::GroundPictureSettings worn_;
+  bool hasStrips_ = false;
+  std::optional<terrain::Strip> strip_;
   GLsizei instanceCount_ = 0;
   glm::dvec2 base_{0.0};
   terrain::HeightRange heightRange_;
