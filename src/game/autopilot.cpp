@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <limits>
 
 #include "game/landing_pilot.h"
 #include "skydrop/core/deterministic_math.h"
@@ -131,12 +132,13 @@ std::optional<Controls> Autopilot::handleGround(const Snapshot& now) {
   const bool wants =
       settings_.landEvery > 0 && (!now.target.present || now.drops - landedAtDrops_ >= settings_.landEvery);
   if (landing_->phase() == Phase::away && wants && strips) {
-    if (const auto strip = strips->nearest(here, kFarthestStrip)) landing_->begin(*strip, now);
+    const auto strip = strips->nearest(here, kFarthestStrip);
+    if (strip && LandingPilot::isCalmEnough(*strip, now)) landing_->begin(*strip, now);
   }
   if (landing_->phase() == Phase::away) return {};
   if (landing_->phase() == Phase::approach && !landing_->entersFinal(now)) {
     const glm::dvec2 way = landing_->gate() - here;
-    return flyTo(now, {dmath::atan2(way.x, -way.y), std::sqrt(way.x * way.x + way.y * way.y), true});
+    return flyTo(now, {dmath::atan2(way.x, -way.y), std::sqrt(way.x * way.x + way.y * way.y), true, true});
   }
   if (landing_->phase() == Phase::rollOut) landedAtDrops_ = now.drops;
   Controls out = landing_->decide(now);
@@ -188,7 +190,9 @@ Controls Autopilot::flyTo(const Snapshot& now, const Aim& aim) {
     wantedSlope_ = -1;
     glm::dvec2 at{craft.position.x, craft.position.z};
     double heading = track, left = turn;
-    for (double t = 0; t <= settings_.lookAheadSeconds; t += kLookSeconds) {
+    const double farthest =
+        aim.descendsThere ? std::max(aim.distance, kReachMetres) : std::numeric_limits<double>::infinity();
+    for (double t = 0; t <= settings_.lookAheadSeconds && overGround * t <= farthest; t += kLookSeconds) {
       const glm::dvec2 ahead{dmath::sin(heading), -dmath::cos(heading)}, aside{-ahead.y, ahead.x};
       for (const double side : {-kLookAsideMetres, 0.0, kLookAsideMetres}) {
         const double height = surfaceAt(*ground_, at + aside * side).height;

@@ -15,12 +15,19 @@ namespace dmath = core::dmath;
 // The approach: from a gate so far before the strip, down a path that ends so far behind its beginning, m.
 constexpr double kGateMetres = 2000, kAimMetres = 60, kJoinMetres = 2500, kJoinRadius = 700,
                  kFinalSlope = 0.055;
+constexpr double kSteepestFinal = 0.12;  // that an idle engine holds, m a metre
 // How near the gate, and how well along the strip, the final begins: m, radians.
 constexpr double kGateRadius = 400, kGateAheadRad = 0.9;
 constexpr double kFinalSpeed = 37, kFlareHeight = 7;  // m/s, m of the wheels
 constexpr double kWheelHeight = 1.55;                 // of the middle over the wheels, m
 // Lost: higher than this over the path or further beside it at the strip, m, it flies round again.
 constexpr double kMostAside = 60, kMostHigh = 40;
+constexpr double kDecisionHeight = 60;  // above the strip, m: lower, it goes round where the wind asks for it
+constexpr double kMostGustMargin = 4;   // m/s
+// A flare that a gust breaks: it sinks faster than it should, m/s, and is caught with so much thrust.
+constexpr double kSinksTooFast = 0.8, kCatchThrust = 0.7;
+// What it lands in, at the height where it looks: wind across the strip, gusts (standard deviation), m/s.
+constexpr double kMostCrosswind = 8, kMostGusts = 2.5;
 constexpr double kRotateSpeed = 38, kClimbRad = 0.14, kAwayHeight = 60;
 constexpr double kTakeOffMetres = 280;
 constexpr double kBesideMetres = 60;  // beside a strip it is still used, m
@@ -51,7 +58,17 @@ void holdSpeed(Controls& out, double airspeed, double wanted) {
   out.brake = std::max(-asked, 0.0);
 }
 
+// What is added to the speed of the final in gusts, m/s.
+double gustMargin(const Snapshot& now) {
+  return now.air.present ? std::min(now.air.turbulenceMps, kMostGustMargin) : 0;
+}
+
 }  // namespace
+
+bool LandingPilot::isCalmEnough(const terrain::Strip& strip, const Snapshot& now) {
+  const double across = now.wind.x * strip.along.y - now.wind.z * strip.along.x;
+  return std::abs(across) < kMostCrosswind && (!now.air.present || now.air.turbulenceMps < kMostGusts);
+}
 
 void LandingPilot::begin(const terrain::Strip& strip, const Snapshot& now) {
   strip_ = strip;
@@ -97,6 +114,12 @@ bool LandingPilot::entersFinal(const Snapshot& now) {
       before > 0.5 * kGateMetres && before < kGateMetres + kGateRadius && std::abs(at.y) < kGateRadius;
   const double off = wrapped(trackOf(craft.velocity) - strip_.headingRad());
   if (!(isNear || isBefore) || std::abs(off) > kGateAheadRad) return false;
+  const double over = craft.position.y - strip_.heightAt(-strip_.halfLength);
+  if (over > kSteepestFinal * (before + kAimMetres)) {  // ground before it kept the aircraft too high
+    if (strip_.bothWays) strip_ = strip_.reversed();
+    joined_ = false;
+    return false;
+  }
   phase_ = Phase::final;
   flares_ = false;
   return true;
@@ -132,7 +155,8 @@ Controls LandingPilot::flyFinal(const Snapshot& now) {
   const double overStrip = wheels - strip_.heightAt(std::clamp(at.x, -strip_.halfLength, strip_.halfLength));
   const double overPath = overStrip - kFinalSlope * std::max(toAim, 0.0);
   if ((toAim < 0 && (std::abs(at.y) > kMostAside || overStrip > kMostHigh)) ||
-      at.x > 0.5 * strip_.halfLength) {
+      at.x > 0.5 * strip_.halfLength ||
+      (!flares_ && overStrip < kDecisionHeight && !isCalmEnough(strip_, now))) {
     phase_ = Phase::takeOff;  // and round again
     return takeOff(now);
   }
@@ -149,11 +173,12 @@ Controls LandingPilot::flyFinal(const Snapshot& now) {
     const double sink = std::min(0.4 + 0.35 * std::max(overStrip, 0.0), 2.2);
     climb = strip_.slope - sink / level;
     holdSpeed(out, craft.airspeedMps, overStrip < 5 ? 0 : 35);
+    if (-craft.velocity.y > sink + kSinksTooFast) out.thrust = kCatchThrust, out.brake = 0;
     const double off = wrapped(strip_.headingRad() - craft.headingRad);
     if (overStrip < 2) out.yaw = std::clamp(3 * off + 0.5 * craft.angularVelocityBody.y, -1.0, 1.0);
     bank = std::clamp(bank, -0.12, 0.12);
   } else {
-    holdSpeed(out, craft.airspeedMps, kFinalSpeed);
+    holdSpeed(out, craft.airspeedMps, kFinalSpeed + gustMargin(now));
   }
   hold(out, craft, climb, bank);
   return out;

@@ -16,6 +16,8 @@ class LandingPilot {
   enum class Phase { away, approach, final, rollOut, turnRound, takeOff };
 
   Phase phase() const { return phase_; }
+  // Whether wind and gusts, where the aircraft is, let it land there.
+  static bool isCalmEnough(const terrain::Strip& strip, const Snapshot& now);
   // Begins to fly to the strip: the way round that has the wind ahead, where both approaches are free.
   void begin(const terrain::Strip& strip, const Snapshot& now);
   // From where the aircraft stands, on a strip or anywhere.

@@ -50,6 +50,7 @@ class Autopilot {
   struct Aim {
     double bearingRad = 0, distance = 0;
     bool present = false;
+    bool descendsThere = false;  // beyond it ground does not count: another way is flown from there
   };
   Controls flyTo(const Snapshot& now, const Aim& aim);
   // Lands and takes off, where the settings, the aircraft and the land have it: nothing while it flies.
