@@ -191,9 +191,11 @@ struct ChangingWind {
 };
 
 template <class Wind>
-std::optional<Landing> landingIn(const PackageSettings& s, const PointState& release, const Wind& wind,
-                                 const std::function<double(const glm::dvec2&)>& surfaceHeight) {
-  if (!core::isFinite(release.position) || !core::isFinite(release.velocity)) return {};
+std::optional<Landing> landingIn(const PackageSettings& s, const PointState& start, const Wind& wind,
+                                 const std::function<double(const glm::dvec2&)>& surfaceHeight,
+                                 double startAge) {
+  if (!core::isFinite(start.position) || !core::isFinite(start.velocity)) return {};
+  if (!std::isfinite(startAge) || startAge < 0) return {};
   const auto clearance = [&](const PointState& p) {
     return p.position.y - surfaceHeight({p.position.x, p.position.z});
   };
@@ -201,8 +203,8 @@ std::optional<Landing> landingIn(const PackageSettings& s, const PointState& rel
   // ridge of slope 4 is not flown through.
   constexpr double kSampleMetres = 20;
   const double opened = s.parachuteDelay + s.parachuteOpening;
-  PointState from = release;
-  double age = 0, left = clearance(from);
+  PointState from = start;
+  double age = startAge, left = clearance(from);
   if (left <= 0) return Landing{{from.position.x, from.position.y - left, from.position.z}, 0};
   while (age < kLongestFallSeconds) {
     const double way = std::max(kSampleMetres, 0.25 * left);
@@ -241,7 +243,7 @@ std::optional<Landing> landingIn(const PackageSettings& s, const PointState& rel
         }
       }
       return Landing{{hit.position.x, surfaceHeight({hit.position.x, hit.position.z}), hit.position.z},
-                     age + t};
+                     age + t - startAge};
     }
     from = to;
     age += dt;
@@ -252,19 +254,21 @@ std::optional<Landing> landingIn(const PackageSettings& s, const PointState& rel
 
 }  // namespace
 
-std::optional<Landing> predictLanding(const PackageSettings& s, const PointState& release,
+std::optional<Landing> predictLanding(const PackageSettings& s, const PointState& state,
                                       const glm::dvec3& wind,
-                                      const std::function<double(const glm::dvec2&)>& surfaceHeight) {
+                                      const std::function<double(const glm::dvec2&)>& surfaceHeight,
+                                      double age) {
   requireUsable(s);
   if (!core::isFinite(wind)) return {};
-  return landingIn(s, release, EvenWind{wind}, surfaceHeight);
+  return landingIn(s, state, EvenWind{wind}, surfaceHeight, age);
 }
 
-std::optional<Landing> predictLanding(const PackageSettings& s, const PointState& release,
+std::optional<Landing> predictLanding(const PackageSettings& s, const PointState& state,
                                       const WindField& wind,
-                                      const std::function<double(const glm::dvec2&)>& surfaceHeight) {
+                                      const std::function<double(const glm::dvec2&)>& surfaceHeight,
+                                      double age) {
   requireUsable(s);
-  return landingIn(s, release, ChangingWind{wind}, surfaceHeight);
+  return landingIn(s, state, ChangingWind{wind}, surfaceHeight, age);
 }
 
 }  // namespace skydrop::flight

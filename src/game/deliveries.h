@@ -34,6 +34,10 @@ class Deliveries {
   // Where a package dropped now would land; none when that is nowhere.
   std::optional<glm::dvec3> predictLanding(const flight::BodyState& aircraft) const;
 
+  // Of the landings, the newest kMostDeliveries.
+  const std::vector<Delivery>& log() const { return log_; }
+  std::optional<glm::dvec3> target() const;
+
   // Target, packages, score and cool-down. `aircraft`: from where the target is measured.
   void fill(Snapshot& out, const std::optional<glm::dvec3>& aircraft) const;
   // Whether a package that lands there scores.
@@ -45,6 +49,14 @@ class Deliveries {
     std::uint32_t id = 0;
     glm::dvec3 position{0};
     double radius = 0;
+    // For the points, no part of the digest: when it was drawn, and the way there.
+    std::uint64_t drawnStep = 0;
+    double wayM = 0;
+  };
+  // How a package left, for what is said of its landing; no part of the digest.
+  struct Release {
+    flight::PointState state;
+    std::uint64_t step = 0;
   };
   struct FlyingPackage {
     std::uint32_t id = 0;
@@ -58,10 +70,16 @@ class Deliveries {
     std::uint64_t stepsToRemoval = 0;  // once landed
     bool onWater = false;
     glm::dvec3 groundNormal{0, 1, 0};  // of where it landed
+    Release release;
+    std::optional<PackageLanding> landing;  // predicted, for the view
+    std::uint64_t stepsToPrediction = 0;    // until it is predicted again
   };
 
   void fall(FlyingPackage& package, const std::optional<glm::dvec3>& aircraft, std::uint64_t step);
-  void judge(const FlyingPackage& package, const std::optional<glm::dvec3>& aircraft);
+  void judge(const FlyingPackage& package, const std::optional<glm::dvec3>& aircraft, std::uint64_t step);
+  void follow(FlyingPackage& package) const;
+  std::optional<flight::Landing> landingOf(const flight::PointState& state, double age) const;
+  Delivery deliveryOf(const FlyingPackage& package, std::uint64_t step) const;
   static void addTo(core::StateHasher& hash, const std::optional<Target>& target);
 
   const WorldSetup* setup_;
@@ -74,6 +92,8 @@ class Deliveries {
   std::uint64_t stepsToTargetRetry_ = 0;
   std::uint64_t stepsToDrop_ = 0;
   std::int64_t score_ = 0, drops_ = 0, misses_ = 0;
+  std::int64_t points_ = 0;  // of what score_ counts
+  std::vector<Delivery> log_;
 };
 
 }  // namespace skydrop::game

@@ -15,6 +15,7 @@ class EventLog {
  public:
   // Opens the page of this step: messages age by one.
   void beginStep(std::uint64_t step);
+  std::uint64_t step() const { return step_; }
 
   // A message that shows for `seconds`, at least one step.
   void say(std::string text, double seconds);

@@ -46,6 +46,8 @@ class PlayerAircraft {
   bool canDrop() const { return !crashed_ && !(ground_ && (ground_->onWheels() || ground_->swims())); }
   // Whether this step pressed the key that the last one did not.
   bool dropPressed() const { return controls_.drop && !lastControls_.drop; }
+  // Whether it went back to its start in this step.
+  bool wasReset() const { return controls_.reset && !lastControls_.reset; }
   std::uint32_t spawnCount() const { return spawnCount_; }
 
   AircraftSnapshot snapshot() const;

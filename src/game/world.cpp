@@ -1,6 +1,7 @@
 #include "skydrop/game/world.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "game/state_digest.h"
 #include "game/steps.h"
 #include "skydrop/core/cpu_meter.h"
+#include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/core/hash.h"
@@ -33,6 +35,10 @@ void requireUsable(const GameSettings& s) {
   if (s.targetRadius <= 0) throw core::RangeError("game: targetRadius must be positive");
 }
 
+void requireUsable(const DeliverySettings& s) {
+  if (!isUsable(s)) throw core::RangeError("delivery: points, share and fade must be finite and in range");
+}
+
 void requireUsable(const glm::dvec3& wind) {
   if (!core::isFinite(wind)) throw core::RangeError("world: the wind is not finite");
 }
@@ -41,6 +47,7 @@ const WorldSetup& usable(const WorldSetup& setup) {
   if (!setup.ground) throw core::RangeError("world: there is no ground");
   requireUsable(setup.wind);
   requireUsable(setup.game);
+  requireUsable(setup.delivery);
   if (setup.weather) weather::requireUsable(setup.weather->settings);
   return setup;
 }
@@ -75,6 +82,9 @@ struct World::State {
   std::optional<glm::dvec3> aircraftPosition() const;
   void advance(const Controls& wanted);
   void predict();
+  bool facesTarget() const { return setup.delivery.startFacesTarget && !setup.start.onWheels; }
+  void faceTarget();
+  void beginAgain();
   void shareWeather();
   void setParts(std::shared_ptr<const terrain::HeightSource> ground, bool hasAircraft, bool hasTargets);
   void showWeather(Snapshot& out) const;
@@ -87,9 +97,34 @@ World::State::State(const WorldSetup& s)
   shareWeather();
   if (setup.hasAircraft) aircraft.emplace(setup, air, eventLog);
   if (setup.hasTargets) deliveries.drawNextTarget(aircraftPosition().value_or(glm::dvec3(0)));
+  if (aircraft && facesTarget()) {
+    faceTarget();
+    aircraft->place(setup.start, 0);
+  }
   predict();
   fill(now);
   before = now;
+}
+
+// From the start on the target lies ahead. Straight above it any way is as good.
+void World::State::faceTarget() {
+  const std::optional<glm::dvec3> target = deliveries.target();
+  if (!target) return;
+  const double east = target->x - setup.start.position.x, south = target->z - setup.start.position.z;
+  if (east == 0 && south == 0) return;
+  setup.start.headingDeg = core::dmath::atan2(east, -south) / core::dmath::kRadPerDeg;
+}
+
+// After a reset the way is as long as at first: a target that lies elsewhere by now is left.
+void World::State::beginAgain() {
+  const std::optional<glm::dvec3> target = deliveries.target();
+  const glm::dvec3 start = aircraft->body().position;
+  const auto isInReach = [&](const glm::dvec3& place) {
+    return glm::length(glm::dvec2(place.x - start.x, place.z - start.z)) <= setup.game.targetFarthest;
+  };
+  if (setup.hasTargets && target && !isInReach(*target)) deliveries.drawNextTarget(start);
+  faceTarget();
+  aircraft->place(setup.start, steps);
 }
 
 std::optional<glm::dvec3> World::State::aircraftPosition() const {
@@ -106,6 +141,7 @@ void World::State::advance(const Controls& wanted) {
     weatherCost.measure([&] { air.advance(aircraft->body(), aircraft->clearance(), steps); });
     aircraftCost.measure([&] { aircraft->advance(quantised(wanted), steps); });
     moved = spawned != aircraft->spawnCount() || aircraft->crashed();
+    if (aircraft->wasReset() && facesTarget()) beginAgain();
   }
   targetsCost.measure([&] {
     if (aircraft && aircraft->dropPressed() && aircraft->canDrop()) deliveries.drop(aircraft->body());
@@ -216,6 +252,7 @@ const Snapshot& World::now() const { return state_->now; }
 const Snapshot& World::before() const { return state_->before; }
 Snapshot World::interpolated(double alpha) const { return blended(state_->before, state_->now, alpha); }
 std::vector<GameEvent> World::takeEvents() { return state_->eventLog.takeEvents(); }
+const std::vector<Delivery>& World::deliveries() const { return state_->deliveries.log(); }
 std::uint64_t World::stateHash() const { return state_->hash(); }
 std::uint64_t World::stepCount() const { return state_->steps; }
 
@@ -242,6 +279,11 @@ void World::apply(const flight::PackageSettings& settings) {
 void World::apply(const GameSettings& settings) {
   requireUsable(settings);
   state_->setup.game = settings;
+}
+
+void World::apply(const DeliverySettings& settings) {
+  requireUsable(settings);
+  state_->setup.delivery = settings;
 }
 
 void World::setGear(const std::optional<flight::GearSettings>& gear) {

@@ -4,6 +4,8 @@
 #include "skydrop/flight/airplane_settings.h"
 #include "skydrop/flight/package_settings.h"
 #include "skydrop/game/autopilot.h"
+#include "skydrop/game/delivery.h"
+#include "skydrop/game/flight_assist.h"
 #include "skydrop/game/game_settings.h"
 
 namespace skydrop {
@@ -19,7 +21,9 @@ void expectComplete(std::size_t fields) {
     EXPECT_GE(field.defaultValue, field.min) << field.path;
     EXPECT_LE(field.defaultValue, field.max) << field.path;
     EXPECT_GT(field.max, field.min) << field.path;
-    EXPECT_TRUE(field.kind == core::FieldKind::choice || !field.unit.empty()) << field.path;
+    EXPECT_TRUE(field.kind == core::FieldKind::choice || field.kind == core::FieldKind::flag ||
+                !field.unit.empty())
+        << field.path;
   }
 }
 
@@ -29,6 +33,8 @@ TEST(FlightSettings, everyTunedNumberIsDescribedWithUnitRangeAndSentence) {
   expectComplete<flight::PackageSettings>(6);
   expectComplete<game::GameSettings>(11);
   expectComplete<game::AutopilotSettings>(5);
+  expectComplete<game::DeliverySettings>(4);
+  expectComplete<game::AssistSettings>(4);
 }
 
 }  // namespace

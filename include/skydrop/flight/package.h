@@ -49,21 +49,24 @@ class Package {
   bool landed_ = false;
 };
 
-// Where and when a package released in this state would land, on a surface given by its height at (x, z); the
-// same equations as the package itself, longer steps. Empty when it is still in the air after that long.
+// Where and when a package in this state would land, `age` seconds after its release, on a surface given by
+// its height at (x, z); the same equations as the package itself, longer steps. Empty when it is still in the
+// air kLongestFallSeconds after the release, and for a state, an age or a wind that is no number.
 struct Landing {
   glm::dvec3 position{0};
-  double seconds = 0;
+  double seconds = 0;  // from this state on
 };
 inline constexpr double kLongestFallSeconds = 3600;
-std::optional<Landing> predictLanding(const PackageSettings& settings, const PointState& release,
+std::optional<Landing> predictLanding(const PackageSettings& settings, const PointState& state,
                                       const glm::dvec3& wind,
-                                      const std::function<double(const glm::dvec2&)>& surfaceHeight);
+                                      const std::function<double(const glm::dvec2&)>& surfaceHeight,
+                                      double age = 0);
 // The same in a wind that changes with the place: asked at the middle of each step, which then is at most a
 // fifth of the height above the surface or 6 m high. The surface's height there is handed along.
 using WindField = std::function<glm::dvec3(const glm::dvec3& position, double surfaceHeight)>;
-std::optional<Landing> predictLanding(const PackageSettings& settings, const PointState& release,
+std::optional<Landing> predictLanding(const PackageSettings& settings, const PointState& state,
                                       const WindField& wind,
-                                      const std::function<double(const glm::dvec2&)>& surfaceHeight);
+                                      const std::function<double(const glm::dvec2&)>& surfaceHeight,
+                                      double age = 0);
 
 }  // namespace skydrop::flight

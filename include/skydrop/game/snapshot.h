@@ -72,6 +72,14 @@ struct AirSnapshot {
   double icing = 0;  // 0 none .. 1 the most that the wing carries
 };
 
+// Where a package that falls will land, as predicted twice a second from where it is.
+struct PackageLanding {
+  glm::dvec3 position{0};
+  double seconds = 0;           // until then
+  std::optional<double> missM;  // from the centre of the target that it was dropped for; none without
+  bool hits = false;            // inside that target
+};
+
 struct PackageSnapshot {
   std::uint32_t id = 0;  // unique in a run, counts drops from 1
   glm::dvec3 position{0};
@@ -81,6 +89,8 @@ struct PackageSnapshot {
   bool landed = false;
   bool onWater = false;
   glm::dvec3 groundNormal{0, 1, 0};  // unit, of what it landed on
+  std::optional<PackageLanding> landing =
+      std::nullopt;  // none once it has landed, or where none is predicted
 };
 
 struct TargetSnapshot {
@@ -109,12 +119,15 @@ struct Snapshot {
   std::int64_t score = 0;
   std::int64_t drops = 0;
   std::int64_t misses = 0;
+  std::int64_t points = 0;        // of all hits together (delivery.h)
   std::vector<Message> messages;  // oldest first
   glm::dvec3 wind{0};             // mean, at the aircraft
   AirSnapshot air;
   weather::Moment weather;  // none in scenes without
 
   // Set by whoever runs the world (app), for the HUD.
+  std::optional<double>
+      pullUpSeconds;  // until the flight path meets the ground, where that is to be warned of
   bool autopilot = false;
   bool paused = false;
   bool frozen = false;  // time is held, the camera is not

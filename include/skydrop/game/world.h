@@ -24,6 +24,7 @@
 #include "skydrop/flight/gear_settings.h"
 #include "skydrop/flight/package_settings.h"
 #include "skydrop/game/controls.h"
+#include "skydrop/game/delivery.h"
 #include "skydrop/game/events.h"
 #include "skydrop/game/game_settings.h"
 #include "skydrop/game/snapshot.h"
@@ -78,6 +79,7 @@ struct WorldSetup {
   flight::AirplaneSettings airplane;
   flight::PackageSettings package;
   GameSettings game;
+  DeliverySettings delivery = {};
   std::optional<flight::GearSettings> gear = std::nullopt;  // without: whatever touches the ground crashes
 };
 
@@ -109,6 +111,9 @@ class World {
   // The events since the last call, in order (the newest 1024).
   std::vector<GameEvent> takeEvents();
 
+  // What came of the packages so far, in the order of their landings: the newest kMostDeliveries.
+  const std::vector<Delivery>& deliveries() const;
+
   // Digest of everything that decides the future (not of what is derived from it).
   std::uint64_t stateHash() const;
   std::uint64_t stepCount() const;
@@ -122,6 +127,7 @@ class World {
   void apply(const flight::AirplaneSettings& settings);
   void apply(const flight::PackageSettings& settings);
   void apply(const GameSettings& settings);
+  void apply(const DeliverySettings& settings);
   // None: the gear is gone, and whatever touches the ground crashes. An aircraft on its wheels is then lifted
   // and flies on level.
   void setGear(const std::optional<flight::GearSettings>& gear);
