@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace skydrop::ui {
 namespace {
@@ -94,11 +95,54 @@ void drawThrottle(ImDrawList& list, const ScreenRect& bar, double throttle) {
   list.AddRectFilled({bar.left, bar.top}, {end, bar.bottom}, toneColor(HudText::Tone::accent, 1));
 }
 
+// Lengths in lines of text.
+constexpr float kMarkRadius = 0.7f, kAimRadius = 0.35f, kArrowLength = 1.3f, kArrowHalf = 0.8f;
+
+// Over the picture, under the plates: dark below and bright above, so that it shows on snow and on forest.
+void drawMark(ImDrawList& list, const Interface& context, const HudMark& mark) {
+  const float line = context.text().pixels, thick = std::max(1.0f, line * 0.12f);
+  const ImU32 dark = color(0, 0, 0, 0.75);
+  const ImU32 bright = mark.isInTarget ? color(120, 255, 140, 1) : toneColor(HudText::Tone::accent, 1);
+  const ImVec2 at = vec(mark.place);
+  if (mark.kind == HudMark::Kind::toTarget) {
+    const float side = mark.place.x <= 0 ? 1.0f : -1.0f, edge = at.x + side * line * 0.5f;
+    const auto arrow = [&](float grow, ImU32 colour) {
+      const ImVec2 tip(edge - side * grow, at.y),
+          up(edge + side * (kArrowLength * line + grow), at.y - kArrowHalf * line - 1.5f * grow),
+          down(up.x, at.y + kArrowHalf * line + 1.5f * grow);
+      // Clockwise.
+      if (side > 0)
+        list.AddTriangleFilled(tip, up, down, colour);
+      else
+        list.AddTriangleFilled(tip, down, up, colour);
+    };
+    arrow(1.5f * thick, dark);
+    arrow(0, color(60, 130, 255, 1));
+    return;
+  }
+  const float radius = line * (mark.kind == HudMark::Kind::landing ? kMarkRadius : kAimRadius);
+  list.AddCircle(at, radius, dark, 32, thick * 2.5f);
+  list.AddCircle(at, radius, bright, 32, thick);
+  if (mark.kind == HudMark::Kind::aim) return;
+  for (const auto& [x, y] : {std::pair{1.0f, 0.0f}, {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}}) {
+    const ImVec2 from(at.x + x * radius * 0.55f, at.y + y * radius * 0.55f),
+        to(at.x + x * radius * 1.5f, at.y + y * radius * 1.5f);
+    list.AddLine(from, to, dark, thick * 2.5f);
+    list.AddLine(from, to, bright, thick);
+  }
+  if (!mark.text.empty())
+    drawText(list, context, {mark.text, {at.x + radius * 1.8f, at.y - line / 2}, HudText::Tone::normal});
+}
+
 }  // namespace
 
 void drawHud(const Interface& context, const HudData& data, const HudLayout& layout) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float rounding = context.text().pixels * 0.2f;
+  if (!data.panel)
+    for (const HudMark& mark : data.marks) drawMark(list, context, mark);
+  if (const ScreenRect& p = layout.picture; p.right > p.left)
+    list.AddRect({p.left - 1, p.top - 1}, {p.right + 1, p.bottom + 1}, color(8, 12, 16, 0.8), 0, 0, 2);
   for (const HudItem& item : layout.items) {
     // A plate fades with the text on it.
     double opacity = item.texts.empty() ? 0 : 1;
@@ -113,6 +157,8 @@ void drawHud(const Interface& context, const HudData& data, const HudLayout& lay
     for (const HudText& text : item.texts) drawText(list, context, text);
   }
   drawThrottle(list, layout.throttleBar, data.throttle);
+  if (layout.instruments && data.instruments)
+    drawInstruments(context, *data.instruments, *layout.instruments);
   if (layout.circleRadius > 0) {
     drawNavigationBar(list, context, data.navigation, layout.circleCentre, layout.circleRadius);
   }

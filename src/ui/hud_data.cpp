@@ -74,6 +74,7 @@ HudData makeHudData(const game::Snapshot& snapshot) {
   data.aircraft = aircraft.present;
   data.score = snapshot.score;
   data.misses = snapshot.misses;
+  data.points = snapshot.points;
   data.paused = snapshot.paused;
   data.autopilot = snapshot.autopilot;
   data.frozen = snapshot.frozen;
@@ -82,6 +83,11 @@ HudData makeHudData(const game::Snapshot& snapshot) {
     const game::Message& message = snapshot.messages[i];
     data.messages.push_back(
         {message.text, std::clamp(finiteOr0(message.secondsLeft) / kFadeSeconds, 0.0, 1.0)});
+  }
+  for (auto p = snapshot.packages.rbegin(); p != snapshot.packages.rend() && !data.package; ++p) {
+    if (p->landed || !p->landing) continue;
+    data.package = HudPackage{std::max(finiteOr0(p->landing->seconds), 0.0), {}, p->landing->hits};
+    if (p->landing->missM) data.package->missM = std::max(finiteOr0(*p->landing->missM), 0.0);
   }
   if (!aircraft.present) return data;
 
@@ -104,6 +110,8 @@ HudData makeHudData(const game::Snapshot& snapshot) {
   data.stalled = aircraft.stalled && !aircraft.crashed;
   data.stallWarning = aircraft.stallWarning && !data.stalled && !aircraft.crashed;
   data.ground = groundNote(aircraft);
+  data.pullUp = snapshot.pullUpSeconds.has_value() && !aircraft.crashed;
+  if (aircraft.crashed) data.crashReason = aircraft.gear.endReason;
   if (aircraft.crashed) data.respawnSeconds = std::max(finiteOr0(aircraft.secondsToRespawn), 0.0);
   return data;
 }

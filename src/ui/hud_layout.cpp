@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstdio>
@@ -22,6 +23,9 @@ constexpr double kPlate = 0.45;
 constexpr float kNarrowestMiddle = 14;  // lines of text: a middle below that is left out
 constexpr float kLowWindow = 20;        // lines of text: below, the strip with weather keeps three rows
 constexpr double kIceShown = 0.02;      // of what the wing carries: below it is not told
+constexpr float kDialOfRows = 1.2f, kSmallestDial = 2.4f;  // in rows of the plates; lines of text
+constexpr float kPictureOfWidth = 0.26f;
+constexpr float kWideWindow = 48;       // lines of text: below, of a package the time alone is told
 constexpr double kFaintestPulse = 0.3;  // the drop text never vanishes
 constexpr float kDropOfHeight = 0.26f;  // where the drop text stands when there is room
 
@@ -77,8 +81,11 @@ class Layouter {
     float bottom = height_ - margin_;
     if (data.aircraft) bottom = placeInstruments(data) - gap_;
     if (middleRight_ - middleLeft_ < std::min(kNarrowestMiddle * line_, width_)) return std::move(layout_);
+    placePackage(data, !help.empty() || data.panel);
     if (!help.empty()) {
       placeHelp(data, help, bottom);
+    } else if (data.panel) {
+      placePanel(*data.panel, bottom);
     } else {
       placeMiddle(data, bottom);
     }
@@ -110,6 +117,7 @@ class Layouter {
 
   void placeScore(const HudData& data) {
     std::string words = "Score " + std::to_string(data.score) + "   Missed " + std::to_string(data.misses);
+    if (data.points > 0) words += "   Points " + std::to_string(data.points);
     if (data.cooldownSeconds > 0) words += text("   Reload %.1f s", data.cooldownSeconds);
     words = fit(std::move(words), width_ * 0.6f - margin_);
     HudItem item{"score", {margin_, margin_, margin_ + measure(words) + 2 * padding_, topRow()}, kPlate, {}};
@@ -181,11 +189,98 @@ class Layouter {
     if (data.air)
       position.push_back({"Wind", compassText(data.air->windFromDeg) + text(" %.0f m/s", data.air->windMps)});
     placeRows("position", width_ - margin_ - plate, width_ - margin_, bottom - rows, position);
+    if (data.instruments) placeInstruments(margin_ + plate, circleLeft, diameter, rows);
     return bottom - std::max(diameter, rows);
   }
 
-  HudText centred(std::string words, float y, Tone tone, bool large, double opacity = 1) const {
-    if (!large) words = fit(std::move(words), middleRight_ - middleLeft_ - 2 * margin_ - 2 * padding_);
+  // Three dials on either side of the navigation bar, where there is room for them.
+  void placeInstruments(float left, float circleLeft, float tallest, float rows) {
+    const float room = circleLeft - left;
+    const float size = std::floor(std::min({(room - 4 * gap_) / 3, kDialOfRows * rows, tallest}));
+    if (size < kSmallestDial * line_) return;
+    const float pitch = (room - 3 * size) / 4 + size, bottom = height_ - margin_;
+    std::array<ScreenRect, kInstruments> places;
+    for (std::size_t i = 0; i < kInstruments; ++i) {
+      const float side = i < 3 ? left : width_ - circleLeft;
+      const float x = std::floor(side + static_cast<float>(i % 3) * pitch + (pitch - size));
+      places[i] = {x, bottom - size, x + size, bottom};
+    }
+    layout_.items.push_back({"dials left", {places[0].left, bottom - size, places[2].right, bottom}, 0, {}});
+    layout_.items.push_back({"dials right", {places[3].left, bottom - size, places[5].right, bottom}, 0, {}});
+    layout_.instruments = places;
+  }
+
+  // The package in the air: its picture at the upper right, and under it, or alone, what is known of it.
+  void placePackage(const HudData& data, bool isCovered) {
+    if (!data.package || isCovered || middleRight_ < width_) return;
+    const float top = below(topRow());
+    float bottom = top;
+    float width = 0;
+    if (data.pictureAspect > 0) {
+      width = std::floor(kPictureOfWidth * width_);
+      const float height = std::floor(width / static_cast<float>(data.pictureAspect));
+      layout_.picture = {width_ - margin_ - width, top, width_ - margin_, top + height};
+      layout_.items.push_back({"picture", layout_.picture, 0, {}});
+      bottom = layout_.picture.bottom + 1;
+    }
+    const HudPackage& p = *data.package;
+    std::string words = text("%.0f s", p.seconds);
+    if (width_ >= kWideWindow * line_ && p.missM)
+      words += p.hits ? ", on target" : ", " + distanceText(*p.missM) + " off target";
+    if (width > 0) words = fit(std::move(words), width - 2 * padding_);
+    const float plate = std::max(width, measure(words) + 2 * padding_), right = width_ - margin_;
+    HudItem item{"package", {right - plate, bottom, right, bottom + line_ + 2 * tight_}, kPlate, {}};
+    item.texts.push_back({words,
+                          {right - plate + std::floor((plate - measure(words)) / 2), bottom + tight_},
+                          p.hits ? Tone::accent : Tone::normal});
+    layout_.items.push_back(std::move(item));
+    side_ = plate + gap_;
+  }
+
+  // A table on a plate in the middle. What has no room is cut: rows at the end, words with an ellipsis.
+  void placePanel(const HudPanel& panel, float bottom) {
+    const float top = below(topRow());
+    const float room = middleRight_ - middleLeft_ - 2 * margin_ - 2 * padding_;
+    std::vector<float> columns;
+    for (const std::vector<std::string>& row : panel.rows) {
+      columns.resize(std::max(columns.size(), row.size()), 0);
+      for (std::size_t i = 0; i < row.size(); ++i) columns[i] = std::max(columns[i], measure(row[i]));
+    }
+    float wide = 0;
+    for (const float column : columns) wide += column + line_;
+    if (!columns.empty()) wide -= line_;
+    wide = std::min(std::max({wide, measure(panel.title), measure(panel.footer)}), room);
+    const float extra = panel.footer.empty() ? 1 : 2;
+    const float free = bottom - top - 2 * padding_;
+    const auto rows =
+        std::min(panel.rows.size(), static_cast<std::size_t>(std::max(free / line_ - extra, 0.0f)));
+    const float count = static_cast<float>(rows) + extra;
+    const float pitch = std::floor(std::clamp(free / count, line_, 1.4f * line_));
+    const float height = pitch * count + 2 * padding_;
+    const float left = std::floor((middleLeft_ + middleRight_ - wide) / 2);
+    const float panelTop = std::floor(std::max(top, top + (bottom - top - height) / 2));
+    HudItem item{"panel", {left - padding_, panelTop, left + wide + padding_, panelTop + height}, 0.72, {}};
+    float y = panelTop + padding_;
+    item.texts.push_back({fit(panel.title, wide), {left, y}, Tone::accent});
+    for (std::size_t r = 0; r < rows; ++r) {
+      y += pitch;
+      float x = left;
+      for (std::size_t i = 0; i < panel.rows[r].size() && x < left + wide; ++i) {
+        const float end = i + 1 < panel.rows[r].size() ? std::min(x + columns[i], left + wide) : left + wide;
+        item.texts.push_back({fit(panel.rows[r][i], end - x), {x, y}, i == 0 ? Tone::normal : Tone::dim});
+        x += columns[i] + line_;
+      }
+    }
+    if (!panel.footer.empty())
+      item.texts.push_back({fit(panel.footer, wide), {left, y + pitch}, Tone::accent});
+    layout_.items.push_back(std::move(item));
+  }
+
+  // `side`: what stands at the right, and is left free on either side.
+  HudText centred(std::string words, float y, Tone tone, bool large, double opacity = 1,
+                  float side = 0) const {
+    if (!large)
+      words = fit(std::move(words), middleRight_ - middleLeft_ - 2 * margin_ - 2 * padding_ - 2 * side);
     const float x = std::floor((middleLeft_ + middleRight_ - measure(words, large)) / 2);
     return {std::move(words), {x, y}, tone, large, opacity};
   }
@@ -211,7 +306,7 @@ class Layouter {
     float y = messagesTop + tight_;
     std::vector<HudText> lines;
     for (const HudMessage& message : data.messages) {
-      lines.push_back(centred(message.text, y, Tone::normal, false, message.opacity));
+      lines.push_back(centred(message.text, y, Tone::normal, false, message.opacity, side_));
       y += line_;
     }
     if (!lines.empty()) layout_.items.push_back(block("messages", messagesTop, std::move(lines), kPlate));
@@ -220,7 +315,13 @@ class Layouter {
     const float warningTop = bottom - warningHeight;
     const float dropTop = std::floor(std::max(
         below(messagesBottom), std::min(kDropOfHeight * height_, warningTop - 2 * (blockHeight + gap_))));
-    if (data.dropPulse) {
+    if (data.pullUp) {
+      layout_.items.push_back(
+          block("pull up", dropTop,
+                {centred("PULL UP", dropTop + tight_, Tone::warning, true),
+                 centred("ground ahead", dropTop + tight_ + 2 * line_, Tone::warning, false)},
+                kPlate));
+    } else if (data.dropPulse) {
       const double opacity = kFaintestPulse + (1 - kFaintestPulse) * *data.dropPulse;
       layout_.items.push_back(
           block("drop", dropTop,
@@ -242,6 +343,9 @@ class Layouter {
     double opacity = 1;
     if (data.respawnSeconds) {
       warning = text("Crashed: back in %.1f s", *data.respawnSeconds);
+      if (!data.crashReason.empty())
+        warning = data.crashReason + text(": back in %.1f s", *data.respawnSeconds);
+      if (!data.keys.reset.empty()) warning += ", " + data.keys.reset + " begins again";
     } else if (data.stalled) {
       warning = "STALL: nose down";
     } else if (data.stallWarning) {
@@ -300,6 +404,7 @@ class Layouter {
   const Interface& context_;
   float line_, margin_, gap_, padding_, tight_, pitch_, width_, height_;
   float middleLeft_ = 0, middleRight_;  // what the menu leaves
+  float side_ = 0;                      // that the package takes of it at the right
   HudLayout layout_;
 };
 

@@ -91,6 +91,81 @@ TEST(Hud, noItemCoversAnotherOrLeavesTheWindowAtAnySize) {
     }
 }
 
+// With a package in the air, its picture, the dials, a warning of ground, and a table in the middle.
+HudData delivering(bool panel) {
+  HudData data = fullest();
+  data.paused = false;
+  data.points = 123456789;
+  data.package = HudPackage{12345, 1e12, false};
+  data.pictureAspect = 16.0 / 9;
+  data.instruments = InstrumentReadings{};
+  data.pullUp = true;
+  data.respawnSeconds = 2.5;
+  data.crashReason = "The gear broke: the left wheel met the ground at 12.3 m/s (limit 3.5)";
+  if (panel) {
+    data.panel = HudPanel{"A title that goes on", {}, "And what it ends with"};
+    for (int i = 0; i < 30; ++i)
+      data.panel->rows.push_back(
+          {"12345", "missed", "a cell of some length", "86400 s", "another one, longer still"});
+  }
+  return data;
+}
+
+TEST(Hud, theDropAndTheDialsKeepApartFromAllElse) {
+  for (const double scale : {1.0, 0.5, 3.0})
+    for (const auto& [width, height] : kSizes) {
+      const Interface context(width, height, {scale, 1});
+      for (const bool panel : {false, true}) {
+        const HudLayout layout = layoutHud(context, delivering(panel));
+        for (std::size_t i = 0; i < layout.items.size(); ++i) {
+          const HudItem& item = layout.items[i];
+          SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height) + " " + item.name);
+          EXPECT_GE(item.rect.left, 0);
+          EXPECT_GE(item.rect.top, 0);
+          EXPECT_LE(item.rect.right, static_cast<float>(width));
+          EXPECT_LE(item.rect.bottom, static_cast<float>(height));
+          for (std::size_t k = i + 1; k < layout.items.size(); ++k)
+            EXPECT_FALSE(overlap(item.rect, layout.items[k].rect)) << layout.items[k].name;
+          for (const HudText& text : item.texts) {
+            const Typeface& typeface = text.large ? context.large() : context.text();
+            const ImVec2 size = typeface.face->CalcTextSizeA(typeface.pixels, FLT_MAX, 0, text.text.c_str());
+            EXPECT_GE(text.position.x, item.rect.left) << text.text;
+            EXPECT_LE(text.position.x + size.x, item.rect.right) << text.text;
+            EXPECT_LE(text.position.y + size.y, item.rect.bottom) << text.text;
+          }
+        }
+      }
+    }
+}
+
+TEST(Hud, theDialsAreReadableAt640And4KAndLeftOutWhereTheyAreNot) {
+  HudData data = makeHudData(flying());
+  data.instruments = InstrumentReadings{};
+  for (const auto& [width, height] : {std::pair(640, 360), std::pair(1920, 1080), std::pair(3840, 2160)}) {
+    const HudLayout layout = layoutHud(Interface(width, height), data);
+    ASSERT_TRUE(layout.instruments) << width;
+    const ScreenRect& dial = (*layout.instruments)[0];
+    EXPECT_GE(dial.right - dial.left, 0.11f * static_cast<float>(height)) << width;
+    EXPECT_LE(dial.bottom - dial.top, 0.2f * static_cast<float>(height)) << "they leave the view free";
+  }
+  EXPECT_FALSE(layoutHud(Interface(320, 180), data).instruments);
+}
+
+TEST(Hud, aCrashNamesItsReasonAndTheKeyThatBeginsAgain) {
+  game::Snapshot snapshot = flying();
+  snapshot.aircraft.crashed = true;
+  snapshot.aircraft.secondsToRespawn = 2.1;
+  snapshot.aircraft.gear.endReason = "Crashed into the ground";
+  snapshot.pullUpSeconds = 1;
+  const HudData data = makeHudData(snapshot);
+  EXPECT_FALSE(data.pullUp) << "too late";
+  std::string words;
+  const Interface context(1280, 720);
+  for (const HudItem& item : layoutHud(context, data).items)
+    for (const HudText& line : item.texts) words += line.text + "|";
+  EXPECT_NE(words.find("Crashed into the ground: back in 2.1 s, R begins again"), std::string::npos) << words;
+}
+
 TEST(Hud, withWeatherItShowsGroundSpeedCrabWindAndIce) {
   // Instruments show the indicated airspeed, the speed over the ground beside it, how far the nose is held
   // into the wind, where the wind comes from, and the ice; without weather none of it.

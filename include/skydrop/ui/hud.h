@@ -7,6 +7,7 @@
 // points at the blue dot when the aircraft flies to the target.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -15,7 +16,9 @@
 #include <vector>
 
 #include "skydrop/game/snapshot.h"
+#include "skydrop/ui/hud_marks.h"
 #include "skydrop/ui/imgui_context.h"
+#include "skydrop/ui/instruments.h"
 
 namespace skydrop::ui {
 
@@ -44,7 +47,21 @@ struct HudMessage {
 
 // What stands on the keys that the display names; empty: none does it.
 struct HudKeys {
-  std::string drop = "Space", pause = "P", help = "H";
+  std::string drop = "Space", pause = "P", help = "H", reset = "R";
+};
+
+// Of the newest package in the air.
+struct HudPackage {
+  double seconds = 0;           // until it lands
+  std::optional<double> missM;  // from the centre of its target; none without one
+  bool hits = false;
+};
+
+// A table in the middle, in place of what else is there.
+struct HudPanel {
+  std::string title;
+  std::vector<std::vector<std::string>> rows;  // of cells
+  std::string footer;
 };
 
 // In scenes with weather: what the air does to the flight.
@@ -78,6 +95,14 @@ struct HudData {
   bool autopilot = false;
   bool frozen = false;
   std::string ground;  // what the wheels do: empty in the air
+  std::int64_t points = 0;
+  std::optional<HudPackage> package;
+  bool pullUp = false;                            // ground ahead
+  std::string crashReason;                        // after a crash
+  std::optional<InstrumentReadings> instruments;  // the dials; none: they are not shown
+  std::vector<HudMark> marks;
+  std::optional<HudPanel> panel;
+  double pictureAspect = 0;  // of the picture of the package at the upper right; 0: there is none
 };
 
 // Values that are not finite are shown as 0.
@@ -110,6 +135,8 @@ struct HudLayout {
   ScreenRect throttleBar;     // inside the item "flight"; empty without an aircraft
   glm::vec2 circleCentre{0};  // of the navigation bar
   float circleRadius = 0;     // 0 without an aircraft
+  std::optional<std::array<ScreenRect, kInstruments>> instruments;  // none where they have no room
+  ScreenRect picture;                                               // of the package; empty: there is none
 };
 
 // `help` empty: the overlay is closed. `menu`: where the configuration menu stands; what belongs in the
