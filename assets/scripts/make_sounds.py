@@ -176,11 +176,43 @@ def touchdown(rng):
     return faded(bump + chirp + roll, .003)
 
 
+def applause(rng):
+    """A small crowd: each of its hands claps at a pace of its own, and they stop one after the other."""
+    t = seconds(3)
+    out = np.zeros_like(t)
+    clap_t = seconds(.03)
+    for _ in range(24):
+        pace, at, last = rng.uniform(.19, .3), rng.uniform(.05, .5), rng.uniform(1.6, 2.7)
+        # A palm is a short burst with a tone of its own, between 700 and 1900 Hz.
+        palm = noise(rng, len(clap_t)) * np.exp(-clap_t / .006)
+        palm += .8 * np.sin(2 * np.pi * rng.uniform(700, 1900) * clap_t) * np.exp(-clap_t / .004)
+        loud = rng.uniform(.3, 1)
+        while at < last:
+            start = int(at * RATE)
+            out[start:start + len(clap_t)] += palm * loud * rng.uniform(.6, 1)
+            at += pace * rng.uniform(.9, 1.1)
+    return faded(out, .01)
+
+
+def warning(rng):
+    """A loop: two tones that rise, and a pause."""
+    t = seconds(.8)
+    out = np.zeros_like(t)
+    for start, low, high in ((0, 520, 700), (.32, 620, 880)):
+        local = t - start
+        on = (local >= 0) & (local < .26)
+        span = local[on] / .26
+        sweep = 2 * np.pi * (low * local[on] + .5 * (high - low) * local[on] * span)
+        out[on] = (np.sin(sweep) + .3 * np.sin(3 * sweep)) * np.sin(np.pi * span)
+    return out
+
+
 SOUNDS = {"engine": (engine, .8), "drop": (drop, .7), "parachute": (parachute, .7), "landing": (landing, .8),
           "splash": (splash, .7), "score": (score, .55), "miss": (miss, .5), "crash": (crash, .9),
           "stall": (stall, .4), "rain": (rain, .7), "wind": (wind, .7),
           "thunderNear": (thunder(1.8, 1, 400, 2), .95), "thunder": (thunder(2.4, .25, 170, 4), .9),
-          "thunderFar": (thunder(3, 0, 80, 5), .9), "touchdown": (touchdown, .7)}
+          "thunderFar": (thunder(3, 0, 80, 5), .9), "touchdown": (touchdown, .7),
+          "applause": (applause, .5), "warning": (warning, .6)}
 
 
 def write_wav(path, signal, peak):

@@ -17,9 +17,10 @@ namespace {
 
 using game::GameEventKind;
 
-constexpr std::string_view kEngine = "engine", kStallHorn = "stall", kRain = "rain", kWind = "wind";
-constexpr std::array<std::string_view, 8> kEventSounds = {"drop", "parachute", "landing", "score",
-                                                          "miss", "crash",     "splash",  "touchdown"};
+constexpr std::string_view kEngine = "engine", kStallHorn = "stall", kRain = "rain", kWind = "wind",
+                           kWarning = "warning", kApplause = "applause";
+constexpr std::array<std::string_view, 9> kEventSounds = {"drop",  "parachute", "landing",   "score",  "miss",
+                                                          "crash", "splash",    "touchdown", kApplause};
 
 constexpr std::array<std::string_view, 3> kThunder = {"thunderNear", "thunder", "thunderFar"};
 
@@ -56,7 +57,13 @@ std::optional<std::string_view> soundOf(const game::GameEvent& event) {
 }
 
 constexpr double kStalledPitch = 1.2, kWarningGain = 0.6;  // of the stall horn
-constexpr double kFaintest = 0.01;                         // gain below which nobody hears a loop
+// Of the air that streams past, heard above the engine from a little over the cruise on: m/s.
+constexpr double kHeardFrom = 74, kLoudAt = 130, kLoudest = 0.7;
+double airflowGain(double airspeed) {
+  return kLoudest * std::clamp((airspeed - kHeardFrom) / (kLoudAt - kHeardFrom), 0.0, 1.0);
+}
+
+constexpr double kFaintest = 0.01;   // gain below which nobody hears a loop
 constexpr double kCruiseSpeed = 70;  // m/s, where the airflow leaves the propeller's pitch alone
 
 }  // namespace
@@ -65,11 +72,12 @@ SoundScene::SoundScene(AudioManager& audio, const AudioSettings& settings)
     : audio_(audio), settings_(settings) {
   audio_.load(soundFile(kEngine));
   audio_.load(soundFile(kStallHorn));
+  audio_.load(soundFile(kWarning));
   for (const std::string_view name : kEventSounds) audio_.load(soundFile(name));
 }
 
 SoundScene::~SoundScene() {
-  for (const Voice loop : {engine_, stallHorn_, rain_, wind_}) audio_.stop(loop);
+  for (const Voice loop : {engine_, stallHorn_, warning_, rain_, wind_}) audio_.stop(loop);
 }
 
 void SoundScene::setLightning(const std::optional<weather::LightningSettings>& settings) {
@@ -106,7 +114,8 @@ std::optional<std::string> SoundScene::skipReason() const {
 
 void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEvent> events) {
   if (skipReason()) {
-    for (Voice* loop : {&engine_, &stallHorn_, &rain_, &wind_}) audio_.stop(std::exchange(*loop, 0));
+    for (Voice* loop : {&engine_, &stallHorn_, &warning_, &rain_, &wind_})
+      audio_.stop(std::exchange(*loop, 0));
     return;
   }
   if (thunder_) {
@@ -133,9 +142,15 @@ void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEve
   // Higher and louder in the stall than before it.
   audio_.setPitch(stallHorn_, now.aircraft.stalled ? kStalledPitch : 1);
   audio_.setGain(stallHorn_, now.aircraft.stalled ? 1 : kWarningGain);
+  if (!running || !now.pullUpSeconds) {
+    audio_.stop(std::exchange(warning_, 0));
+  } else if (warning_ == 0) {
+    warning_ = audio_.play2d(soundFile(kWarning), true);
+  }
   updateWeather(now);
   for (const game::GameEvent& event : events) {
     if (const auto sound = soundOf(event)) audio_.play2d(soundFile(*sound));
+    if (event.kind == GameEventKind::scored) audio_.play2d(soundFile(kApplause));
   }
 }
 
@@ -150,6 +165,8 @@ void SoundScene::updateWeather(const game::Snapshot& now) {
     gust = now.air.present ? glm::length(now.air.velocity - now.air.wind) : 0;
     wind = windGain(glm::length(now.air.wind), gust);
   }
+  const bool flies = now.aircraft.present && !now.aircraft.crashed;
+  if (flies && settings_.weatherVolume > 0) wind = std::max(wind, airflowGain(now.aircraft.airspeedMps));
   const auto play = [&](Voice& voice, std::string_view name, double gain) {
     if (gain < kFaintest) {
       audio_.stop(std::exchange(voice, 0));

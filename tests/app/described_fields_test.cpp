@@ -106,7 +106,9 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using flight::AirplaneSettings;
   using flight::GearSettings;
   using flight::PackageSettings;
+  using game::AssistSettings;
   using game::AutopilotSettings;
+  using game::DeliverySettings;
   using game::GameSettings;
   using lab::BlendKnobs;
   using lab::CloudKnobs;
@@ -208,6 +210,8 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(ElevationSettings),
       SKYDROP_STRUCT(GroundPictureSettings),
       SKYDROP_STRUCT(LiveSettings),
+      SKYDROP_STRUCT(DeliverySettings),
+      SKYDROP_STRUCT(AssistSettings),
   };
   std::set<std::string> tested;
   for (const auto& [name, expect] : structs) {

@@ -27,6 +27,9 @@ constexpr std::string_view kElsewhere[] = {
     "view.eyeAdaptation",      // of frames that follow others: tests/gl/night_flight_test.cpp
     "live.renewMinutes",       // forecast::Renewal: tests/app/renewal_test.cpp
     "aerialImage.megatexels",  // tests/unit/aerial_image_test.cpp
+    "view.dropView",           // tests/window/delivery_test.cpp
+    "view.briefing",           // tests/window/delivery_test.cpp
+    "view.lesson",             // tests/window/delivery_test.cpp
     "view.weatherBar",         // tests/ui/weather_bar_test.cpp
     "view.split.",             // tests/gl/split_view_test.cpp
     "render.",                 // all but the camera: tests/gl/settings_effect_test.cpp
@@ -96,10 +99,11 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
   EXPECT_GT(rows, 0);
 }
 
-constexpr const char* kGroups[] = {
-    "gear.",      "strips.",      "aircraft.",  "package.", "game.",        "autopilot.", "terrain.",
-    "elevation.", "aerialImage.", "streaming.", "audio.",   "view.",        "input.",     "quality",
-    "clouds.",    "render.",      "wind.",      "weather.", "weatherFile.", "lightning.", "live."};
+constexpr const char* kGroups[] = {"gear.",        "strips.",    "aircraft.",  "package.", "game.",
+                                   "delivery.",    "assist.",    "autopilot.", "terrain.", "elevation.",
+                                   "aerialImage.", "streaming.", "audio.",     "view.",    "input.",
+                                   "quality",      "clouds.",    "render.",    "wind.",    "weather.",
+                                   "weatherFile.", "lightning.", "live."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {
     "cloudPlanes.", "cloudDome.",      "groundFog.",    "stars.", "landShadows.", "halo.",         "rainbow.",

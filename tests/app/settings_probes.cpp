@@ -27,6 +27,8 @@
 #include "skydrop/core/shared.h"
 #include "skydrop/elevation/aerial_image.h"
 #include "skydrop/elevation/elevation_height_source.h"
+#include "skydrop/game/contact.h"
+#include "skydrop/game/flight_assist.h"
 #include "skydrop/game/world.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/terrain/analytic_height_sources.h"
@@ -161,6 +163,46 @@ std::uint64_t autopilot(const Settings& settings) {
   game::Autopilot pilot(land(), settings.autopilot);
   return flight(worldOf(settings, land(), 400), 30,
                 [&](const game::Snapshot& now) { return pilot.decide(now); });
+}
+
+// What ten hits of a grid earn.
+std::uint64_t points(const Settings& settings) {
+  StateHasher h;
+  for (const double share : {0.0, 0.3, 0.7, 1.0}) {
+    for (const double seconds : {5.0, 60.0, 400.0})
+      h.add(static_cast<std::uint64_t>(game::pointsOf(settings.delivery, 100 * share, 100, seconds, 45)));
+  }
+  return h.value();
+}
+
+std::uint64_t beginnings(const Settings& settings) {
+  game::WorldSetup setup = worldOf(settings, land(), 400);
+  setup.delivery = settings.delivery;
+  StateHasher h;
+  add(h, game::World(setup).now());
+  return h.value();
+}
+
+// A player who turns, and what is warned of over hills from higher and higher up.
+std::uint64_t assisted(const Settings& settings) {
+  game::FlightAssist assist;
+  return flight(worldOf(settings, land(), 400), 20, [&](const game::Snapshot& now) {
+    return assist.decide(now, {.roll = now.stepCount > 100 ? 1.0 : 0.0}, settings.assist);
+  });
+}
+
+std::uint64_t warnings(const Settings& settings) {
+  StateHasher h;
+  if (!settings.assist.terrainWarning) return h.value();
+  game::AircraftSnapshot craft;
+  craft.present = true;
+  craft.velocity = {68, -15, 3};
+  for (double height = 5; height < 400; height += 5) {
+    craft.position = {300, game::surfaceAt(*land(), {300, 0}).height + height, 0};
+    const auto seconds = game::secondsToGround(*land(), craft, settings.assist.warningSeconds);
+    h.add(seconds.value_or(-1));
+  }
+  return h.value();
 }
 
 // Hands off for ten seconds in that air.
@@ -586,6 +628,30 @@ std::uint64_t interface(const Settings& settings) {
   return h.value();
 }
 
+// Dials and marks, from behind the aircraft and from its seat, with a target behind.
+std::uint64_t dialsAndMarks(const Settings& settings) {
+  constexpr Size kSize{1280, 720};
+  scene::EffectSet effects;
+  effects.insert(scene::Effect::hud);
+  StateHasher h;
+  for (const render::CameraMode camera : {render::CameraMode::chase, render::CameraMode::cockpit}) {
+    Settings copy = settings;
+    copy.view.camera = camera;
+    const core::SettingsTable table(copy);
+    Overlay overlay(effects, kSize, {});
+    game::Snapshot now;
+    now.aircraft.present = now.target.present = true;
+    now.target.position = {100, 0, 5000};
+    OverlayFrame frame{now, kSize, 0, table};
+    frame.instruments = showsInstruments(copy.view);
+    if (copy.view.marks) frame.eye = ui::Eye{{0, 100, 0}, glm::dmat3(1), 1, 1280, 720};
+    overlay.build(frame);
+    const ImDrawData& data = *ImGui::GetDrawData();
+    h.add(static_cast<double>(data.TotalVtxCount));
+  }
+  return h.value();
+}
+
 // The levers after sticks and triggers were pushed a little further each time.
 std::uint64_t sticks(const Settings& settings) {
   StateHasher h;
@@ -666,6 +732,11 @@ const std::vector<Probe>& settingsProbes() {
       {"live.follow", handedOver},
       {"live.blendSeconds", handedOver},
       {"lightning.", flashesOfAStorm},
+      {"delivery.startFacesTarget", beginnings},
+      {"delivery.", points},
+      {"assist.terrainWarning", warnings},
+      {"assist.warningSeconds", warnings},
+      {"assist.", assisted},
       {"autopilot.landEvery", circuits},
       {"strips.", stripHeights, {"strips.density=0.5"}},
       {"gear.mostSinkRate", sinkRates},
@@ -697,6 +768,8 @@ const std::vector<Probe>& settingsProbes() {
       {"streaming.texelPixels", detail, {"streaming.cacheMiB=1024", "streaming.gpuMiB=128"}},
       {"audio.", sound},
       {"view.hud", interface},
+      {"view.instruments", dialsAndMarks},
+      {"view.marks", dialsAndMarks},
       {"view.interfaceScale", interface},
       {"input.", sticks},
       {"render.camera.", cameras},

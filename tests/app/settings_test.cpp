@@ -275,13 +275,13 @@ TEST_F(UserSettingsTest, anEditByHandAndAChangeInTheMenuAreBothKept) {
 TEST_F(UserSettingsTest, aChangeThatIsNotSavedYetOutlivesAnEditByHand) {
   const auto run = start();
   change(*run, "aircraft.pitchSpeed=22");
-  run->bindings.bind(Action::camera, keyInput('V'), 0);
+  run->bindings.bind(Action::camera, keyInput('G'), 0);
   folder.write("settings.json",
                R"({"schema": 1, "settings": {"aircraft": {"mass": 1200}}, "bindings": {"mute": ["K"]}})");
   reloadPlayer(*run);
   EXPECT_EQ(run->settings.aircraft.mass, 1200);
   EXPECT_EQ(run->settings.aircraft.pitchSpeed, 22);
-  EXPECT_EQ(run->bindings.actionOf(keyInput('V')), Action::camera);
+  EXPECT_EQ(run->bindings.actionOf(keyInput('G')), Action::camera);
   EXPECT_EQ(run->bindings.actionOf(keyInput('K')), Action::mute);
   save(*run);
   EXPECT_EQ(kept()["settings"]["aircraft"], nlohmann::json({{"mass", 1200}, {"pitchSpeed", 22}}));
@@ -375,9 +375,9 @@ TEST_F(UserSettingsTest, boundKeysComeBack) {
   EXPECT_EQ(kept()["bindings"]["camera"], nlohmann::json({"ANY"}));
   EXPECT_EQ(kept()["bindings"]["mute"], nlohmann::json({"K"}));
   EXPECT_EQ(start()->bindings, next->bindings);
-  folder.write("settings.json", R"({"schema": 1, "bindings": {"camera": ["V"]}})");
+  folder.write("settings.json", R"({"schema": 1, "bindings": {"camera": ["G"]}})");
   reloadPlayer(*next);
-  EXPECT_EQ(next->bindings.actionOf(keyInput('V')), Action::camera);
+  EXPECT_EQ(next->bindings.actionOf(keyInput('G')), Action::camera);
   EXPECT_EQ(next->bindings.actionOf(keyInput('K')), std::nullopt)
       << "what the file no longer changes is at its default";
 }

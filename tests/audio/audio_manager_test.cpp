@@ -194,6 +194,33 @@ TEST_F(AudioTest, rainAndWindAreHeardInWeatherAlone) {
   now.weather = {};
   scene.update(now, {});
   EXPECT_LT(rms(listen(0.2)), 1e-4) << "the effect has gone";
+  now.air = {};
+  now.aircraft.airspeedMps = 115;
+  scene.update(now, {});
+  listen(0.1);
+  EXPECT_GT(rms(listen(0.3)), 0.01) << "a dive is heard in any air";
+  now.aircraft.crashed = true;
+  scene.update(now, {});
+  EXPECT_LT(rms(listen(0.2)), 1e-4);
+}
+
+TEST_F(AudioTest, groundAheadIsWarnedOfAndAHitIsApplauded) {
+  SoundScene scene(*audio_, AudioSettings{.volume = 1, .engineVolume = 0, .weatherVolume = 0});
+  game::Snapshot now;
+  now.aircraft.present = true;
+  now.aircraft.airspeedMps = 70;
+  scene.update(now, {});
+  EXPECT_LT(rms(listen(0.5)), 1e-4);
+  now.pullUpSeconds = 3;
+  scene.update(now, {});
+  EXPECT_GT(rms(listen(0.8)), 0.02);
+  now.pullUpSeconds.reset();
+  scene.update(now, {});
+  EXPECT_LT(rms(listen(0.2)), 1e-4) << "over at once";
+  const game::GameEvent hit{.kind = game::GameEventKind::scored, .position = glm::dvec3(0)};
+  scene.update(now, std::span(&hit, 1));
+  listen(1.6);  // the chime has ended
+  EXPECT_GT(rms(listen(0.3)), 0.005) << "hands";
 }
 
 TEST(Sound, theGamesSoundsAreWholeAndDoNotClick) {
@@ -202,7 +229,8 @@ TEST(Sound, theGamesSoundsAreWholeAndDoNotClick) {
     const Sound sound = readWav(entry.path());
     EXPECT_GT(sound.seconds(), 0.2) << entry.path();
     const std::string name = entry.path().stem().string();
-    const bool loops = name == "engine" || name == "stall" || name == "rain" || name == "wind";
+    const bool loops =
+        name == "engine" || name == "stall" || name == "rain" || name == "wind" || name == "warning";
     const int jump = std::abs(sound.samples.front() - sound.samples.back());
     int largest = 0;
     for (std::size_t i = 1; i < sound.samples.size(); ++i) {

@@ -249,6 +249,20 @@ TEST_F(ModelPassGLTest, bladesAreAVeilWhileTurningAndSolidAfterACrash) {
   EXPECT_EQ(skipped("propeller"), "the engine has stopped");
 }
 
+TEST_F(ModelPassGLTest, aCrashLeavesABrokenAircraft) {
+  // From behind: the wing is askew over most of its span, and so it is with less detail from far away.
+  for (const double behind : {30.0, 120.0}) {
+    const View view = pose({-behind, 800, 0}, 0, 0, 0);
+    aircraft().crashed = false;
+    const core::Image whole = draw(view);
+    aircraft().crashed = true;
+    const double pixelsPerMetre = view.width / (2 * behind * std::tan(view.fovYRad / 2) * view.aspect());
+    const Box broken = changedBox(draw(view), whole, 20);
+    EXPECT_GT(broken.width(), 8 * pixelsPerMetre) << behind;
+    EXPECT_GT(broken.height(), 2 * pixelsPerMetre) << behind;
+  }
+}
+
 TEST_F(ModelPassGLTest, panelIsSeenFromInsideTheCabinOnly) {
   // The eye at the pilot's place sees a dark panel in the lower middle and open sky above; from outside,
   // turning on the spot where the panel stands shows the same aircraft whatever the panel holds.

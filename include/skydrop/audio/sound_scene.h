@@ -1,5 +1,6 @@
-// What is heard of a flight: the engine with the throttle, the horn that announces a stall, the game's
-// events, and with weather rain and wind. Built only for scenes that call for sound. Main thread.
+// What is heard of a flight: the engine with the throttle, the horn that announces a stall, the warning of
+// ground ahead, the game's events, applause for a hit, and with weather rain and wind. Built only for scenes
+// that call for sound. Main thread.
 #pragma once
 
 #include <optional>
@@ -46,7 +47,7 @@ class SoundScene {
 
   AudioManager& audio_;
   AudioSettings settings_;
-  Voice engine_ = 0, stallHorn_ = 0;
+  Voice engine_ = 0, stallHorn_ = 0, warning_ = 0;
   Voice rain_ = 0, wind_ = 0;  // with weather alone
   std::optional<ThunderSchedule> thunder_;
 };

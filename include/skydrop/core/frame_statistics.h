@@ -55,8 +55,18 @@ struct TerrainStatistics {
 };
 
 // Of the world after its last step; angles and place those of the aircraft.
+struct DeliveryStatistics {
+  std::int64_t package = 0, target = 0;  // numbers of the run, from 1
+  bool hit = false;
+  double distanceM = 0;  // from the target's centre
+  double seconds = 0;    // from when the target was there until the landing
+  std::int64_t points = 0;
+  std::string reason;  // of a miss: "tooEarly"; "none" for a hit
+};
 struct GameStatistics {
   std::int64_t score = 0, drops = 0, misses = 0;
+  std::int64_t points = 0;
+  std::vector<DeliveryStatistics> deliveries;        // the newest 256, oldest first
   std::int64_t targets = 0;                          // drawn so far
   double position[3] = {0, 0, 0};                    // m, world
   double airspeedMps = 0, throttle = 0;              // m/s; 0..1

@@ -202,7 +202,8 @@ int render(const CommandLine& line) {
       simulation.world().takeEvents();
     }
     sceneRenderer.apply(simulation.takeLoggedChange());
-    const game::Snapshot& now = simulation.world().now();
+    game::Snapshot now = simulation.world().now();
+    simulation.warnOfGround(now);
     // The error is known when both pictures are drawn, and is written over them.
     if (split) split->makeWhole(now, size);
     if (split && split->isCoarser()) warn(kCoarserLand);
@@ -211,6 +212,11 @@ int render(const CommandLine& line) {
     if (overlay) {
       OverlayFrame content{now, size, 0, run->table};
       content.scale = {run->settings.view.interfaceScale};
+      const render::View eye = sceneRenderer.view(now, size);
+      if (run->settings.view.marks)
+        content.eye =
+            ui::Eye{eye.position, eye.worldToView, eye.fovYRad, double(eye.width), double(eye.height)};
+      content.instruments = showsInstruments(run->settings.view);
       content.statistics = &shown;
       if (labels) content.split = &*labels;
       const std::vector<core::FiredGuard> fired = guards.look();

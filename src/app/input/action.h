@@ -32,6 +32,8 @@ enum class Action {
   split,
   costs,
   landingLight,
+  ride,        // along with the package that fell last, and back
+  deliveries,  // what came of the packages, and the best results
   weatherBar,
   weatherMode,  // live or play; this and what follows where there is weather data
   hourBack,

@@ -32,6 +32,8 @@ std::array<Inputs, kActions> defaultInputs() {
   bind(Action::freeze, {keyInput('F')});
   bind(Action::costs, {keyInput(key::kF2)});
   bind(Action::landingLight, {keyInput('L')});
+  bind(Action::ride, {keyInput('V')});
+  bind(Action::deliveries, {keyInput('J')});
   bind(Action::weatherBar, {keyInput('B')});
   bind(Action::weatherMode, {keyInput('N')});
   bind(Action::hourBack, {keyInput(',')});
@@ -65,6 +67,8 @@ const std::vector<HelpEntry>& helpEntries() {
       {{Action::pause}, ""},
       {{Action::freeze}, ""},
       {{Action::landingLight}, ""},
+      {{Action::ride}, ""},
+      {{Action::deliveries}, ""},
       {{Action::weatherBar, Action::weatherMode}, "weather bar, live"},
       {{Action::hourBack, Action::hourForward, Action::timeSlower, Action::timeFaster}, "its hour, pace"},
       {{Action::costs}, ""},

@@ -76,7 +76,18 @@ ui::HudKeys PlayerControls::hudKeys() const {
     const std::vector<InputCode>& inputs = bindings_.inputsOf(action);
     return inputs.empty() ? std::string() : inputLabel(inputs.front(), keyLabels_);
   };
-  return {first(Action::drop), first(Action::pause), first(Action::help)};
+  return {first(Action::drop), first(Action::pause), first(Action::help), first(Action::reset)};
+}
+
+std::string PlayerControls::keyOf(std::initializer_list<Action> actions) const {
+  std::string text;
+  for (const Action action : actions) {
+    const std::vector<InputCode>& inputs = bindings_.inputsOf(action);
+    if (inputs.empty()) continue;
+    if (!text.empty()) text += ' ';
+    text += inputLabel(inputs.front(), keyLabels_);
+  }
+  return text.empty() ? "\u2013" : text;
 }
 
 void PlayerControls::setKeyLabels(KeyLabels labels) {

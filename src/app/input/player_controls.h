@@ -2,6 +2,7 @@
 // thread.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ class PlayerControls {
   bool takeChange();
   std::vector<ui::HelpRow> help() const;
   ui::HudKeys hudKeys() const;
+  // What stands on the first input of each, as the keyboard has it; a dash where none does any of it.
+  std::string keyOf(std::initializer_list<Action> actions) const;
   ui::BindingsContent menuContent() const { return editor_.content(keyLabels_, gamepads_.name()); }
   std::vector<GamepadMessage> takeMessages() { return gamepads_.takeMessages(); }
 

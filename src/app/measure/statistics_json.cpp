@@ -68,7 +68,17 @@ std::string statisticsJson(const core::FrameStatistics& s) {
   json["threads"] = s.threads;
   json["effects"] = s.effects;
   json["bill"] = billJson(s.bill);
-  json["game"] = {{"score", s.game.score},       {"drops", s.game.drops},
+  nlohmann::json deliveries = nlohmann::json::array();
+  for (const core::DeliveryStatistics& d : s.game.deliveries)
+    deliveries.push_back({{"package", d.package},
+                          {"target", d.target},
+                          {"hit", d.hit},
+                          {"distance", d.distanceM},
+                          {"seconds", d.seconds},
+                          {"points", d.points},
+                          {"reason", d.reason}});
+  json["game"] = {{"points", s.game.points},     {"deliveries", std::move(deliveries)},
+                  {"score", s.game.score},       {"drops", s.game.drops},
                   {"misses", s.game.misses},     {"targets", s.game.targets},
                   {"position", s.game.position}, {"airspeed", s.game.airspeedMps},
                   {"throttle", s.game.throttle}, {"heading", s.game.headingDeg},

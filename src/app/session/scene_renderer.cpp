@@ -243,6 +243,11 @@ void SceneRenderer::setMeasuring(bool measuring) {
 void SceneRenderer::uploadFonts() { overlay_->uploadFonts(); }
 
 render::View SceneRenderer::view(const game::Snapshot& snapshot, Size size) const {
+  if (lookedFrom_) {
+    render::View view = *lookedFrom_;
+    view.width = size.width, view.height = size.height;
+    return view;
+  }
   const terrain::HeightSource* ground = land_ ? &land_->ground() : nullptr;
   return camera_.view(snapshot, settings_->render.camera, size.width, size.height, ground);
 }
@@ -253,6 +258,7 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
   lastView_ = view;
   lastSpawn_ = snapshot.aircraft.spawnCount;
   lastCamera_ = camera_.mode();
+  lastLookedFrom_ = lookedFrom_.has_value();
   drawnSize_ = size;
   settleMs_ = 0;
   if (land_) {
@@ -276,7 +282,8 @@ void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming st
 
 bool SceneRenderer::isCut(const game::Snapshot& snapshot, const render::View& view) const {
   constexpr double kFarthestM = 200;  // that a camera moves between two frames
-  return !lastView_ || camera_.mode() != lastCamera_ || snapshot.aircraft.spawnCount != lastSpawn_ ||
+  return !lastView_ || camera_.mode() != lastCamera_ || lookedFrom_.has_value() != lastLookedFrom_ ||
+         snapshot.aircraft.spawnCount != lastSpawn_ ||
          glm::length(view.position - lastView_->position) > kFarthestM;
 }
 
@@ -284,7 +291,8 @@ bool SceneRenderer::isCut(const game::Snapshot& snapshot, const render::View& vi
 render::FrameInput SceneRenderer::inputOf(const game::Snapshot& snapshot, const render::View& view) const {
   render::FrameInput input = render::gameFrame(snapshot, view, features());
   input.followsLast = setup_.framesFollow;
-  const bool isCarried = camera_.mode() != render::CameraMode::free && snapshot.aircraft.present;
+  const bool isCarried =
+      camera_.mode() != render::CameraMode::free && snapshot.aircraft.present && !lookedFrom_;
   if (isCarried && !snapshot.aircraft.crashed) input.eyeVelocity = snapshot.aircraft.velocity;
   if (eyeAdapts()) input.adaptedLevel = eye_.level();
   return input;
@@ -305,6 +313,15 @@ std::optional<std::vector<float>> SceneRenderer::drawUnseen(const game::Snapshot
   render::FrameInput input = inputOf(snapshot, view);  // exposed as what it is compared with
   input.followsLast = false;
   return renderer_.drawUnseen(input);
+}
+
+bool SceneRenderer::drawInset(const game::Snapshot& snapshot, const render::View& view) {
+  if (switch_) return false;  // its frames have the targets
+  if (land_) land_->update(view);
+  render::FrameInput input = inputOf(snapshot, view);
+  input.followsLast = false;
+  input.eyeVelocity = glm::dvec3(0);
+  return renderer_.drawInset(input);
 }
 
 void SceneRenderer::drawOverlays(const game::Snapshot& snapshot, Size size, std::string_view reason) {

@@ -110,6 +110,18 @@ class SceneRenderer {
   // From where the snapshot is seen.
   render::View view(const game::Snapshot& snapshot, Size size) const;
 
+  // From now on frames are seen from there and not by the camera, in their own size; none: by the camera.
+  void lookFrom(const std::optional<render::View>& view) { lookedFrom_ = view; }
+
+  // A picture beside the frame's (render::Renderer::drawInset): before the draw() of the frame, of the land
+  // that is there. Whether there is one to show.
+  bool drawInset(const game::Snapshot& snapshot, const render::View& view);
+  // After it: the lower left corner, pixels.
+  void showInset(int left, int bottom) { renderer_.showInset(left, bottom); }
+  void endInset() {
+    if (!switch_) renderer_.endWarmUp();
+  }
+
   // One frame of the size into the renderer's output.
   void draw(const game::Snapshot& snapshot, Size size, Streaming streaming);
 
@@ -194,7 +206,8 @@ class SceneRenderer {
   const Settings* settings_;
   render::Renderer renderer_;
   render::Camera camera_;
-  std::optional<render::View> lastView_;
+  std::optional<render::View> lastView_, lookedFrom_;
+  bool lastLookedFrom_ = false;         // in the last frame there was such a view
   render::EyeAdaptation eye_;           // of frames that follow each other
   std::uint32_t lastSpawn_ = 0;         // of the aircraft in the last frame
   render::CameraMode lastCamera_ = {};  // of the last frame

@@ -61,6 +61,7 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   world.airplane = settings.aircraft;
   world.package = settings.package;
   world.game = settings.game;
+  world.delivery = settings.delivery;
   return world;
 }
 
@@ -125,6 +126,7 @@ void Simulation::step(const game::Controls& player) {
 void Simulation::advance(const game::Controls& player) {
   game::Controls controls = player;
   if (autopilot_) controls = autopilot_->decide(world_.now());
+  if (setup_.pilot == Pilot::player) controls = assist_.decide(world_.now(), player, settings_->assist);
   if (replay_) {
     const std::vector<game::SettingOverride> changes = replay_->changesDue();
     if (!changes.empty()) {
@@ -207,6 +209,7 @@ void Simulation::applyToWorld() {
   world_.apply(settings_->aircraft);
   world_.apply(settings_->package);
   world_.apply(settings_->game);
+  world_.apply(settings_->delivery);
   applyGear();
   world_.setWind(core::flownWind(settings_->wind));
   applyWeather();
@@ -257,12 +260,23 @@ void Simulation::endRecording() {
   setup_.recorder->end(isChanged ? beforeChange_->hash : world_.stateHash());
 }
 
+void Simulation::warnOfGround(game::Snapshot& shown) const {
+  shown.pullUpSeconds.reset();
+  if (settings_->assist.terrainWarning && effects_.contains(Effect::aircraft))
+    shown.pullUpSeconds = game::secondsToGround(*ground_, shown.aircraft, settings_->assist.warningSeconds);
+}
+
 void Simulation::writeTo(core::FrameStatistics& statistics) const {
   const game::Snapshot& now = world_.now();
   statistics.game.score = now.score;
   statistics.game.drops = now.drops;
   statistics.game.misses = now.misses;
   statistics.game.targets = now.target.id;
+  statistics.game.points = now.points;
+  for (const game::Delivery& d : world_.deliveries())
+    statistics.game.deliveries.push_back(
+        {d.package, d.target, d.hit, d.distanceM, d.seconds, d.points,
+         std::string(game::kMissReasonNames[static_cast<std::size_t>(d.reason)])});
   for (int i = 0; i < 3; ++i) statistics.game.position[i] = now.aircraft.position[i];
   statistics.game.airspeedMps = now.aircraft.airspeedMps;
   statistics.game.throttle = now.aircraft.throttle;

@@ -18,6 +18,7 @@
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/game/autopilot.h"
+#include "skydrop/game/flight_assist.h"
 #include "skydrop/game/input_log.h"
 #include "skydrop/game/world.h"
 #include "skydrop/scene/scene.h"
@@ -61,6 +62,8 @@ class Simulation {
   bool finished() const;
 
   const game::World& world() const { return world_; }
+  // Adds to a snapshot of this flight what a view of it shows besides: how near the ground ahead is.
+  void warnOfGround(game::Snapshot& shown) const;
   game::World& world() { return world_; }
   const std::shared_ptr<const terrain::HeightSource>& ground() const { return ground_; }
   const std::vector<std::shared_ptr<const elevation::AerialImage>>& images() const {
@@ -123,6 +126,7 @@ class Simulation {
   ForecastInForce inForce_;
   game::World world_;
   std::optional<game::Autopilot> autopilot_;
+  game::FlightAssist assist_;  // of the player
   std::optional<game::InputReplay> replay_;
   std::vector<double> flownValues_;                         // of the table's fields
   std::optional<game::InputLog::Checkpoint> beforeChange_;  // the state that the last change of settings met

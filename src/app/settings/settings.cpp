@@ -9,9 +9,9 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 11> kSimulationGroups = {
-    "aircraft.", "package.",     "game.", "terrain.", "elevation.", "wind.",
-    "weather.",  "weatherFile.", "live.", "gear.",    "strips."};
+constexpr std::array<std::string_view, 12> kSimulationGroups = {
+    "aircraft.", "package.", "delivery.",    "game.", "terrain.", "elevation.",
+    "wind.",     "weather.", "weatherFile.", "live.", "gear.",    "strips."};
 
 // Effects that are more than pictures and sounds.
 constexpr std::array<std::string_view, 5> kSimulatedEffects = {
@@ -29,6 +29,23 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
   visitor.flag("hud", settings.hud,
                {.help = "Shows instruments, navigation bar and messages over the picture.",
                 .aliases = "overlay, interface, UI"});
+  visitor.choice("dropView", settings.dropView, kDropViewNames,
+                 {.help = "How a package in the air is shown: not, in a small picture, or by a camera that "
+                          "rides along until it has landed. Windows alone.",
+                  .aliases = "picture in picture, PIP, package camera, follow"});
+  visitor.choice("instruments", settings.instruments, kInstrumentsShownNames,
+                 {.help = "When the dials are shown: airspeed, attitude, height, compass, climb, engine.",
+                  .aliases = "gauges, dials, cockpit, horizon, altimeter, variometer"});
+  visitor.flag("marks", settings.marks,
+               {.help = "Marks where packages land, and points to a target out of view.",
+                .aliases = "aim, arrow, landing point, CCIP"});
+  visitor.flag("briefing", settings.briefing,
+               {.help = "Tells before a player's first flight what there is to do. Windows alone.",
+                .aliases = "tutorial, introduction, first start"});
+  visitor.flag("lesson", settings.lesson,
+               {.help = "Three steps with words: turn, climb or sink, deliver. Windows alone; the scene "
+                        "'lesson' has it on.",
+                .aliases = "tutorial, training, school"});
   visitor.flag("freezeTime", settings.freezeTime,
                {.help = "Holds simulated time; the camera is free to look around. Off at every start.",
                 .aliases = "pause, photo mode, stop"});
@@ -84,6 +101,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("aircraft", settings.aircraft, "How the aircraft answers the controls.");
   visitor.group("package", settings.package, "The package and its parachute.");
   visitor.group("game", settings.game, "Targets, drops and score.");
+  visitor.group("delivery", settings.delivery, "What a delivery earns, and where a flight begins.");
+  visitor.group("assist", settings.assist, "What helps the pilot.");
   visitor.group("autopilot", settings.autopilot, "How the autopilot flies.");
   visitor.group("terrain", settings.terrain, "The shape of the land.");
   visitor.group("strips", settings.strips, "Grass strips in the land: places to land.");
@@ -157,7 +176,8 @@ void applyOverrides(const core::SettingsTable& table, const std::vector<std::str
 
 bool isKept(std::string_view path) {
   return path != "view.freezeTime" && path != "live.follow" && path != "weatherFile.hour" &&
-         path != "landingLight.on" && path != "render.sun.offsetSeconds" && !path.starts_with("effects.");
+         path != "landingLight.on" && path != "render.sun.offsetSeconds" &&
+         path != "delivery.startFacesTarget" && !path.starts_with("effects.");
 }
 
 bool switchesSimulation(std::string_view path) {

@@ -26,6 +26,8 @@
 #include "skydrop/flight/gear_settings.h"
 #include "skydrop/flight/package_settings.h"
 #include "skydrop/game/autopilot.h"
+#include "skydrop/game/delivery.h"
+#include "skydrop/game/flight_assist.h"
 #include "skydrop/game/game_settings.h"
 #include "skydrop/game/input_log.h"
 #include "skydrop/render/fog/ground_fog_settings.h"
@@ -50,10 +52,23 @@
 
 namespace skydrop::app {
 
+// How a package in the air is shown: not, small at the upper right, or by a camera that goes down with it.
+enum class DropView { none, picture, ride };
+inline constexpr std::array<std::string_view, 3> kDropViewNames = {"none", "picture", "ride"};
+
+// When the dials of the cockpit are shown.
+enum class InstrumentsShown { never, cockpit, always };
+inline constexpr std::array<std::string_view, 3> kInstrumentsShownNames = {"never", "cockpit", "always"};
+
 // How the player looks at the game.
 struct ViewSettings {
   render::CameraMode camera = render::CameraMode::chase;
   bool hud = true;
+  DropView dropView = DropView::picture;  // in a window
+  InstrumentsShown instruments = InstrumentsShown::cockpit;
+  bool marks = true;         // on places of the world: landings, the way to the target
+  bool briefing = true;      // before a player's first flight in a window
+  bool lesson = false;       // three steps with words, in a window
   bool freezeTime = false;   // of this run alone: not kept
   double frameCapHz = 0;     // 0: none
   double frameBudgetMs = 0;  // that frames may take; 0: none
@@ -66,6 +81,12 @@ struct ViewSettings {
   SplitSettings split;
 };
 
+// Whether the dials are shown, by the camera that is chosen.
+inline bool showsInstruments(const ViewSettings& view) {
+  return view.instruments == InstrumentsShown::always ||
+         (view.instruments == InstrumentsShown::cockpit && view.camera == render::CameraMode::cockpit);
+}
+
 // How good the picture is and what it may cost: a file of settings (quality_preset.h). Automatic: by the
 // machine.
 enum class Quality { automatic, low, medium, high, ultra };
@@ -77,6 +98,8 @@ struct Settings {
   flight::AirplaneSettings aircraft;
   flight::PackageSettings package;
   game::GameSettings game;
+  game::DeliverySettings delivery;
+  game::AssistSettings assist;
   game::AutopilotSettings autopilot;
   terrain::TerrainSettings terrain;
   terrain::StripSettings strips;

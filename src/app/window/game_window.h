@@ -35,6 +35,11 @@ class GameWindow {
 
   // True once for each player who draws in software: it is news, and remembered.
   bool takeSoftwareNews();
+  // True for a player who has not read the briefing, where the window is one that is remembered.
+  bool wantsBriefing() const {
+    return !placedByHand_ && !memoryFile_.path().empty() && !remembered_.knowsBriefing;
+  }
+  void noteBriefing() { remembered_.knowsBriefing = true; }
 
   void apply(const ViewSettings& settings);
   ui::InterfaceScale interfaceScale() const { return {interfaceScale_, context_.contentScale()}; }

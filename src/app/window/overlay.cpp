@@ -63,11 +63,18 @@ OverlayResult Overlay::buildMeasured(const OverlayFrame& frame) {
   if (drawsHud_ && hudShown && !frame.split) {
     ui::HudData data = ui::makeHudData(frame.snapshot);
     data.keys = keys_;
+    if (frame.eye && !frame.snapshot.paused) data.marks = ui::hudMarks(frame.snapshot, *frame.eye);
+    if (frame.instruments && frame.snapshot.aircraft.present)
+      data.instruments = ui::readingsOf(frame.snapshot);
+    data.panel = frame.panel;
+    data.pictureAspect = frame.pictureAspect;
     if (escapeOpen) data.paused = false;  // the small menu covers that place and says so itself
     const std::vector<ui::HelpRow> none;
     const auto menu = menuOpen ? std::optional(menu_.place()) : std::nullopt;
     const float taken = frame.weatherBar ? ui::WeatherBar::height(interface_) : 0;
-    ui::drawHud(interface_, data, ui::layoutHud(interface_, data, helpOpen ? help_ : none, menu, taken));
+    const ui::HudLayout layout = ui::layoutHud(interface_, data, helpOpen ? help_ : none, menu, taken);
+    ui::drawHud(interface_, data, layout);
+    result.picture = layout.picture;
   }
   interface_.endFrame();
   return result;

@@ -42,6 +42,10 @@ struct OverlayFrame {
       nullptr;                                        // of this frame, to be listed; null: they are not shown
   const ui::PhotoLayer* photo = nullptr;              // null: there is none, or it is hidden
   const ui::WeatherBarContent* weatherBar = nullptr;  // null: it is hidden, or there is no weather data
+  std::optional<ui::Eye> eye = std::nullopt;  // for marks on places of the world; none: they are not shown
+  bool instruments = false;                   // the dials
+  std::optional<ui::HudPanel> panel = std::nullopt;
+  double pictureAspect = 0;               // of the package's picture (ui::HudData)
   std::function<void()> begun = nullptr;  // called when the frame has taken the input (EventFeed::frameBuilt)
 };
 
@@ -51,6 +55,7 @@ struct OverlayResult {
   std::optional<double> divider;  // where the split view's was dragged, 0 .. 1 of the width
   bool costsClosed = false;       // the cross of the panel of costs was clicked
   ui::WeatherBarResult weatherBar;
+  ui::ScreenRect picture;     // where the package's belongs; empty: nowhere
   bool fontsChanged = false;  // render::ImGuiPass::uploadFonts() is due before the frame is drawn
 };
 

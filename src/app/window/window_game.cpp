@@ -97,6 +97,9 @@ WindowGame::WindowGame(const CommandLine& line)
   tellOfSoftware();
   buildScene();
   attempt(part::kChange, [this] { renewBudget(); });
+  if (run_->userFolder) best_ = BestResults(*run_->userFolder);
+  if (const auto warning = best_.load()) tell(part::kChoices, *warning);
+  beginBriefing();
   beginRenewal();
   loadedMs_ = 1000 * secondsSinceStart();
   if (!line_.replay) sceneFile_ = FileWatch(run_->setup.scene.file);
@@ -135,6 +138,7 @@ WindowGame::Flight WindowGame::loadFlight(bool& lostFocus) {
   });
   if (!loading.prepare(preparations_)) return next;
   for (const std::string& message : preparations_.takeMessages()) warn(message);
+  faceTarget();
   next.simulation = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
   const scene::EffectSet& effects = next.simulation->effects();
   const SceneRenderer::Setup setup{.effects = effects,
@@ -185,6 +189,7 @@ void WindowGame::buildScene() {
       if (clockPace_.follow(run_->settings.render.sun, 0)) sceneRenderer_->apply({"render.sun"});
       drawnSeconds_ = 0;
       events_.clear();
+      beginDeliveries();
     }
   } catch (...) {
     failure = std::current_exception();
@@ -292,6 +297,9 @@ void WindowGame::handleEvents() {
 // True if the event was for the editor of the bindings. What it does to the program takes effect before the
 // next.
 bool WindowGame::takeEvent(const render::gl::WindowEvent& event) {
+  using Kind = render::gl::WindowEvent::Kind;
+  // Any key or button closes the briefing, and does what it does besides.
+  if (event.pressed && (event.kind == Kind::key || event.kind == Kind::mouseButton)) closeBriefing();
   const bool ofMenu = overlay_->menuOpen && ImGuiInput::isMenuChord(event);
   const bool taken = controls_.handle(event, ImGuiInput::wantsText() || ofMenu);
   for (const Action action : controls_.input().takeActions()) handleAction(action);
@@ -309,6 +317,7 @@ void WindowGame::showControls() {
 }
 
 void WindowGame::handleAction(Action action) {
+  closeBriefing();  // also by a button of a gamepad
   switch (action) {
     case Action::camera:
       run_->settings.view.camera = camera_.next(*sceneRenderer_);
@@ -341,6 +350,12 @@ void WindowGame::handleAction(Action action) {
       break;
     case Action::split:
       toggleSplit();
+      break;
+    case Action::ride:
+      toggleRide();
+      break;
+    case Action::deliveries:
+      deliveriesOpen_ = !deliveriesOpen_;
       break;
     case Action::landingLight:
       switchLandingLight();
@@ -393,6 +408,8 @@ void WindowGame::advance(double seconds) {
     }
     if (isFrozen()) continue;
     simulation_->step(controls);
+    noteDeliveries();
+    followLesson();
     if (const auto divergence = simulation_->takeDivergence())
       announce(*divergence, "The replay differs from the recorded flight");
     const std::vector<game::GameEvent> events = simulation_->world().takeEvents();
@@ -413,7 +430,9 @@ game::Snapshot WindowGame::snapshotToDraw() {
   snapshot.autopilot = simulation_->pilot() == Pilot::autopilot;
   snapshot.paused = isPaused();
   snapshot.frozen = isFrozen();
+  simulation_->warnOfGround(snapshot);
   notices_.addTo(snapshot);
+  if (lesson_) snapshot.messages.push_back({lessonText(), 1});
   return snapshot;
 }
 
@@ -434,9 +453,14 @@ void WindowGame::drawFrame(double seconds) {
 
   window_.context().setPointerVisible(
       pointer_.isShown(seconds, std::exchange(pointerMoved_, false), interfaceUsesPointer()));
+  followPackages(snapshot, size);
   const OverlayResult result = buildInterface(snapshot, seconds);
   if (budget_) drawingSince_ = Clock::now();
+  drawPicture(snapshot, result.picture);
   drawScene(snapshot, size);
+  if (hasPicture_)
+    sceneRenderer_->showInset(static_cast<int>(result.picture.left),
+                              size.height - static_cast<int>(result.picture.bottom));
   if (screenshotWanted_) saveScreenshot(snapshot);
   sceneRenderer_->renderer().present(size.width, size.height);
   serve(result);  // what the player did in this frame takes effect after it was drawn
@@ -497,6 +521,14 @@ OverlayResult WindowGame::buildInterface(const game::Snapshot& snapshot, double 
   if (weatherBar) frame.weatherBar = &*weatherBar;
   if (photo_ && !split_)
     frame.photo = photo_->layer(sceneRenderer_->view(snapshot, size), run_->settings.view);
+  if (run_->settings.view.marks && !split_) {
+    const render::View seen = sceneRenderer_->view(snapshot, size);
+    frame.eye =
+        ui::Eye{seen.position, seen.worldToView, seen.fovYRad, double(seen.width), double(seen.height)};
+  }
+  frame.instruments = showsInstruments(run_->settings.view);
+  frame.panel = panel();
+  if (showsPicture(snapshot)) frame.pictureAspect = 16.0 / 9;
   frame.begun = [this] { feed_->frameBuilt(); };
   const OverlayResult result = overlay_->build(frame);
   if (result.fontsChanged) sceneRenderer_->uploadFonts();

@@ -19,11 +19,13 @@
 #include "app/measure/frame_times.h"
 #include "app/session/clock_pace.h"
 #include "app/session/frame_budget.h"
+#include "app/session/package_camera.h"
 #include "app/session/player_camera.h"
 #include "app/session/preparations.h"
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
 #include "app/session/split_view.h"
+#include "app/settings/best_results.h"
 #include "app/types/command_line.h"
 #include "app/window/cursor_auto_hide.h"
 #include "app/window/faults.h"
@@ -44,6 +46,7 @@
 #include "skydrop/core/guard_watch.h"
 #include "skydrop/core/output_file.h"
 #include "skydrop/forecast/renewal.h"
+#include "skydrop/game/lesson.h"
 
 namespace skydrop::app {
 
@@ -108,6 +111,21 @@ class WindowGame {
   void beginSplit();
   void endSplit();
   void followSplit(const SettingsChange& change);
+  // Of the drop: what is seen, told and kept of it (window_game_delivery.cpp).
+  void toggleRide();
+  void followPackages(const game::Snapshot& snapshot, Size size);
+  void noteDeliveries();
+  std::optional<ui::HudPanel> panel() const;
+  ui::HudPanel briefingPanel() const;
+  ui::HudPanel deliveriesPanel() const;
+  bool showsPicture(const game::Snapshot& snapshot) const;
+  void drawPicture(const game::Snapshot& snapshot, const ui::ScreenRect& place);
+  void faceTarget();
+  void beginDeliveries();  // of another flight
+  void beginBriefing();
+  void closeBriefing();
+  void followLesson();
+  std::string lessonText() const;
   void releaseFreeze();  // that was for the split view alone
   void dragDivider(double divider);
   // Effects come and go: at once in the simulation and in what is heard, in steps in what is drawn.
@@ -144,7 +162,7 @@ class WindowGame {
   void finish(std::exception_ptr failure);
 
   // A pause holds everything; a freeze holds simulated time, and the keys move the free camera.
-  bool isPaused() const { return paused_ || overlay_->escapeOpen; }
+  bool isPaused() const { return paused_ || briefing_ || overlay_->escapeOpen; }
   bool interfaceUsesPointer() const {
     return overlay_->menuOpen || overlay_->escapeOpen || split_ || costs_ || showsWeatherBar();
   }
@@ -171,6 +189,15 @@ class WindowGame {
   GlfwJoysticks joysticks_;
   PlayerControls controls_;
   PlayerCamera camera_;
+  PackageCamera ride_;        // while the player rides along
+  std::uint32_t ridden_ = 0;  // the package that was last ridden with, so that it begins once
+  PackageCamera pictured_;    // of the small picture
+  std::uint32_t picturedPackage_ = 0;
+  bool hasPicture_ = false;  // it was drawn beside this frame
+  BestResults best_;
+  std::uint64_t deliveryStep_ = 0;  // up to which deliveries are counted
+  bool briefing_ = false, deliveriesOpen_ = false;
+  std::optional<game::Lesson> lesson_;  // where the settings have one
   MenuController menuController_;
   CursorAutoHide pointer_;
   bool pointerMoved_ = false;

@@ -27,9 +27,9 @@ constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that 
 
 // Who takes what over when it changes. The simulation comes first: it refuses what is unusable.
 void WindowGame::registerDependents() {
-  simulationDependencies_.add(
-      {"effects", "aircraft", "package", "game", "autopilot", "wind", "weather", "live", "landingLight"},
-      [this](const SettingsChange& change) { simulation_->apply(change); });
+  simulationDependencies_.add({"effects", "aircraft", "package", "game", "delivery", "assist", "autopilot",
+                               "wind", "weather", "live", "landingLight"},
+                              [this](const SettingsChange& change) { simulation_->apply(change); });
   // The hour of a forecast follows the clock of the sky.
   simulationDependencies_.add({"weatherFile", "render.sun"}, [this](const SettingsChange& change) {
     if (run_->setup.forecast) simulation_->apply(change);

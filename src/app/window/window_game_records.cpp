@@ -152,6 +152,7 @@ void WindowGame::keepChoices() {
   playerFile_.forget();
   keep([this] { return menuController_.save(overlay_->menu()); });
   keep([this] { return window_.remember(); });
+  keep([this] { return best_.save(); });
   if (kept) faults_.clear(part::kChoices);
   lastGood_.userSettings = run_->userSettings;
 }

@@ -15,6 +15,7 @@ void describe(core::SettingsVisitor& visitor, WindowMemory& memory) {
   visitor.flag("fullScreen", memory.fullScreen, {"Whether the window fills the screen."});
   visitor.flag("knowsSoftware", memory.knowsSoftware,
                {"Whether the player was told that there is no graphics card."});
+  visitor.flag("knowsBriefing", memory.knowsBriefing, {"Whether the player has read the briefing."});
 }
 
 std::filesystem::path windowMemoryFile(const std::filesystem::path& folder) { return folder / "window.json"; }

@@ -18,6 +18,7 @@ struct WindowMemory {
   std::int64_t left = 0, top = 0;
   bool fullScreen = false;
   bool knowsSoftware = false;  // the player was told that this machine draws in software
+  bool knowsBriefing = false;  // the player was told what there is to do
 };
 
 void describe(core::SettingsVisitor& visitor, WindowMemory& memory);

@@ -167,6 +167,14 @@ std::optional<std::vector<float>> Renderer::drawUnseen(const FrameInput& input) 
   return complete ? std::optional(std::move(radiance)) : std::nullopt;
 }
 
+bool Renderer::drawInset(const FrameInput& input) {
+  return unseen([&] { drawPasses(input, Which::drawn, nullptr, {.last = RenderStage::toneMap}); });
+}
+
+void Renderer::showInset(int left, int bottom) {
+  if (unseen_.output && screen_.output) unseen_.output.copyTo(screen_.output, left, bottom);
+}
+
 void Renderer::drawOverlays(const FrameInput& input, std::string_view reason) {
   drawPasses(input, Which::drawn, nullptr, {.first = RenderStage::hud, .others = reason});
 }

@@ -1,5 +1,6 @@
 #include "skydrop/render/gl/frame_buffer.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "render/gl/created.h"
@@ -103,6 +104,15 @@ void FrameBuffer::drawToScreen(GLsizei screenWidth, GLsizei screenHeight) const 
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl.Viewport(0, 0, screenWidth, screenHeight);
   blit(0, screenWidth, screenHeight);
+}
+
+void FrameBuffer::copyTo(const FrameBuffer& target, GLint left, GLint bottom) const {
+  const GLint width = std::min(width_, target.width() - left),
+              height = std::min(height_, target.height() - bottom);
+  if (left < 0 || bottom < 0 || width <= 0 || height <= 0) return;
+  context().api().Disable(GL_SCISSOR_TEST);
+  context().api().BlitNamedFramebuffer(id(), target.id(), 0, 0, width, height, left, bottom, left + width,
+                                       bottom + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void FrameBuffer::drawTo(const FrameBuffer& target) const {

@@ -45,6 +45,20 @@ void showOnly(ModelPose& pose, const Model& model, Detail detail) {
   }
 }
 
+// What a crash leaves: the wing torn askew and its struts gone, the tail bent, surfaces that hang.
+template <class Turn>
+void breakUp(ModelPose& pose, const Turn& turn) {
+  constexpr glm::vec3 across(1, 0, 0), up(0, 1, 0), along(0, 0, 1);
+  turn("wing", along, 0.24f);
+  turn("wing", up, 0.2f);
+  turn("tail", up, -0.3f);
+  turn("tail", along, 0.25f);
+  turn("aileron_left", across, 0.9f);
+  turn("elevator", across, 0.6f);
+  turn("rudder", across, 0.5f);
+  for (const char* gone : {"struts", "struts_far", "gear", "gear_far"}) pose.hide(gone);
+}
+
 ModelPose poseOf(const game::AircraftSnapshot& aircraft, const Model& model, Detail detail) {
   ModelPose pose(model);
   showOnly(pose, model, detail);
@@ -58,6 +72,7 @@ ModelPose poseOf(const game::AircraftSnapshot& aircraft, const Model& model, Det
   turn("aileron_right", hinge, -deflection(aircraft.controls.roll));
   turn("elevator", hinge, -deflection(aircraft.controls.pitch));
   turn("rudder", hinge, deflection(aircraft.controls.yaw));
+  if (aircraft.crashed) breakUp(pose, turn);
   // Clockwise, seen from behind: against the sense of +z, which points back.
   for (const char* part : {"propeller", "propeller_disc", "spinner"}) {
     turn(part, shaft, -static_cast<float>(aircraft.propellerAngleRad));

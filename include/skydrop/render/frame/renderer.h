@@ -89,6 +89,14 @@ class Renderer {
   // throws.
   std::optional<std::vector<float>> drawUnseen(const FrameInput& input);
 
+  // A small picture beside the frame's: drawn whole, but for the interface, before the draw() of a frame,
+  // whose times and counts it leaves alone, and copied over the frame's output after it, its lower left
+  // corner there (pixels; what does not fit is left out). False where a second program would have to be
+  // compiled: then there is nothing to show, and the next call goes on. Targets of its size are kept until
+  // endWarmUp(). Throws what draw() throws.
+  bool drawInset(const FrameInput& input);
+  void showInset(int left, int bottom);
+
   // Draws the stages after the tone map over black into the output: a frame whose picture is one that was
   // kept (SplitPass). The passes that it leaves out are given as skipped, with this reason.
   void drawOverlays(const FrameInput& input, std::string_view reason);

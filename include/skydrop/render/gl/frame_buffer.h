@@ -49,6 +49,8 @@ class FrameBuffer : public Object {
   // bound target afterwards, or another buffer.
   void drawToScreen(GLsizei screenWidth, GLsizei screenHeight) const;
   void drawTo(const FrameBuffer& target) const;
+  // Copies its colour as it is into the target, its lower left corner there; what does not fit is left out.
+  void copyTo(const FrameBuffer& target, GLint left, GLint bottom) const;
 
  private:
   void attach(const Texture* color, const Texture* depth);
