@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/input/event_feed.h"
@@ -193,7 +194,9 @@ class WindowGame {
   std::uint32_t ridden_ = 0;  // the package that was last ridden with, so that it begins once
   PackageCamera pictured_;    // of the small picture
   std::uint32_t picturedPackage_ = 0;
-  bool hasPicture_ = false;  // it was drawn beside this frame
+  std::optional<std::pair<int, int>> picturedSize_;  // of the picture that is kept
+  int pictureAge_ = 0;                               // frames since it was drawn
+  bool hasPicture_ = false;                          // it was drawn beside this frame
   BestResults best_;
   std::uint64_t deliveryStep_ = 0;  // up to which deliveries are counted
   bool briefing_ = false, deliveriesOpen_ = false;

@@ -48,6 +48,7 @@ void WindowGame::closeBriefing() {
 
 void WindowGame::beginDeliveries() {
   ride_.end(), pictured_.end();
+  picturedSize_.reset();
   ridden_ = picturedPackage_ = 0;
   deliveryStep_ = 0;
   lesson_.reset();
@@ -99,7 +100,10 @@ void WindowGame::followPackages(const game::Snapshot& snapshot, Size size) {
   if (!newest) ridden_ = picturedPackage_ = 0;  // another flight counts from 1 again
   const bool pictured = pictured_.rides();
   if (how != DropView::picture) pictured_.end();
-  if (pictured && !pictured_.follow(snapshot)) sceneRenderer_->endInset();
+  if (pictured && !pictured_.follow(snapshot)) {
+    sceneRenderer_->endInset();
+    picturedSize_.reset();
+  }
   const terrain::HeightSource* ground = simulation_->ground().get();
   if (ride_.rides()) ride_.follow(snapshot);
   sceneRenderer_->lookFrom(split_ ? std::nullopt : ride_.view(snapshot, camera, size, ground));
@@ -112,10 +116,19 @@ bool WindowGame::showsPicture(const game::Snapshot&) const {
 void WindowGame::drawPicture(const game::Snapshot& snapshot, const ui::ScreenRect& place) {
   hasPicture_ = false;
   const Size size{static_cast<int>(place.right - place.left), static_cast<int>(place.bottom - place.top)};
-  if (!showsPicture(snapshot) || size.width < 16 || size.height < 9) return;
+  if (!showsPicture(snapshot) || size.width < 16 || size.height < 9) return picturedSize_.reset();
   const auto view = pictured_.view(snapshot, run_->settings.render.camera, size, simulation_->ground().get());
   if (!view) return;
+  // Where the processor draws it is renewed in every third frame: the land's triangles weigh more than
+  // pixels.
+  const bool isDue = !picturedSize_ || *picturedSize_ != std::pair(size.width, size.height) ||
+                     ++pictureAge_ >= (window_.context().isSoftware() ? 3 : 1);
+  hasPicture_ = !isDue;
+  if (!isDue) return;
+  picturedSize_.reset();
   attempt(part::kFrame, [&] { hasPicture_ = sceneRenderer_->drawInset(snapshot, *view); });
+  if (hasPicture_) picturedSize_ = std::pair(size.width, size.height);
+  pictureAge_ = 0;
 }
 
 // After each step: hits that are among the best are kept at once.
