@@ -27,7 +27,7 @@ const float kVolumeLayers = 1.0;
 vec3 meanLight(vec2 periods, float height, float layer) {
   float row = clamp(height * kVolumeRows, 0.5, kVolumeRows - 0.5) + layer * kVolumeRows;
   vec2 light = textureLod(lightVolumes, vec3(periods.x, row / (kVolumeRows * kVolumeLayers), periods.y), 0.0).xy;
-  return vec3(light, 1.0 / kPi - light.y);
+  return vec3(light, groundOfVolume(light.y));
 }
 #endif
 

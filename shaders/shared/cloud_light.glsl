@@ -167,6 +167,10 @@ FN Real scatteredSunOfVolume(Vec4 phases, Real sunDepth, Real meanLight, Real ex
   return phases.x * direct + phases.y * (near - direct) + phases.z * meanLight + phases.w * dense * near;
 }
 
+// Of even light of the sky and the ground a place in cloud has as much as outside: what is not the sky's is the ground's.
+// meanSky: 1/sr; of half precision, which may round it above all there is.
+FN Real groundOfVolume(Real meanSky) { return max(Real(0.0), Real(1.0) / kPi - meanSky); }
+
 // What is left of the sun's light below a cloud of an optical depth: some of it straight through; some scattered out of
 // the base, which thins as a two-stream layer of droplets (asymmetry 0.85) does.
 FN Real sunBelowCloud(Real depth) {

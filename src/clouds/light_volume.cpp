@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "clouds/light_cell.h"
 #include "skydrop/clouds/raised_sun.h"
 #include "skydrop/core/shared.h"
 
@@ -29,16 +30,15 @@ struct Lengths {
 constexpr float kDirectionWeight = 1.0f / 8;
 const float kSine = 1 / std::sqrt(3.0f);
 
-// What is left of light straight through each cell along a length, and the share of what comes in that the
-// mean over the way has.
+// cellPassage() of every cell.
 struct Attenuation {
   Grid left, kept;
 
   explicit Attenuation(std::size_t cells) : left(cells), kept(cells) {}
-  void set(std::size_t cell, float attenuation) {
-    left[cell] = attenuation;
-    const float depth = -std::log(std::max(attenuation, 1e-30f));
-    kept[cell] = depth > 1e-3f ? (1 - attenuation) / depth : 1 - depth / 2;
+  void set(std::size_t cell, float depth) {
+    const CellPassage passage = cellPassage(depth);
+    left[cell] = passage.left;
+    kept[cell] = passage.kept;
   }
 };
 
@@ -84,7 +84,7 @@ Cells cellsOf(const Grid& fine, const Lengths& lengths, float lessened) {
     float mean = 0;
     for (const std::size_t eighth : eighthsOf(cell)) mean += fine[eighth] / 8;
     cells.extinction[cell] = mean;
-    cells.through.set(cell, std::exp(-lessened * mean * lengths.highM / kSine));
+    cells.through.set(cell, lessened * mean * lengths.highM / kSine);
   }
   return cells;
 }

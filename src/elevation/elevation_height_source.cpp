@@ -143,7 +143,10 @@ class Source final : public ElevationHeightSource {
 
 glm::dvec2 gradientOf(std::uint16_t code) {
   const glm::dvec3 normal = terrain::decodeNormal(code);
-  return {-normal.x / normal.y, -normal.z / normal.y};
+  // The code of a cliff has a normal that is level: half a step of the code above that is as steep as it can
+  // tell.
+  const double up = std::max(normal.y, 0.5 / 127);
+  return {-normal.x / up, -normal.z / up};
 }
 
 bool isInChunk(int i) { return i >= 0 && i < terrain::kChunkSamples; }

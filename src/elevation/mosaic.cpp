@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "elevation/bicubic.h"
 #include "skydrop/core/error.h"
 
 namespace skydrop::elevation {
@@ -23,46 +24,10 @@ glm::dvec2 outside(const Tile& tile, glm::dvec2 at) {
           axis(at.y, static_cast<double>(tile.row), static_cast<double>(tile.lastRow()))};
 }
 
-// The surface through 4 x 4 heights with the weights of Catmull and Rom: height, and slopes a cell.
-struct Patch {
-  float height, acrossSlope, downSlope;
-};
-struct Weights {
-  std::array<float, 4> value, slope;
-};
-// Four at once, which compilers turn into one vector.
-constexpr std::array<float, 4> kFlat{0, 1, 0, 0}, kLinear{-0.5F, 0, 0.5F, 0}, kSquare{1, -2.5F, 2, -0.5F},
-    kCube{-0.5F, 1.5F, -1.5F, 0.5F};
-inline Weights weightsOf(float t) {
-  Weights weights;
-  for (std::size_t i = 0; i < 4; ++i) {
-    weights.value[i] = kFlat[i] + t * (kLinear[i] + t * (kSquare[i] + t * kCube[i]));
-    weights.slope[i] = kLinear[i] + t * (2 * kSquare[i] + t * (3 * kCube[i]));
-  }
-  return weights;
-}
 // The largest whole number not above it; of places on a lattice, which are far below 2^62.
 inline std::int64_t floorOf(double value) {
   const auto whole = static_cast<std::int64_t>(value);
   return whole - (static_cast<double>(whole) > value ? 1 : 0);
-}
-inline Patch surfaceAt(const float* cells, float across, float down) {
-  const Weights x = weightsOf(across), y = weightsOf(down);
-  std::array<float, 4> values{}, slopes{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const float* row = cells + k * Page::kSide;
-    for (std::size_t i = 0; i < 4; ++i) {
-      values[i] += y.value[k] * row[i];
-      slopes[i] += y.slope[k] * row[i];
-    }
-  }
-  Patch out{0, 0, 0};
-  for (std::size_t i = 0; i < 4; ++i) {
-    out.height += x.value[i] * values[i];
-    out.acrossSlope += x.slope[i] * values[i];
-    out.downSlope += x.value[i] * slopes[i];
-  }
-  return out;
 }
 
 // The part of the world around a tile set within which it counts.
@@ -246,9 +211,10 @@ void Mosaic::readTiles(const std::vector<const Tile*>& tiles, std::int64_t left,
 
 namespace {
 
-// What lies beside tiles is taken for the mean of the nearest edges to the four sides, weighted by 1/d^2;
-// beyond the corners of all of them it is the nearest corner.
-float besideTiles(const std::vector<const Tile*>& tiles, std::int64_t x, std::int64_t y) {
+// What lies beside tiles is taken for the mean of the nearest edges to the four sides, weighted by (1/d -
+// 1/reach)^2; beyond the corners of all of them it is the nearest corner. What is further than `reach` cells
+// does not count, so that a cell is the same in every page, whatever tiles each has near.
+float besideTiles(const std::vector<const Tile*>& tiles, std::int64_t x, std::int64_t y, double reach) {
   struct Side {
     std::int64_t distance = std::numeric_limits<std::int64_t>::max();
     float height = 0;
@@ -281,9 +247,10 @@ float besideTiles(const std::vector<const Tile*>& tiles, std::int64_t x, std::in
   double sum = 0, weights = 0;
   for (const Side* side : {&west, &east, &north, &south}) {
     if (side->distance == std::numeric_limits<std::int64_t>::max()) continue;
-    const double weight = 1.0 / (static_cast<double>(side->distance) * static_cast<double>(side->distance));
-    sum += weight * side->height;
-    weights += weight;
+    const double near = 1.0 / static_cast<double>(side->distance) - 1.0 / reach;
+    if (!(near > 0)) continue;
+    sum += near * near * side->height;
+    weights += near * near;
   }
   return weights > 0 ? static_cast<float>(sum / weights) : corner.height;
 }
@@ -300,12 +267,14 @@ std::shared_ptr<const Page> Mosaic::makePage(std::int64_t column, std::int64_t r
                        static_cast<double>(top + Page::kSide - 1)};
   readTiles(tilesNear(cells, 0), left, top, *page);
   std::vector<const Tile*> beside;
+  constexpr double kAround = 4;  // cells of a patch, which may lie beyond the place that counts
+  const double reach = blendM_ / cellM() + kAround;
   for (int r = 0; r < Page::kSide; ++r) {
     for (int c = 0; c < Page::kSide; ++c) {
       float& height = page->heights[static_cast<std::size_t>(r) * Page::kSide + c];
       if (height == height) continue;
-      if (beside.empty()) beside = tilesNear(cells, blendM_ / cellM() + Page::kSide);
-      height = besideTiles(beside, left + c, top + r);
+      if (beside.empty()) beside = tilesNear(cells, reach + Page::kSide);
+      height = besideTiles(beside, left + c, top + r, reach);
     }
   }
   return page;
@@ -359,8 +328,9 @@ Mosaic::Sample Mosaic::Reader::at(double x) {
   if (!page_) page_ = mosaic_->pageAt(pageColumn, pageRow);
   const float* cells = page_->patch(static_cast<int>(i - pageColumn * Page::kCells),
                                     static_cast<int>(k - pageRow * Page::kCells));
-  const Patch patch = surfaceAt(cells, static_cast<float>(spot.at.x - static_cast<double>(i)),
-                                static_cast<float>(spot.at.y - static_cast<double>(k)));
+  const Patch<float> patch =
+      surfaceAt(cells, Page::kSide, static_cast<float>(spot.at.x - static_cast<double>(i)),
+                static_cast<float>(spot.at.y - static_cast<double>(k)));
   sample.height = patch.height;
   const double across = patch.acrossSlope, down = patch.downSlope;
   sample.gradient = {across * spot.dx.x + down * spot.dx.y, across * spot.dz.x + down * spot.dz.y};

@@ -191,6 +191,7 @@ HUNTED(volumePhases, (signedUnit(), in(-0.9, 0.95), in(-1e30, 1e30)), (out(0, 62
        Vec4 p = volumePhases(a[0], a[1], a[2]); r[0] = p.x; r[1] = p.y; r[2] = p.z; r[3] = p.w)
 HUNTED(scatteredSunOfVolume, (in(0, 62), in(-1e30, 1e30), unit(), in(0, 1), in(1, 1000)), (out(0, 200)),
        r[0] = scatteredSunOfVolume(Vec4(a[0], a[0], Real(2.0), Real(0.1)), a[1], a[2], a[3], a[4]))
+HUNTED(groundOfVolume, (in(0, 0.3183594, {0.31830987f})), (out(0, 0.3183099)), r[0] = groundOfVolume(a[0]))
 HUNTED(sunBelowCloud, (in(-1e30, 1e30)), (share()), r[0] = sunBelowCloud(a[0]))
 HUNTED(sunPartBegin, (whole(0, 15), in(0, 1e6)), (out(0, 1e6)), r[0] = sunPartBegin(a[0], Real(16.0), a[1]))
 HUNTED(cloudFade, (in(0, 1e30), in(1000, 1e6)), (share()), r[0] = cloudFade(a[0], a[1]))

@@ -1,0 +1,137 @@
+// Cases that the hunt found in light volumes and in land of files (docs/hunt.md): the input, what the former
+// code made of it, and what must hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/packing.hpp>
+#include <glm/trigonometric.hpp>
+#include <memory>
+#include <vector>
+
+#include "clouds/light_cell.h"
+#include "elevation/bicubic.h"
+#include "skydrop/core/shared.h"
+#include "skydrop/elevation/elevation_height_source.h"
+#include "skydrop/terrain/analytic_height_sources.h"
+#include "skydrop/terrain/chunk_data.h"
+#include "skydrop/terrain/chunk_grid.h"
+#include "support/margin.h"
+
+namespace skydrop {
+namespace {
+
+using test::apart, test::atLeast, test::atMost, test::holds;
+
+// Of a cell: the former share that its mean has of what comes in.
+float formerlyKept(float depth) {
+  const float left = std::exp(-depth), known = -std::log(std::max(left, 1e-30f));
+  return known > 1e-3f ? (1 - left) / known : 1 - known / 2;
+}
+
+TEST(Stability, X60_aCellOfDepth300MakesNoLight) {
+  // Of a cell: what it takes less what its mean loses, in units of the light that comes in.
+  EXPECT_GT(apart(300 * formerlyKept(300), 1), 3);
+  const clouds::CellPassage cell = clouds::cellPassage(300);
+  EXPECT_TRUE(holds("X60", apart(300 * cell.kept, 1 - cell.left), atMost(1e-6), "of the light"));
+}
+
+TEST(Stability, X61_aThinCellKeepsWhatItTakes) {
+  constexpr float depth = 1.001e-3f;
+  const long double kept = -expm1l(-static_cast<long double>(depth)) / static_cast<long double>(depth);
+  const auto off = [&](float actual) { return std::abs(static_cast<double>(actual / kept - 1)); };
+  EXPECT_TRUE(holds("X61", off(clouds::cellPassage(depth).kept), atMost(1e-6), "relative"));
+  // The shares of a volume's cell are used together: of the former depth nothing was left below 6e-8.
+  EXPECT_EQ(formerlyKept(5e-8f), 1);
+}
+
+TEST(Stability, X62_groundUnderAThickCloudGivesNoLightBelowNone) {
+  // 1 / pi of the sky, in half precision, is above 1 / pi.
+  constexpr float kAll = 1 / glm::pi<float>();
+  const float sky = glm::unpackHalf2x16(glm::packHalf2x16({0, kAll})).y;
+  EXPECT_LT(kAll - sky, 0);
+  EXPECT_TRUE(holds("X62", core::shared::f32::groundOfVolume(sky), atLeast(0), "1/sr"));
+}
+
+// A land that is steeper than codes of normals tell.
+class Cliff final : public terrain::HeightSource {
+ public:
+  terrain::HeightSample sample(glm::dvec2) const override { return {100, {300, 0}}; }
+  terrain::HeightBounds bounds(glm::dvec2, glm::dvec2) const override { return {100, 100}; }
+  terrain::HeightBounds range() const override { return {100, 100}; }
+};
+
+constexpr elevation::GeoPlace kBern{46.9510827861504654, 7.4386324175389165};  // 2600000, 1200000
+
+class FlatHeights final : public elevation::Raster {
+ public:
+  // firstColumn: cells of 20 m further east.
+  explicit FlatHeights(int firstColumn = 0, float height = 500)
+      : Raster("flat", "test", 50, 50, {"EPSG:2056", {2599500 + 20.0 * firstColumn, 1200500}, {20, 20}}),
+        level_(height) {}
+  void read(int, int, int columns, int rows, float* out) const override {
+    std::fill_n(out, columns * rows, level_);
+  }
+
+ private:
+  float level_;
+};
+
+TEST(Stability, X63_landThatFadesIntoACliffHasNormals) {
+  // The code of the cliff's normal is level: its gradient was 1/0 to the east and 0/0 to the south, and the
+  // code of their sum undefined. Codes tell slopes up to 253: a share of a slope of 300 is off by up to 5 degrees.
+  const glm::dvec3 level = terrain::decodeNormal(terrain::encodeNormal({300, 0}));
+  EXPECT_EQ(level.y, 0);
+  const auto land = elevation::makeElevationHeightSource({std::make_shared<FlatHeights>()},
+                                                         {false, kBern.latitude, kBern.longitude, 2000},
+                                                         std::make_shared<Cliff>());
+  const terrain::ChunkData chunk = terrain::makeChunk(*land, {0, 0, 0});
+  ASSERT_FALSE(chunk.empty());
+  std::size_t faded = 0;
+  for (int row = 0; row < terrain::kChunkSamples; row += 7) {
+    for (int column = 0; column < terrain::kChunkSamples; column += 7) {
+      const glm::dvec2 place =
+          terrain::chunkOrigin({0, 0, 0}) + terrain::cellMetres(0) * glm::dvec2(column, row);
+      const glm::dvec3 normal =
+          terrain::decodeNormal(chunk.normals[static_cast<std::size_t>(terrain::normalIndex(column, row))]);
+      const glm::dvec3 expected = normalOf(land->sample(place));
+      faded += std::abs(expected.x) > 0.1 && expected.y > 0.1 ? 1 : 0;
+      const double angle = glm::degrees(std::acos(std::clamp(glm::dot(normal, expected), -1.0, 1.0)));
+      ASSERT_TRUE(holds("X63", angle, atMost(12), "degrees")) << column << " " << row;
+    }
+  }
+  EXPECT_GT(faded, 10u);
+}
+
+TEST(Stability, X65_tilesFarApartMakeNoStepBetweenPages) {
+  // Tiles of 500 and 5000 m, 6.3 km apart, fading over 2 km: of a cell between, on the border of two pages,
+  // one knew the far tile and the other did not.
+  const auto land = elevation::makeElevationHeightSource(
+      {std::make_shared<FlatHeights>(), std::make_shared<FlatHeights>(365, 5000.0f)},
+      {false, kBern.latitude, kBern.longitude, 2000}, terrain::makeFlatSource(0));
+  double before = land->height({0, 30});
+  double steepest = 0;
+  for (int x = 1; x < 9000; ++x) {
+    const double height = land->height({double(x), 30});
+    steepest = std::max(steepest, std::abs(height - before));
+    before = height;
+  }
+  EXPECT_TRUE(holds("X65", steepest, atMost(8), "m a metre"));
+}
+
+TEST(Stability, X64_aShareOfACellThatRoundsToAllOfItIsTheNextCell) {
+  // A hair west of a cell's border the share in float is 1: the height is that of the border, not of a cell
+  // further.
+  const float cells[16] = {-12000, 9000, -12000, 9000, 9000, -12000, 9000,   -12000,
+                           0,      1,    2,      3,    9000, 9000,   -12000, 9000};
+  const double share = 1 - 1e-9;
+  ASSERT_EQ(static_cast<float>(share), 1);
+  const auto truth = elevation::surfaceAt(cells, 4, share, 0.25);
+  const auto actual = elevation::surfaceAt(cells, 4, static_cast<float>(share), 0.25f);
+  EXPECT_TRUE(holds("X64", apart(actual.height, truth.height), atMost(0.012), "m"));
+}
+
+}  // namespace
+}  // namespace skydrop
