@@ -7,6 +7,7 @@
 #   check.sh [COMPILER-LEVEL...]   builds state_hashes in build/compilers with g++ and clang++ at -O0 to -O3 (or what
 #                             is named: clang++-O3), runs each as above, and prints a table. Needs Debian's clang;
 #                             15 minutes of one core a level. A compiler that is not there is left out, and said.
+#   check.sh --reference FILE [COMPILER-LEVEL...]   compares them with a program that is built already
 # Exit code 1: something differs.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -52,13 +53,17 @@ if [ "${1:-}" = "--program" ]; then
   exit
 fi
 
+reference='' reference_name=''
+if [ "${1:-}" = "--reference" ]; then
+  reference=$("$2" --elevation "$elevation") reference_name=$2
+  shift 2
+fi
 levels=("$@")
 if [ ${#levels[@]} = 0 ]; then
   for compiler in g++ clang++; do
     for level in 0 1 2 3; do levels+=("$compiler-O$level"); done
   done
 fi
-reference='' reference_name=''
 for level in "${levels[@]}"; do
   compiler=${level%-O*} folder=$root/build/compilers/$level
   if ! command -v "$compiler" >/dev/null; then

@@ -4,15 +4,16 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "skydrop/core/assets.h"
 #include "skydrop/render/models/model_import.h"
-#include "support/paths.h"
 
 namespace skydrop::fuzz {
 namespace {
 
 void copyCompanions() {
   const std::set<std::string> companions = {".mtl", ".png", ".bin"};
-  for (const auto& entry : std::filesystem::directory_iterator(test::sourceDir() + "/tests/corpus/models")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(core::dataFolder().string() + "/tests/corpus/models")) {
     if (companions.contains(entry.path().extension().string()))
       std::filesystem::copy_file(entry.path(), inputFolder() / entry.path().filename(),
                                  std::filesystem::copy_options::overwrite_existing);
