@@ -32,8 +32,8 @@ ALfloat clamped(double value, double least, double most) {
 ALenum formatOf(const Sound& sound) { return sound.channels == 1 ? AL_FORMAT_MONO16 : AL_FORMAT_STEREO16; }
 
 // Where there is no sound card, ALSA and OpenAL print a dozen lines of their own, which neither lets be
-// turned off at run time; status() says it in one. Opening a device happens once, before any other thread
-// exists.
+// turned off at run time; status() says it in one. A device is opened at the start and when one was lost:
+// what other threads print in those milliseconds is lost.
 class StandardErrorMuted {
  public:
 #if defined(__unix__)
@@ -58,6 +58,7 @@ class StandardErrorMuted {
 struct AudioManager::State {
   ALCdevice* device = nullptr;
   ALCcontext* context = nullptr;
+  bool tellsOfLoss = false;  // ALC_EXT_disconnect
   LPALCRENDERSAMPLESSOFT renderSamples = nullptr;
   std::string status;
   std::map<std::filesystem::path, ALuint> buffers;  // 0 when silent: read and found good
@@ -114,6 +115,7 @@ void AudioManager::State::openContext(const ALCint* attributes) {
     return;
   }
   for (Slot& slot : slots) alGenSources(1, &slot.source);
+  tellsOfLoss = alcIsExtensionPresent(device, "ALC_EXT_disconnect") == ALC_TRUE;
   const ALCchar* name = alcGetString(device, ALC_DEVICE_SPECIFIER);
   status = name ? name : "sound device";
 }
@@ -157,10 +159,17 @@ Slot* AudioManager::State::freeSlot() {
 }
 
 AudioManager::AudioManager(const AudioSettings& settings, Output output) : state_(std::make_unique<State>()) {
-  if (output == Output::device)
-    state_->openDevice();
-  else
-    state_->openLoopback();
+  switch (output) {
+    case Output::device:
+      state_->openDevice();
+      break;
+    case Output::loopback:
+      state_->openLoopback();
+      break;
+    case Output::none:
+      state_->status = "the game is silent";
+      break;
+  }
   apply(settings);
 }
 
@@ -169,6 +178,13 @@ AudioManager::~AudioManager() = default;
 bool AudioManager::isSilent() const { return state_->context == nullptr; }
 
 const std::string& AudioManager::status() const { return state_->status; }
+
+bool AudioManager::isConnected() const {
+  if (!state_->tellsOfLoss) return true;
+  ALCint connected = ALC_TRUE;
+  alcGetIntegerv(state_->device, ALC_CONNECTED, 1, &connected);
+  return connected != ALC_FALSE;
+}
 
 void AudioManager::load(const std::filesystem::path& file) {
   if (state_->buffers.contains(file)) return;

@@ -1,7 +1,11 @@
 #include "skydrop/render/gl/context.h"
 
+#include "render/gl/device_check.h"
+#include "render/gl/owned_functions.h"
+#include "skydrop/core/error.h"
 #include "skydrop/render/gl/buffer.h"
 #include "support/gl_test.h"
+#include "support/refusal.h"
 
 namespace skydrop::render::gl {
 namespace {
@@ -26,6 +30,53 @@ TEST_F(GLTest, contextCollectsTheDriversErrors) {
   EXPECT_FALSE(context().debugMessages().back().text.empty());
   api().GetError();
   forgiveDebugErrors();
+}
+
+// A driver that answers two questions as it is told, while this lives.
+GLenum saidReset = GL_NO_ERROR, saidError = GL_NO_ERROR;
+class FailingDriver {
+ public:
+  explicit FailingDriver(Context& context)
+      : functions_(const_cast<Functions&>(context.api())),
+        owned_(const_cast<OwnedFunctions&>(context.owned())),
+        error_(functions_.GetError),
+        reset_(owned_.GetGraphicsResetStatus) {
+    owned_.GetGraphicsResetStatus = []() -> GLenum { return saidReset; };
+    functions_.GetError = []() -> GLenum { return saidError; };
+  }
+  ~FailingDriver() {
+    functions_.GetError = error_;
+    owned_.GetGraphicsResetStatus = reset_;
+    saidReset = saidError = GL_NO_ERROR;
+  }
+  FailingDriver(const FailingDriver&) = delete;
+  FailingDriver& operator=(const FailingDriver&) = delete;
+
+ private:
+  Functions& functions_;
+  OwnedFunctions& owned_;
+  PFNGLGETERRORPROC error_;
+  PFNGLGETGRAPHICSRESETSTATUSPROC reset_;
+};
+
+TEST_F(GLTest, contextTellsALostDeviceFromAFullOne) {
+  // Of every kind of reset, and of a context that says so with every error, for ever; what is no error of
+  // memory is left to the debug messages.
+  EXPECT_NO_THROW(requireDevice(context()));
+  const FailingDriver driver(context());
+  for (const GLenum reset : {GL_GUILTY_CONTEXT_RESET, GL_INNOCENT_CONTEXT_RESET, GL_UNKNOWN_CONTEXT_RESET}) {
+    saidReset = reset;
+    EXPECT_EQ(test::refusalOf<core::GraphicsUnavailable>([&] { requireDevice(context()); }),
+              "OpenGL: the driver has lost the graphics device");
+  }
+  saidReset = GL_NO_ERROR;
+  saidError = GL_CONTEXT_LOST;
+  EXPECT_THROW(requireDevice(context()), core::GraphicsUnavailable);
+  saidError = GL_OUT_OF_MEMORY;
+  EXPECT_EQ(test::refusalOf<core::DataError>([&] { requireDevice(context()); }),
+            "OpenGL: frame: the driver has run out of memory");
+  saidError = GL_INVALID_ENUM;
+  EXPECT_NO_THROW(requireDevice(context()));
 }
 
 TEST_F(GLTest, contextCountsDrawsAndDispatchesByPass) {

@@ -1,6 +1,7 @@
 // The program as it is installed, wherever its tree is moved.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -48,6 +49,36 @@ TEST(InstalledProgram, findsItsDataBesideItselfWhereverTheTreeIsMoved) {
   // What is installed is what is used: a scene that is gone is unknown, though the sources have it.
   fs::remove(moved / "share/skydrop/assets/scenes/duskPlanes.json");
   EXPECT_EQ(run({"render", "--scene", "duskPlanes", "--size", "64x36", "--out", picture}).exitCode, 1);
+}
+
+TEST(InstalledProgram, readsModelsOfOthersByAChildOfItsOwn) {
+  // From where the tree was moved to, on both back-ends without a display: another model than the one that
+  // comes with the program is drawn, and one that is broken is refused in one line by its name.
+  const TemporaryFolder folder;
+  const fs::path first = folder.path() / "first", moved = folder.path() / "moved to";
+  const ProcessResult installing = install(first);
+  ASSERT_EQ(installing.exitCode, 0) << installing.err;
+  fs::rename(first, moved);
+  const fs::path model = moved / "share/skydrop/assets/models/package.glb",
+                 corpus = fs::path(sourceDir()) / "tests/corpus/models";
+  fs::copy_file(corpus / "white.png", model.parent_path() / "white.png");  // its texture
+  const std::string picture = (folder.path() / "a.png").string();
+  for (const char* backend : {"egl", "osmesa"}) {
+    const auto renderWith = [&](const char* other) {
+      fs::copy_file(corpus / other, model, fs::copy_options::overwrite_existing);
+      return runProcess({(moved / "bin/skydrop").string(), "render", "--backend", backend, "--scene",
+                         "terrain", "--size", "64x36", "--out", picture},
+                        {"DISPLAY", "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1", "SKYDROP_DATA_DIR",
+                         "HOME=" + (folder.path() / "home").string(), "XDG_CACHE_HOME", "XDG_CONFIG_HOME"});
+    };
+    const ProcessResult good = renderWith("goodTriangle.glb");
+    if (good.exitCode == 3) continue;  // a back-end that is not there
+    EXPECT_EQ(good.exitCode, 0) << backend << ": " << good.err;
+    const ProcessResult bad = renderWith("badIndex.glb");
+    EXPECT_EQ(bad.exitCode, 1) << backend;
+    EXPECT_NE(bad.err.find("package.glb"), std::string::npos) << backend << ": " << bad.err;
+    EXPECT_EQ(std::ranges::count(bad.err, '\n'), 1) << bad.err;
+  }
 }
 
 TEST(InstalledProgram, hasWhatADesktopLooksFor) {

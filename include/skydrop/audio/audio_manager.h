@@ -22,8 +22,9 @@ class AudioManager {
   static constexpr int kLoopbackRate = 44100;  // Hz
 
   // device: the default one, or silence. loopback: nothing is played, render() returns what would be heard,
-  // the same samples in every run (ALC_SOFT_loopback); throws std::runtime_error where OpenAL has none.
-  enum class Output { device, loopback };
+  // the same samples in every run (ALC_SOFT_loopback); throws std::runtime_error where OpenAL has none. none:
+  // silence.
+  enum class Output { device, loopback, none };
   explicit AudioManager(const AudioSettings& settings, Output output = Output::device);
   ~AudioManager();
   AudioManager(const AudioManager&) = delete;
@@ -32,6 +33,10 @@ class AudioManager {
   bool isSilent() const;
   // One line: the device's name, or why nothing is heard.
   const std::string& status() const;
+
+  // False once the device has gone away, as headphones do: what plays has ended then, and only another
+  // AudioManager is heard. True of silence, and where OpenAL cannot tell (ALC_EXT_disconnect).
+  bool isConnected() const;
 
   // Reads the file once and keeps it. Throws core::DataError, also when silent: a broken file is found
   // whether or not there is a sound card.

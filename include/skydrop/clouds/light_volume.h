@@ -36,8 +36,7 @@ class LightVolume {
   };
   // x fastest, then row, then z.
   std::span<const Texel> texels() const { return texels_; }
-  // Of a finite place. Trilinear between middles of cells; repeats east and south, and keeps its lowest and
-  // highest row beyond.
+  // Trilinear between middles of cells; repeats east and south, and keeps its lowest and highest row beyond.
   Texel at(const glm::dvec3& place) const;
 
  private:

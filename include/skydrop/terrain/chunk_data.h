@@ -21,8 +21,8 @@ namespace skydrop::terrain {
 //     low byte  = 128 + round(127 * (x + z) / s)        high byte = 128 + round(127 * (x - z) / s)
 // and back, e = (byte - 128) / 127 (from a UNORM texture: (value * 255 - 128) / 127):
 //     x = (e0 + e1) / 2,   z = (e0 - e1) / 2,   y = 1 - |x| - |z|,   then normalise.
-// A gradient is finite and below 1e150. The upright normal is exact; the largest error is 0.6 degrees, the
-// mean 0.2 on land (docs/terrain-noise.md).
+// The upright normal is exact; the largest error is 0.6 degrees, the mean 0.2 on land
+// (docs/terrain-noise.md).
 std::uint16_t encodeNormal(glm::dvec2 gradient);
 glm::dvec3 decodeNormal(std::uint16_t code);
 

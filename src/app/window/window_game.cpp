@@ -242,6 +242,7 @@ void WindowGame::fly() {
     if (window_.isHidden()) paused_ = true;
     advance(seconds);
     continueSwitch(seconds);
+    renewLostSound();
     if (!window_.isHidden()) {
       drawFrame(seconds);
       const auto drawn = Clock::now();

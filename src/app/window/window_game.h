@@ -133,6 +133,7 @@ class WindowGame {
   void switchEffects();
   void continueSwitch(double seconds);
   void openSound();
+  void renewLostSound();
   void apply(const SettingsChange& change);  // to all dependents
   void watchFiles();
   void beginRenewal();
@@ -183,7 +184,8 @@ class WindowGame {
   bool splitFroze_ = false;                     // time is held for it
   std::unique_ptr<audio::AudioManager> audio_;  // with sound only
   std::unique_ptr<audio::SoundScene> sound_;
-  core::CpuMeter soundCost_;  // of its updates
+  core::CpuMeter soundCost_;                                           // of its updates
+  std::optional<std::chrono::steady_clock::time_point> soundRenewed_;  // after its device was lost
   std::unique_ptr<Clipboard> clipboard_;
   std::optional<ImGuiInput> imguiInput_;  // for the overlay's context
   std::optional<EventFeed> feed_;         // for imguiInput_

@@ -10,6 +10,7 @@
 #include "app/session/lightning_effect.h"
 #include "app/window/fault_parts.h"
 #include "app/window/window_game.h"
+#include "skydrop/core/error.h"
 
 namespace skydrop::app {
 namespace {
@@ -18,6 +19,9 @@ using Clock = std::chrono::steady_clock;
 
 // What an effect that comes may add to a frame, beside the program that is compiled last.
 constexpr double kShareOfFrame = 0.5, kLongestFrameMs = 200;
+
+// A device that goes away sooner than this after another did is not asked for again.
+constexpr auto kSoundLasts = std::chrono::seconds(2);
 
 constexpr std::string_view kClockOffsetRow = "render.sun.offsetSeconds";
 
@@ -60,6 +64,26 @@ void WindowGame::openSound() {
   if (audio_) return;
   audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
   if (audio_->isSilent()) warn(audio_->status());
+}
+
+// As headphones do: through the device that there is now, or silently.
+void WindowGame::renewLostSound() {
+  if (!audio_ || audio_->isConnected()) return;
+  const bool wasRenewed = soundRenewed_ && Clock::now() < *soundRenewed_ + kSoundLasts;
+  soundRenewed_ = Clock::now();
+  const bool isHeard = sound_ != nullptr;
+  sound_.reset();
+  audio_.reset();
+  using Output = audio::AudioManager::Output;
+  audio_ =
+      std::make_unique<audio::AudioManager>(run_->settings.audio, wasRenewed ? Output::none : Output::device);
+  if (isHeard) {
+    sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
+    sound_->setLightning(lightningOf(simulation_->effects(), run_->settings));
+  }
+  announce("the sound device is gone: " +
+               (audio_->isSilent() ? audio_->status() : "sound goes on through " + audio_->status()),
+           "The sound device is gone");
 }
 
 void WindowGame::switchEffects() {
@@ -144,6 +168,8 @@ bool WindowGame::attempt(std::string_view part, const std::function<void()>& cha
     faults_.clear(part);
     faults_.clear(part::kStart);  // has been read by now
     return true;
+  } catch (const core::GraphicsUnavailable&) {
+    throw;  // the device is lost, whatever was changed
   } catch (const std::exception& refusal) {
     tell(part, refusal.what());
     goBack();

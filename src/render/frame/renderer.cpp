@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/frame/stretch.h"
+#include "render/gl/device_check.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/quantile.h"
 #include "skydrop/render/frame/eye_adaptation.h"
@@ -187,6 +188,7 @@ bool Renderer::isLit() const {
 bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& goesOn, const Stages& stages) {
   requireValid(asked.view);
   context_.makeCurrent();
+  gl::requireDevice(context_);
   RenderSettings lit = settings_;
   if (!isLit()) lit.sky.model = sky::SkyModel::closedForm;  // has no tables to make
   lit.atmosphere = air_.of(lit, asked);

@@ -1,5 +1,5 @@
 // The functions that only the sources of render/gl may call: they create and delete objects, compile, draw
-// and dispatch, and so must pass through the objects and the resource tracker.
+// and dispatch, and so must pass through the objects and the resource tracker; and the driver's own state.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -32,6 +32,7 @@
   X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)                                           \
   X(DRAWELEMENTSINSTANCED, DrawElementsInstanced)                                             \
   X(DRAWELEMENTSINSTANCEDBASEVERTEXBASEINSTANCE, DrawElementsInstancedBaseVertexBaseInstance) \
+  X(GETGRAPHICSRESETSTATUS, GetGraphicsResetStatus)                                           \
   X(GETPROGRAMINFOLOG, GetProgramInfoLog)                                                     \
   X(GETSHADERINFOLOG, GetShaderInfoLog)                                                       \
   X(GETSHADERIV, GetShaderiv)                                                                 \

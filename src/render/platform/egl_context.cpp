@@ -50,8 +50,20 @@ Native createOn(EGLDisplay display, std::string& why) {
                                       5,
                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                      EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                      EGL_LOSE_CONTEXT_ON_RESET,
                                       EGL_NONE};
-  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, contextAttributes);
+  EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, contextAttributes);
+  if (context == EGL_NO_CONTEXT) {  // perhaps it does not tell of resets
+    const EGLint plain[] = {EGL_CONTEXT_MAJOR_VERSION,
+                            4,
+                            EGL_CONTEXT_MINOR_VERSION,
+                            5,
+                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                            EGL_NONE};
+    context = eglCreateContext(display, config, EGL_NO_CONTEXT, plain);
+  }
   if (context == EGL_NO_CONTEXT) {
     why = "no OpenGL 4.5 core context";
     return {};
