@@ -49,7 +49,10 @@ double moonIlluminance(double phaseAngleDegrees, double distanceKm) {
 double lommelSeeligerShare(double phaseAngleDegrees) {
   const double half = 0.5 * glm::radians(std::clamp(std::abs(phaseAngleDegrees), 0.0, 180.0));
   if (half < 1e-9) return 1;
-  if (half > 0.5 * std::numbers::pi - 1e-9) return 0;
+  // Near the new moon the sum is a difference of like numbers, by less than rounding below 0: its series
+  // there.
+  const double left = 0.5 * std::numbers::pi - half;
+  if (left < 0.01) return left * left * (2.0 / 3 - 4.0 / 45 * left * left);
   return 1 + std::sin(half) * std::tan(half) * std::log(std::tan(0.5 * half));
 }
 

@@ -106,7 +106,8 @@ HUNTED(cloudWeatherNoise, (in(0, 0.99999994), in(0, 0.99999994), whole(0, 167772
        Vec4 n = cloudWeatherNoise(Vec2(a[0], a[1]), Uint(a[2])); r[0] = n.x; r[1] = n.y; r[2] = n.z)
 
 // land_material.glsl, water.glsl, sun_glitter.glsl
-HUNTED(rockStrata, (in(-1e4, 1e4), in(-100, 100), in(0, 1e30)), (out(-1, 1, 0, 1e-3), out(-1, 1, 0, 1e-3)),
+// At 10 km half a float's step turns the finest band by 5e-4, the middle one that bends it by as much again.
+HUNTED(rockStrata, (in(-1e4, 1e4), in(-100, 100), in(0, 1e30)), (out(-1, 1, 0, 2e-3), out(-1, 1, 0, 2e-3)),
        Vec2 s = rockStrata(a[0], a[1], a[2]); r[0] = s.x; r[1] = s.y)
 HUNTED(alpineBeltHeight, (in(-1e30, 1e30)), (out(-1e30, 1e30, 1e-5, 1e-4)), r[0] = alpineBeltHeight(a[0]))
 HUNTED(forestDensity, (in(-1e4, 1e30), unit({0.7f, 0.82f}), in(-1e30, 1e30), signedUnit(), signedUnit(), signedUnit()),
@@ -327,8 +328,9 @@ HUNTED(perlinPlane, (in(0, 0.99999994), in(0, 0.99999994), whole(1, 64), whole(0
        r[0] = perlinPlane(Vec2(a[0], a[1]), Uint(a[2]), Uint(a[3])))
 HUNTED(tiledVoronoi, (in(-1e6, 1e6), in(-1e6, 1e6), whole(1, 64), whole(0, 16777216)), (out(0, 1.5, 0, 1e-5)),
        r[0] = tiledVoronoi(Vec2(a[0], a[1]), int(a[2]), Uint(a[3]), true))
+// Of 27 cells: where the nearest point lies further, Worley noise has a step at the border of a cell, here of .025.
 HUNTED(cubeNoises, (in(-1e6, 1e6), in(-1e6, 1e6), in(-1e6, 1e6), whole(1, 16), whole(0, 16777216)),
-       (share(1e-4), out(-0.3, 1, 0, 1e-4)),
+       (share(1e-4), out(-0.3, 1, 0, 5e-2)),
        CubeCloud c; c.cells = Uint(a[3]); c.seed = Uint(a[4]); c.perlinThreshold = Real(0.5);
        c.perlinMultiplier = Real(2.0); c.voronoiThreshold = Real(0.5); c.voronoiMultiplier = Real(2.0);
        Vec2 n = cubeNoises(c, Vec3(a[0], a[1], a[2])); r[0] = n.x; r[1] = n.y)

@@ -49,7 +49,9 @@ FN Vec3 torusGradient(Vec3 p, Real ring) {
   // By the distance from the ring, which is one difference; p less the ring's nearest place would be two.
   Vec3 outward = directionOf(Vec3(p.x, Real(0.0), p.z), Vec3(Real(0.0), Real(0.0), Real(0.0)));
   Vec3 aside = outward * (length(Vec2(p.x, p.z)) - ring);
-  return directionOf(Vec3(aside.x, p.y, aside.z), Vec3(Real(0.0), Real(1.0), Real(0.0)));
+  // In the middle of the tube every direction is one; where a distance of nearly nothing is rounded to it, outward is near.
+  bool onAxis = dot(outward, outward) < Real(0.5);
+  return directionOf(Vec3(aside.x, p.y, aside.z), onAxis ? Vec3(Real(0.0), Real(1.0), Real(0.0)) : outward);
 }
 
 // Both shapes, what they share, and the first without the second. On the surface and outside the union the union's
