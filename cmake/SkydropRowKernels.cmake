@@ -26,3 +26,4 @@ endfunction()
 
 skydrop_row_kernels(src/terrain/row_kernels)
 skydrop_row_kernels(src/noise/octave_kernels)
+skydrop_row_kernels(src/elevation/surface_kernels)

@@ -93,23 +93,46 @@ void Chart::Row::enter(std::int64_t cell) {
     across[i] = valueOf(polynomial, inZ_);
     down[i] = slopeOf(polynomial, inZ_) / kNodeM;
   }
-  toPolynomial(across, value_);
-  east_[0] = slopeOf(value_, 0) / kNodeM;
-  east_[1] = slopeOf(value_, 1) / kNodeM - east_[0];
-  south_[0] = down[1];
-  south_[1] = down[2] - down[1];
-  isValid_ = std::isfinite(value_[3].x) && std::isfinite(value_[3].y) && std::isfinite(value_[2].x);
+  glm::dvec2 place[4];
+  toPolynomial(across, place);
+  const glm::dvec2 west = slopeOf(place, 0) / kNodeM, east = slopeOf(place, 1) / kNodeM;
+  isValid_ = true;
+  for (int axis = 0; axis < 2; ++axis) {
+    for (int power = 0; power < 4; ++power) {
+      piece_.place[power][axis] = place[power][axis];
+      isValid_ = isValid_ && std::isfinite(place[power][axis]);
+    }
+    piece_.east[0][axis] = west[axis];
+    piece_.east[1][axis] = east[axis] - west[axis];
+    piece_.south[0][axis] = down[1][axis];
+    piece_.south[1][axis] = down[2][axis] - down[1][axis];
+  }
+}
+
+const ChartPiece* Chart::Row::pieceAt(double x) {
+  if (!isInside_ || !(x >= chart_.wanted_.lo.x && x <= chart_.wanted_.hi.x)) return nullptr;
+  const auto cell = static_cast<std::int64_t>((x - chart_.origin_.x) / kNodeM);  // not negative
+  if (cell != cell_) enter(cell);
+  return isValid_ ? &piece_ : nullptr;
 }
 
 Chart::Spot Chart::Row::at(double x) {
-  if (!isInside_ || !(x >= chart_.wanted_.lo.x && x <= chart_.wanted_.hi.x)) return {};
-  if (chart_.isExact_) return chart_.exactly(x, z_);
-  const double place = (x - chart_.origin_.x) / kNodeM;
-  const auto cell = static_cast<std::int64_t>(place);  // not negative
-  if (cell != cell_) enter(cell);
-  if (!isValid_) return {};
-  const double t = place - static_cast<double>(cell);
-  return {valueOf(value_, t), east_[0] + t * east_[1], south_[0] + t * south_[1], true};
+  if (chart_.isExact_) {
+    const bool isWanted = isInside_ && x >= chart_.wanted_.lo.x && x <= chart_.wanted_.hi.x;
+    return isWanted ? chart_.exactly(x, z_) : Spot{};
+  }
+  const ChartPiece* piece = pieceAt(x);
+  if (piece == nullptr) return {};
+  const double t = inPiece(x);
+  Spot spot;
+  spot.isValid = true;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto& c = piece->place;
+    spot.at[axis] = c[0][axis] + t * (c[1][axis] + t * (c[2][axis] + t * c[3][axis]));
+    spot.dx[axis] = piece->east[0][axis] + t * piece->east[1][axis];
+    spot.dz[axis] = piece->south[0][axis] + t * piece->south[1][axis];
+  }
+  return spot;
 }
 
 }  // namespace skydrop::elevation

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "elevation/surface_kernels.h"
 #include "skydrop/elevation/projection.h"
 #include "skydrop/elevation/raster.h"
 
@@ -41,6 +42,8 @@ class Chart {
            rect.lo.y <= wanted_.hi.y;
   }
 
+  bool hasColumn(double x) const { return x >= wanted_.lo.x && x <= wanted_.hi.x; }
+
   struct Spot {
     glm::dvec2 at{};        // column, row
     glm::dvec2 dx{}, dz{};  // what they change a metre east, a metre south
@@ -54,6 +57,11 @@ class Chart {
     Row(const Chart& chart, double z);
     Spot at(double x);
 
+    // The polynomials between the two nodes around x, which lies at t = inPiece(x) of them; null where there
+    // is no spot. Valid until the next call. Not where the chart is exact.
+    const ChartPiece* pieceAt(double x);
+    double inPiece(double x) const { return (x - chart_.origin_.x) / kNodeM - static_cast<double>(cell_); }
+
    private:
     void enter(std::int64_t cell);
 
@@ -62,9 +70,8 @@ class Chart {
     bool isInside_ = false, isValid_ = false;
     std::int64_t nodeRow_ = 0, cell_ = -1;
     double inZ_ = 0;
-    // Polynomials in the share of a cell: the place, and what it changes a metre east and south, of which
-    // within 4 km a line is as good as the cubic (6e-6 of it at 85 degrees).
-    glm::dvec2 value_[4], east_[2], south_[2];
+    // Within 4 km a line is as good as the cubic for what places change a metre (6e-6 of it at 85 degrees).
+    ChartPiece piece_{};
   };
 
  private:

@@ -1,10 +1,14 @@
 #include "skydrop/elevation/elevation_height_source.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "elevation/elevation_source.h"
 #include "elevation/mosaic.h"
+#include "elevation/row_reader.h"
+#include "elevation/surface_kernels.h"
 #include "skydrop/core/error.h"
 #include "skydrop/terrain/chunk_data.h"
 
@@ -45,8 +49,9 @@ double insideWorld(double metres) {
 
 class Source final : public ElevationHeightSource {
  public:
-  Source(std::vector<std::unique_ptr<Mosaic>> mosaics, std::shared_ptr<const HeightSource> beyond)
-      : mosaics_(std::move(mosaics)), beyond_(std::move(beyond)) {
+  Source(std::vector<std::unique_ptr<Mosaic>> mosaics, std::shared_ptr<const HeightSource> beyond,
+         const SurfaceKernels& kernels)
+      : mosaics_(std::move(mosaics)), beyond_(std::move(beyond)), kernels_(kernels) {
     const HeightBounds around = beyond_->range();
     // So that the land around begins where the data end, and has no sea where they lie high.
     double edges = mosaics_.back()->meanOfEdges();
@@ -77,9 +82,7 @@ class Source final : public ElevationHeightSource {
     const glm::dvec2 xz{insideWorld(position.x), insideWorld(position.y)};
     Sum sum;
     for (const auto& mosaic : mosaics_) {
-      Mosaic::Reader reader(*mosaic);
-      reader.enterRow(xz.y);
-      sum.add(reader.at(xz.x));
+      sum.add(mosaic->at(xz));
       if (sum.rest == 0) break;
     }
     if (sum.rest > 0) {
@@ -116,11 +119,8 @@ class Source final : public ElevationHeightSource {
 
   ElevationFacts facts() const override { return facts_; }
   bool hasData(glm::dvec2 xz) const override {
-    return std::any_of(mosaics_.begin(), mosaics_.end(), [&](const auto& mosaic) {
-      Mosaic::Reader reader(*mosaic);
-      reader.enterRow(xz.y);
-      return reader.at(xz.x).weight == 1;
-    });
+    return std::any_of(mosaics_.begin(), mosaics_.end(),
+                       [&](const auto& mosaic) { return mosaic->at(xz).weight == 1; });
   }
   std::size_t keptBytes() const override {
     std::size_t bytes = 0;
@@ -139,92 +139,58 @@ class Source final : public ElevationHeightSource {
   ElevationFacts facts_;
   HeightBounds range_;
   HeightRange stored_;
+  const SurfaceKernels& kernels_;
 };
 
-glm::dvec2 gradientOf(std::uint16_t code) {
-  const glm::dvec3 normal = terrain::decodeNormal(code);
-  // The code of a cliff has a normal that is level: half a step of the code above that is as steep as it can
-  // tell.
-  const double up = std::max(normal.y, 0.5 / 127);
-  return {-normal.x / up, -normal.z / up};
+ChunkCoding codingOf(const HeightRange& range) {
+  return {static_cast<float>(range.lowest), static_cast<float>(range.step())};
 }
-
-bool isInChunk(int i) { return i >= 0 && i < terrain::kChunkSamples; }
-
-// HeightRange::encode with one division a chunk and not two a height.
-class HeightCoder {
- public:
-  explicit HeightCoder(const HeightRange& range) : lowest_(range.lowest), perMetre_(1 / range.step()) {}
-  std::uint16_t encode(double height) const {
-    const double code = (height - lowest_) * perMetre_ + 0.5;
-    if (!(code >= 1)) return 0;
-    return code < 65535 ? static_cast<std::uint16_t>(code) : 65535;
-  }
-
- private:
-  double lowest_, perMetre_;
-};
 
 }  // namespace
 
 bool Source::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const {
   const glm::dvec2 origin = terrain::chunkOrigin(key);
   const double cell = terrain::cellMetres(key.level);
-  const int reach = terrain::normalReach(key.level);
+  const int reach = terrain::normalReach(key.level), side = terrain::kChunkSamples + 2 * reach;
   const double margin = (reach + 1) * cell, size = terrain::chunkMetres(key.level);
   const WorldRect rect{origin - glm::dvec2(margin, margin),
                        origin + glm::dvec2(size + margin, size + margin)};
-  std::vector<Mosaic::Reader> readers;
+  std::vector<RowReader> readers;
   bool isCovered = false;
   for (const auto& mosaic : mosaics_) {
     if (isCovered || !mosaic->bounds(rect)) continue;
-    readers.emplace_back(*mosaic);
+    readers.emplace_back(*mosaic, kernels_, rect);
     isCovered = mosaic->covers(rect);
   }
 
+  // Whatever of the land around is missing, all of its chunk is made: a row of it needs rows beside it.
   ChunkData around;
+  std::vector<std::uint16_t> aroundHeights;
   if (!isCovered) {
-    around = terrain::makeChunk(*beyond_, key, stop);
-    if (around.empty()) return false;
+    around.heightRange = beyond_->storedRange();
+    around.heights.resize(out.heights.size());
+    around.normals.resize(out.normals.size());
+    if (!beyond_->fillWideChunk(key, stop, around, aroundHeights)) return false;
   }
-  const HeightCoder coder(out.heightRange);
-  const bool isAlone = isCovered && readers.size() == 1;
+  const ChunkCoding coding = codingOf(out.heightRange), codingAround = codingOf(around.heightRange);
+  const auto land = std::make_unique<LandRow>();
+  std::array<std::uint16_t, kRowSize> heights;
   for (int row = -reach; row < terrain::kChunkSamples + reach; ++row) {
     if (stop.stop_requested()) return false;
-    const double z = origin.y + row * cell;
-    for (Mosaic::Reader& reader : readers) reader.enterRow(z);
-    for (int column = -reach; column < terrain::kChunkSamples + reach; ++column) {
-      const double x = origin.x + column * cell;
-      if (isAlone) {
-        const Mosaic::Sample only = readers[0].at(x);
-        out.normals[static_cast<std::size_t>(terrain::normalIndex(column, row))] =
-            terrain::encodeNormal(only.gradient);
-        if (isInChunk(row) && isInChunk(column))
-          out.heights[static_cast<std::size_t>(terrain::sampleIndex(column, row))] =
-              coder.encode(only.height);
-        continue;
-      }
-      Sum sum;
-      for (Mosaic::Reader& reader : readers) {
-        if (sum.rest == 0) break;
-        sum.add(reader.at(x));
-      }
-      const auto normal = static_cast<std::size_t>(terrain::normalIndex(column, row));
-      const bool isInside = isInChunk(row) && isInChunk(column);
-      const auto index = static_cast<std::size_t>(isInside ? terrain::sampleIndex(column, row) : 0);
-      if (sum.rest == 1 && sum.restGradient == glm::dvec2(0, 0)) {
-        out.normals[normal] = around.normals[normal];
-        if (isInside) out.heights[index] = coder.encode(around.height(index) + facts_.raisedM);
-        continue;
-      }
-      if (sum.rest > 0) {
-        // Outside of the chunk the land around has normals, and heights have to be asked for.
-        const double height = isInside ? around.height(index) : beyond_->height({x, z});
-        sum.addRest(height + facts_.raisedM, gradientOf(around.normals[normal]));
-      }
-      out.normals[normal] = terrain::encodeNormal(sum.gradient);
-      if (isInside) out.heights[index] = coder.encode(sum.height);
+    *land = {};
+    std::fill_n(land->rest, kRowSize, 1.0F);
+    for (RowReader& reader : readers) {
+      if (reader.read(origin + cell * glm::dvec2(-reach, row), cell, side))
+        kernels_.add(side, reader.row(), *land);
     }
+    const auto normals = static_cast<std::size_t>(terrain::normalIndex(-reach, row));
+    if (!isCovered)
+      kernels_.addAround(side, codingAround, static_cast<float>(facts_.raisedM),
+                         aroundHeights.data() + (row + reach) * side, around.normals.data() + normals, *land);
+    kernels_.finish(side, coding, *land, heights.data(), out.normals.data() + normals);
+    if (row >= 0 && row < terrain::kChunkSamples)
+      std::copy_n(heights.data() + reach, terrain::kChunkSamples,
+                  out.heights.data() + terrain::sampleIndex(0, row));
   }
   return true;
 }
@@ -232,11 +198,17 @@ bool Source::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out
 std::shared_ptr<const ElevationHeightSource> makeElevationHeightSource(
     const std::vector<std::shared_ptr<const Raster>>& rasters, const ElevationSettings& settings,
     std::shared_ptr<const terrain::HeightSource> beyond) {
+  return makeElevationHeightSource(rasters, settings, std::move(beyond), bestSurfaceKernels());
+}
+
+std::shared_ptr<const ElevationHeightSource> makeElevationHeightSource(
+    const std::vector<std::shared_ptr<const Raster>>& rasters, const ElevationSettings& settings,
+    std::shared_ptr<const terrain::HeightSource> beyond, const SurfaceKernels& kernels) {
   if (!(settings.blendM >= 1 && settings.blendM <= 1e5))
     throw core::RangeError("the distance over which elevation data end must be 1 to 100000 m");
   return std::make_shared<Source>(
       makeMosaics(LocalPlane({settings.latitude, settings.longitude}), rasters, settings.blendM),
-      std::move(beyond));
+      std::move(beyond), kernels);
 }
 
 }  // namespace skydrop::elevation

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "elevation/bicubic.h"
 #include "skydrop/core/error.h"
@@ -14,15 +15,6 @@ namespace {
 using core::DataError;
 
 constexpr std::int64_t kRim = 1;  // cells of a page before its first
-
-// Cells between a place and a tile, 0 on it. Cells reach half a cell beyond their centres.
-glm::dvec2 outside(const Tile& tile, glm::dvec2 at) {
-  const auto axis = [](double value, double first, double last) {
-    return value < first - 0.5 ? value - (first - 0.5) : value > last + 0.5 ? value - (last + 0.5) : 0.0;
-  };
-  return {axis(at.x, static_cast<double>(tile.column), static_cast<double>(tile.lastColumn())),
-          axis(at.y, static_cast<double>(tile.row), static_cast<double>(tile.lastRow()))};
-}
 
 // The largest whole number not above it; of places on a lattice, which are far below 2^62.
 inline std::int64_t floorOf(double value) {
@@ -71,6 +63,42 @@ double middleOf(const Georeference& lattice, const std::vector<Tile>& tiles) {
   return centreOf(lattice, 0.5 * static_cast<double>(first + last), 0).x;
 }
 
+// The tiles as few rectangles: first those side by side in rows, then rows one upon the other.
+std::vector<FadingBlock> blocksOf(const std::vector<Tile>& tiles, glm::dvec2 cellM, double fadeM) {
+  std::vector<FadingBlock> blocks;
+  for (const Tile& tile : tiles)
+    blocks.push_back({static_cast<double>(tile.column) - 0.5, static_cast<double>(tile.row) - 0.5,
+                      static_cast<double>(tile.lastColumn()) + 0.5, static_cast<double>(tile.lastRow()) + 0.5,
+                      static_cast<float>(cellM.x), static_cast<float>(cellM.y), static_cast<float>(fadeM)});
+  const auto merge = [&blocks](auto before, auto join) {
+    std::sort(blocks.begin(), blocks.end(), before);
+    std::vector<FadingBlock> merged;
+    for (const FadingBlock& block : blocks) {
+      if (merged.empty() || !join(merged.back(), block)) merged.push_back(block);
+    }
+    blocks = std::move(merged);
+  };
+  merge(
+      [](const FadingBlock& a, const FadingBlock& b) {
+        return std::tie(a.top, a.bottom, a.left, a.right) < std::tie(b.top, b.bottom, b.left, b.right);
+      },
+      [](FadingBlock& a, const FadingBlock& b) {
+        if (a.top != b.top || a.bottom != b.bottom || b.left > a.right) return false;
+        a.right = std::max(a.right, b.right);
+        return true;
+      });
+  merge(
+      [](const FadingBlock& a, const FadingBlock& b) {
+        return std::tie(a.left, a.right, a.top, a.bottom) < std::tie(b.left, b.right, b.top, b.bottom);
+      },
+      [](FadingBlock& a, const FadingBlock& b) {
+        if (a.left != b.left || a.right != b.right || b.top > a.bottom) return false;
+        a.bottom = std::max(a.bottom, b.bottom);
+        return true;
+      });
+  return blocks;
+}
+
 glm::dvec2 cellMetresOf(const Georeference& lattice, const std::vector<Tile>& tiles) {
   const Projection projection(lattice.crs, tiles[0].raster->name());
   if (!projection.isGeographic()) return lattice.cell;
@@ -93,6 +121,7 @@ Mosaic::Mosaic(const LocalPlane& plane, Georeference lattice, std::vector<Tile> 
       chart_(plane, lattice_, middleOf(lattice_, tiles_), worldRectOf(plane, lattice_, tiles_, blendM),
              tiles_[0].raster->name()),
       pages_(keptBytes) {
+  blocks_ = blocksOf(tiles_, cellM_, std::max(blendM_, 1.0));
   surface_ = tiles_[0].survey->ofSurface();
   Bounds heights = tiles_[0].survey->all();
   double sum = 0, count = 0;
@@ -100,11 +129,21 @@ Mosaic::Mosaic(const LocalPlane& plane, Georeference lattice, std::vector<Tile> 
     const Bounds surface = tile.survey->ofSurface(), all = tile.survey->all();
     surface_ = {std::min(surface_.lowest, surface.lowest), std::max(surface_.highest, surface.highest)};
     heights = {std::min(heights.lowest, all.lowest), std::max(heights.highest, all.highest)};
-    for (const auto* edge :
-         {&tile.survey->north(), &tile.survey->south(), &tile.survey->west(), &tile.survey->east()}) {
-      for (const float height : *edge) sum += height;
-      count += static_cast<double>(edge->size());
-    }
+    // Only what borders on the land around, not where tiles meet.
+    const auto block = std::find_if(blocks_.begin(), blocks_.end(), [&](const FadingBlock& of) {
+      return of.left < static_cast<double>(tile.column) &&
+             of.right > static_cast<double>(tile.lastColumn()) && of.top < static_cast<double>(tile.row) &&
+             of.bottom > static_cast<double>(tile.lastRow());
+    });
+    const auto countEdge = [&](bool isOuter, const std::vector<float>& edge) {
+      if (!isOuter) return;
+      for (const float height : edge) sum += height;
+      count += static_cast<double>(edge.size());
+    };
+    countEdge(block->top + 0.5 == static_cast<double>(tile.row), tile.survey->north());
+    countEdge(block->bottom - 0.5 == static_cast<double>(tile.lastRow()), tile.survey->south());
+    countEdge(block->left + 0.5 == static_cast<double>(tile.column), tile.survey->west());
+    countEdge(block->right - 0.5 == static_cast<double>(tile.lastColumn()), tile.survey->east());
   }
   // Where tiles meet, one's heights stand beside the other's.
   if (tiles_.size() > 1) {
@@ -280,24 +319,28 @@ std::shared_ptr<const Page> Mosaic::makePage(std::int64_t column, std::int64_t r
   return page;
 }
 
-double Mosaic::Reader::weightAt(const Chart::Spot& spot, glm::dvec2& gradient) {
-  if (within_ != nullptr && outside(*within_, spot.at) == glm::dvec2(0, 0)) return 1;
-  const Mosaic& mosaic = *mosaic_;
-  const glm::dvec2 cellM = mosaic.cellM_;
-  // 1 - weight is a product of smooth steps, one for each tile: so it is smooth where two tiles are near.
+namespace {
+
+// Cells between a place and a block, 0 on it.
+glm::dvec2 outside(const FadingBlock& block, glm::dvec2 at) {
+  const auto axis = [](double value, double first, double last) {
+    return value < first ? value - first : value > last ? value - last : 0.0;
+  };
+  return {axis(at.x, block.left, block.right), axis(at.y, block.top, block.bottom)};
+}
+
+// As SurfaceKernels::fade, in double.
+double weightAt(const std::vector<FadingBlock>& blocks, const Chart::Spot& spot, glm::dvec2& gradient) {
   double rest = 1;
   glm::dvec2 slope{};  // of the rest, a cell
-  for (const Tile* tile : near_) {
-    const glm::dvec2 away = outside(*tile, spot.at) * cellM;
-    if (away == glm::dvec2(0, 0)) {
-      within_ = tile;
-      return 1;
-    }
-    const double distance = std::sqrt(away.x * away.x + away.y * away.y);
-    if (distance >= mosaic.blendM_) continue;
-    const double t = distance / mosaic.blendM_, step = t * t * (3 - 2 * t);
-    const glm::dvec2 stepSlope = 6 * t * (1 - t) / mosaic.blendM_ / distance * away * cellM;
-    slope = slope * step + rest * stepSlope;
+  for (const FadingBlock& block : blocks) {
+    const glm::dvec2 cellM(block.cellEastM, block.cellSouthM);
+    const glm::dvec2 away = outside(block, spot.at) * cellM;
+    const double t = std::sqrt(away.x * away.x + away.y * away.y) / block.fadeM;
+    if (t == 0) return 1;
+    if (t >= 1) continue;
+    const double step = t * t * (3 - 2 * t);
+    slope = slope * step + rest * 6 * (1 - t) / (block.fadeM * block.fadeM) * away * cellM;
     rest *= step;
   }
   gradient =
@@ -305,29 +348,20 @@ double Mosaic::Reader::weightAt(const Chart::Spot& spot, glm::dvec2& gradient) {
   return 1 - rest;
 }
 
-void Mosaic::Reader::enterPage(std::int64_t column, std::int64_t row) {
-  pageColumn_ = column;
-  pageRow_ = row;
-  hasPage_ = true;
-  page_ = nullptr;
-  const auto left = static_cast<double>(column * Page::kCells), top = static_cast<double>(row * Page::kCells);
-  near_ = mosaic_->tilesNear({left, top, left + Page::kCells, top + Page::kCells},
-                             mosaic_->blendM_ / mosaic_->cellM() + 1);
-}
+}  // namespace
 
-Mosaic::Sample Mosaic::Reader::at(double x) {
-  const Chart::Spot spot = row_->at(x);
+Mosaic::Sample Mosaic::at(glm::dvec2 xz) const {
+  const Chart::Spot spot = Chart::Row(chart_, xz.y).at(xz.x);
   if (!spot.isValid) return {};
+  Sample sample;
+  sample.weight = weightAt(blocks_, spot, sample.weightGradient);
+  if (!(sample.weight > 0)) return {};
   const std::int64_t i = floorOf(spot.at.x), k = floorOf(spot.at.y);
   const std::int64_t pageColumn = i >> 7, pageRow = k >> 7;  // floors
   static_assert(Page::kCells == 1 << 7);
-  if (!hasPage_ || pageColumn != pageColumn_ || pageRow != pageRow_) enterPage(pageColumn, pageRow);
-  Sample sample;
-  sample.weight = weightAt(spot, sample.weightGradient);
-  if (!(sample.weight > 0)) return {};
-  if (!page_) page_ = mosaic_->pageAt(pageColumn, pageRow);
-  const float* cells = page_->patch(static_cast<int>(i - pageColumn * Page::kCells),
-                                    static_cast<int>(k - pageRow * Page::kCells));
+  const std::shared_ptr<const Page> page = pageAt(pageColumn, pageRow);
+  const float* cells = page->patch(static_cast<int>(i - pageColumn * Page::kCells),
+                                   static_cast<int>(k - pageRow * Page::kCells));
   const Patch<float> patch =
       surfaceAt(cells, Page::kSide, static_cast<float>(spot.at.x - static_cast<double>(i)),
                 static_cast<float>(spot.at.y - static_cast<double>(k)));
@@ -335,6 +369,20 @@ Mosaic::Sample Mosaic::Reader::at(double x) {
   const double across = patch.acrossSlope, down = patch.downSlope;
   sample.gradient = {across * spot.dx.x + down * spot.dx.y, across * spot.dz.x + down * spot.dz.y};
   return sample;
+}
+
+std::optional<std::vector<FadingBlock>> Mosaic::blocksNear(const CellRect& rect) const {
+  std::vector<FadingBlock> near;
+  for (const FadingBlock& block : blocks_) {
+    if (rect.left >= block.left && rect.right <= block.right && rect.top >= block.top &&
+        rect.bottom <= block.bottom)
+      return std::nullopt;
+    const double east = block.fadeM / block.cellEastM, south = block.fadeM / block.cellSouthM;
+    if (rect.right >= block.left - east && rect.left <= block.right + east &&
+        rect.bottom >= block.top - south && rect.top <= block.bottom + south)
+      near.push_back(block);
+  }
+  return near;
 }
 
 std::optional<Mosaic::CellRect> Mosaic::cellsOf(const WorldRect& rect) const {
@@ -397,10 +445,7 @@ bool Mosaic::covers(const WorldRect& rect) const {
   if (chart_.isExact()) return false;
   const std::optional<CellRect> cells = cellsOf(rect);
   if (!cells) return false;
-  return std::any_of(tiles_.begin(), tiles_.end(), [&](const Tile& tile) {
-    return outside(tile, {cells->left, cells->top}) == glm::dvec2(0, 0) &&
-           outside(tile, {cells->right, cells->bottom}) == glm::dvec2(0, 0);
-  });
+  return !blocksNear(*cells);
 }
 
 std::vector<std::unique_ptr<Mosaic>> makeMosaics(const LocalPlane& plane,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elevation/chart.h"
+#include "elevation/surface_kernels.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/core/lru_cache.h"
 #include "skydrop/elevation/survey.h"
@@ -23,16 +24,13 @@ struct Tile {
   std::int64_t lastRow() const { return row + raster->height() - 1; }
 };
 
-// A square of the lattice with a rim, so that each bicubic patch that begins in it lies in it.
+// A square of the lattice with a rim.
 struct Page {
-  static constexpr int kCells = 128;
-  static constexpr int kSide = kCells + 3;  // one cell before, two after
-  std::vector<float> heights;               // row-major
+  static constexpr int kCells = kPageCells, kSide = kPageSide;
+  std::vector<float> heights;  // row-major
 
-  const float* patch(int column,
-                     int row) const {  // of the 4 x 4 cells around the cell (column, row) of the page
-    return heights.data() + row * kSide + column;
-  }
+  // The 4 x 4 cells around the cell (column, row) of the page.
+  const float* patch(int column, int row) const { return heights.data() + row * kSide + column; }
 };
 
 // Immutable but for what it keeps in memory; any thread.
@@ -54,26 +52,7 @@ class Mosaic {
     glm::dvec2 gradient{}, weightGradient{};
   };
 
-  // Samples along rows. One thread; the mosaic must outlive it.
-  class Reader {
-   public:
-    explicit Reader(const Mosaic& mosaic) : mosaic_(&mosaic) {}
-    void enterRow(double z) { row_.emplace(mosaic_->chart_, z); }
-    Sample at(double x);
-
-   private:
-    double weightAt(const Chart::Spot& spot, glm::dvec2& gradient);
-
-    const Mosaic* mosaic_;
-    std::optional<Chart::Row> row_;
-    void enterPage(std::int64_t column, std::int64_t row);
-
-    std::int64_t pageColumn_ = 0, pageRow_ = 0;
-    bool hasPage_ = false;
-    std::shared_ptr<const Page> page_;  // null until heights are wanted
-    std::vector<const Tile*> near_;     // tiles that count on the page
-    const Tile* within_ = nullptr;      // the tile that the newest sample lay in
-  };
+  Sample at(glm::dvec2 xz) const;
 
   // Conservative bounds of the heights of samples in the rectangle whose weight is above 0; nothing where
   // none is.
@@ -91,12 +70,16 @@ class Mosaic {
   std::uint64_t faults() const;
 
  private:
-  // Cells of the lattice, last ones included.
+  friend class RowReader;
+
+  // Places on the lattice, last ones included.
   struct CellRect {
     double left, top, right, bottom;
   };
 
   std::optional<CellRect> cellsOf(const WorldRect& rect) const;
+  // Blocks within whose fading a place of the rectangle lies; nothing where one of them holds all of it.
+  std::optional<std::vector<FadingBlock>> blocksNear(const CellRect& rect) const;
   std::shared_ptr<const Page> pageAt(std::int64_t column, std::int64_t row) const;
   std::shared_ptr<const Page> makePage(std::int64_t column, std::int64_t row) const;
   void readTiles(const std::vector<const Tile*>& tiles, std::int64_t left, std::int64_t top,
@@ -106,6 +89,7 @@ class Mosaic {
 
   Georeference lattice_;
   std::vector<Tile> tiles_;
+  std::vector<FadingBlock> blocks_;  // all tiles: those that lie side by side are one block
   double blendM_;
   glm::dvec2 cellM_{};  // of a cell, in the middle of the tiles
   Chart chart_;

@@ -46,6 +46,26 @@ bool HeightSource::fillChunk(const ChunkKey& key, std::stop_token stop, ChunkDat
   return true;
 }
 
+bool HeightSource::fillWideChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out,
+                                 std::vector<std::uint16_t>& wideHeights) const {
+  if (!fillChunk(key, stop, out)) return false;
+  const glm::dvec2 origin = chunkOrigin(key);
+  const double cell = cellMetres(key.level);
+  const int reach = normalReach(key.level), side = kChunkSamples + 2 * reach;
+  wideHeights.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+  auto* code = wideHeights.data();
+  for (int row = -reach; row < kChunkSamples + reach; ++row) {
+    if (stop.stop_requested()) return false;
+    const bool isInRow = row >= 0 && row < kChunkSamples;
+    for (int column = -reach; column < kChunkSamples + reach; ++column, ++code) {
+      const bool isInside = isInRow && column >= 0 && column < kChunkSamples;
+      *code = isInside ? out.heights[static_cast<std::size_t>(sampleIndex(column, row))]
+                       : out.heightRange.encode(height(origin + glm::dvec2(column, row) * cell));
+    }
+  }
+  return true;
+}
+
 ChunkData makeChunk(const HeightSource& source, const ChunkKey& key, std::stop_token stop) {
   ChunkData chunk;
   chunk.key = key;

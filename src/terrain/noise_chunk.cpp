@@ -273,7 +273,8 @@ void fillGullyNodes(const LandShape<float>& shape, const LandOctaves& octaves, c
 }  // namespace
 
 bool fillNoiseChunk(const LandShape<float>& shape, const LandOctaves& octaves, const RowKernels& kernels,
-                    const ChunkKey& key, const std::stop_token& stop, ChunkData& out) {
+                    const ChunkKey& key, const std::stop_token& stop, ChunkData& out,
+                    std::vector<std::uint16_t>* wideHeights) {
   assert(out.heightRange == HeightRange{});  // what the kernels encode over
   if (stop.stop_requested()) return false;
   const double step = cellMetres(key.level);
@@ -287,6 +288,8 @@ bool fillNoiseChunk(const LandShape<float>& shape, const LandOctaves& octaves, c
   std::vector<GridGully> gullies = gridGullies(octaves, nodes, nodes.size(), samples, kernels);
   GridChain details(octaves.details, samples, kernels);
   std::array<std::uint16_t, kRowSize> heights;
+  if (wideHeights != nullptr)
+    wideHeights->resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
   for (int row = 0; row < side; ++row) {
     if (stop.stop_requested()) return false;
     land.begin(row, *state);
@@ -294,6 +297,7 @@ bool fillNoiseChunk(const LandShape<float>& shape, const LandOctaves& octaves, c
     details.sum(row, state->land.detail);
     const int chunkRow = row - reach;
     kernels.finish(shape, *state, side, heights.data(), out.normals.data() + normalIndex(-reach, chunkRow));
+    if (wideHeights != nullptr) std::copy_n(heights.data(), side, wideHeights->data() + row * side);
     if (chunkRow < 0 || chunkRow >= kChunkSamples) continue;
     std::copy_n(heights.data() + reach, kChunkSamples, out.heights.data() + sampleIndex(0, chunkRow));
   }

@@ -37,7 +37,11 @@ class NoiseHeightSource final : public HeightSource {
   HeightRange storedRange() const override { return {}; }  // row_kernels.inl encodes over it
 
   bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const override {
-    return fillNoiseChunk(rowShape_, octaves_, kernels_, key, stop, out);
+    return fillNoiseChunk(rowShape_, octaves_, kernels_, key, stop, out, nullptr);
+  }
+  bool fillWideChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out,
+                     std::vector<std::uint16_t>& wideHeights) const override {
+    return fillNoiseChunk(rowShape_, octaves_, kernels_, key, stop, out, &wideHeights);
   }
 
  private:

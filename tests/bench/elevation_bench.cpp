@@ -34,20 +34,20 @@ std::string writeSrtm(const test::TemporaryFolder& folder) {
       }));
 }
 
-// A chunk of elevation data takes at most twice as long as one of noise land; processor time, medians of
-// interleaved runs.
-void elevationChunk(benchmark::State& state) {
-  const test::TemporaryFolder folder;
-  const auto noise = terrain::makeNoiseHeightSource({}, 1);
-  const auto land =
-      makeElevationHeightSource({openRaster(writeSrtm(folder))}, {false, 46.5, 7.5, 4000}, noise);
-  const auto level = static_cast<std::int32_t>(state.range(0));
-  const terrain::ChunkKey key{0, 0, level};
+// The chunk of a level around a place of the world.
+terrain::ChunkKey chunkAt(double x, double z, std::int32_t level) {
+  const double size = terrain::chunkMetres(level);
+  return {static_cast<std::int32_t>(std::floor(x / size)), static_cast<std::int32_t>(std::floor(z / size)),
+          level};
+}
+
+void compareWithNoise(benchmark::State& state, const terrain::HeightSource& land,
+                      const terrain::HeightSource& noise, const terrain::ChunkKey& key) {
   for (auto _ : state) {
     std::vector<double> ofNoise, ofLand;
     for (int i = 0; i < 15; ++i) {
-      ofNoise.push_back(once([&] { benchmark::DoNotOptimize(terrain::makeChunk(*noise, key)); }));
-      ofLand.push_back(once([&] { benchmark::DoNotOptimize(terrain::makeChunk(*land, key)); }));
+      ofNoise.push_back(once([&] { benchmark::DoNotOptimize(terrain::makeChunk(noise, key)); }));
+      ofLand.push_back(once([&] { benchmark::DoNotOptimize(terrain::makeChunk(land, key)); }));
     }
     std::sort(ofNoise.begin(), ofNoise.end());
     std::sort(ofLand.begin(), ofLand.end());
@@ -58,7 +58,29 @@ void elevationChunk(benchmark::State& state) {
            "a chunk of elevation data takes more than twice as long as one of noise");
   }
 }
+
+// A chunk of elevation data takes at most twice as long as one of noise land; processor time, medians of
+// interleaved runs.
+void elevationChunk(benchmark::State& state) {
+  const test::TemporaryFolder folder;
+  const auto noise = terrain::makeNoiseHeightSource({}, 1);
+  const auto land =
+      makeElevationHeightSource({openRaster(writeSrtm(folder))}, {false, 46.5, 7.5, 4000}, noise);
+  compareWithNoise(state, *land, *noise, chunkAt(1, 1, static_cast<std::int32_t>(state.range(0))));
+}
 BENCHMARK(elevationChunk)->Arg(0)->Arg(2)->Arg(5)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+// So does one in which the data fade into the land around, which is made of both.
+void elevationFadingChunk(benchmark::State& state) {
+  const test::TemporaryFolder folder;
+  const auto noise = terrain::makeNoiseHeightSource({}, 1);
+  const auto land =
+      makeElevationHeightSource({openRaster(writeSrtm(folder))}, {false, 46.5, 7.5, 4000}, noise);
+  double edge = 0;
+  while (land->hasData({edge, 1})) edge += 100;
+  compareWithNoise(state, *land, *noise, chunkAt(edge + 2000, 1, static_cast<std::int32_t>(state.range(0))));
+}
+BENCHMARK(elevationFadingChunk)->Arg(0)->Arg(2)->Arg(5)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 // A tile of 3601 x 3601 is opened, looked through and has its first chunks within a second, and keeps at most
 // 64 MiB.

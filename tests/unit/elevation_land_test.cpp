@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "elevation/elevation_source.h"
 #include "skydrop/core/error.h"
 #include "skydrop/elevation/elevation_height_source.h"
 #include "skydrop/elevation/survey.h"
@@ -108,6 +109,100 @@ TEST_F(TwoTiles, chunksHoldWhatSamplesSay) {
     for (int column = -6; column <= 6; ++column)
       ASSERT_EQ(east.normals[static_cast<std::size_t>(terrain::normalIndex(column, row))],
                 fine.normals[static_cast<std::size_t>(terrain::normalIndex(240 + column, row))]);
+}
+
+TEST_F(TwoTiles, chunksInWhichTheDataFadeMeetTheirNeighbours) {
+  // Beyond the data, where both lands count: heights on a border, and normals on both sides of it, are the
+  // same bits in neighbouring chunks; heights that two levels share are so too; and they are what sample()
+  // says.
+  write(0);
+  write(1);
+  const auto land = make(3000);
+  const int side = terrain::kChunkSamples - 1;
+  for (const std::int32_t level : {0, 1, 3}) {
+    const double size = terrain::chunkMetres(level), cell = terrain::cellMetres(level);
+    const int reach = terrain::normalReach(level);
+    const auto x = static_cast<std::int32_t>(std::floor(3000 / size));
+    const terrain::ChunkData west = terrain::makeChunk(*land, {x, 0, level}),
+                             east = terrain::makeChunk(*land, {x + 1, 0, level});
+    for (int row = -reach; row <= side + reach; ++row) {
+      for (int column = -reach; column <= reach; ++column)
+        ASSERT_EQ(west.normals[static_cast<std::size_t>(terrain::normalIndex(side + column, row))],
+                  east.normals[static_cast<std::size_t>(terrain::normalIndex(column, row))])
+            << level << " " << column << " " << row;
+      if (row < 0 || row > side) continue;
+      ASSERT_EQ(west.heights[static_cast<std::size_t>(terrain::sampleIndex(side, row))],
+                east.heights[static_cast<std::size_t>(terrain::sampleIndex(0, row))]);
+    }
+    bool isFading = false;
+    for (int i = 0; i < side; i += 7) {
+      const glm::dvec2 at = terrain::chunkOrigin(east.key) + cell * glm::dvec2(i, side - i);
+      const HeightSample truth = land->sample(at);
+      isFading = isFading || (!land->hasData(at) && truth.height != 0);
+      EXPECT_NEAR(east.height(static_cast<std::size_t>(terrain::sampleIndex(i, side - i))), truth.height,
+                  east.heightRange.step() / 2 + 0.017);
+      if (level > 0) continue;  // their normals are smoothed
+      const glm::dvec3 normal =
+          terrain::decodeNormal(east.normals[static_cast<std::size_t>(terrain::normalIndex(i, side - i))]);
+      EXPECT_GT(glm::dot(normal, terrain::normalOf(truth)), std::cos(0.025))
+          << i;  // two codings of .6 degrees
+    }
+    EXPECT_TRUE(isFading);
+    if (level == 0) continue;
+    const terrain::ChunkData fine = terrain::makeChunk(*land, {2 * east.key.x, 0, level - 1});
+    for (int row = 0; row <= side / 2; ++row)
+      for (int column = 0; column <= side / 2; ++column)
+        ASSERT_EQ(fine.heights[static_cast<std::size_t>(terrain::sampleIndex(2 * column, 2 * row))],
+                  east.heights[static_cast<std::size_t>(terrain::sampleIndex(column, row))])
+            << level << " " << column << " " << row;
+  }
+}
+
+TEST_F(TwoTiles, everyInstructionSetGivesTheSameChunks) {
+  // On the data, where they fade and where a finer mosaic lies in a coarser one.
+  write(0);
+  const auto coarse = folder_.path() / "coarse.tif";
+  test::writeGeoTiff(coarse, 200, 200, {2599500, 1201500}, {10, 10},
+                     test::heightsOf(200, 200, [](double c, double r) { return 640 + c / 3 - r / 5; }));
+  rasters_.push_back(openRaster(coarse));
+  const auto noise = terrain::makeNoiseHeightSource({}, 1);
+  const ElevationSettings settings{false, kBern.latitude, kBern.longitude, 2000};
+  const auto baseline =
+      makeElevationHeightSource(rasters_, settings, noise, *surfaceKernels(core::InstructionSet::baseline));
+  int sets = 0;
+  for (const core::InstructionSet set : core::kInstructionSets) {
+    const SurfaceKernels* kernels = surfaceKernels(set);
+    if (kernels == nullptr || set == core::InstructionSet::baseline) continue;
+    ++sets;
+    const auto land = makeElevationHeightSource(rasters_, settings, noise, *kernels);
+    for (const terrain::ChunkKey key :
+         {terrain::ChunkKey{0, -1, 0}, {1, -1, 0}, {2, 0, 0}, {-1, -1, 2}, {0, 0, 5}}) {
+      const terrain::ChunkData truth = terrain::makeChunk(*baseline, key),
+                               chunk = terrain::makeChunk(*land, key);
+      EXPECT_EQ(chunk.heights, truth.heights) << static_cast<int>(set) << " " << key.level;
+      EXPECT_EQ(chunk.normals, truth.normals) << static_cast<int>(set) << " " << key.level;
+    }
+  }
+  if (sets == 0) GTEST_SKIP() << "no wide instruction set here";
+}
+
+TEST_F(TwoTiles, tilesSideBySideFadeAsOneRaster) {
+  // However the same cells are cut into tiles, the land beyond them is the same, bit by bit.
+  write(0);
+  write(1);
+  const auto two = make();
+  const auto file = folder_.path() / "both.tif";
+  test::writeGeoTiff(
+      file, 1000, 500, {2600000, 1201000}, {2, 2},
+      test::heightsOf(1000, 500, [&](double c, double r) { return landAt(2 * c + 1, 1000 - 2 * r - 1); }));
+  rasters_ = {openRaster(file)};
+  const auto one = make();
+  for (double z = -2900; z < 1900; z += 137) {
+    for (double x = -1900; x < 3900; x += 61) {
+      const HeightSample a = two->sample({x, z}), b = one->sample({x, z});
+      ASSERT_NEAR(a.height, b.height, 1e-9) << x << " " << z;
+    }
+  }
 }
 
 TEST_F(TwoTiles, boundsHoldEverySample) {

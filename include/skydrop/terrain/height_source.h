@@ -2,9 +2,11 @@
 // autopilot ask without any cache. Sea level is height 0; a height below it is sea floor.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <stop_token>
+#include <vector>
 
 #include "skydrop/terrain/chunk_key.h"
 #include "skydrop/terrain/height_range.h"
@@ -56,6 +58,12 @@ class HeightSource {
   // less detail, but not its heights: a position that two levels share has the same code in both, or their
   // meshes would not meet.
   virtual bool fillChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out) const;
+
+  // The same, and codes of the heights as far as normals reach: rows of kChunkSamples + 2 normalReach(level)
+  // from -normalReach(level) on. For lands that are made of others. The default asks sample() for those
+  // beyond the chunk.
+  virtual bool fillWideChunk(const ChunkKey& key, std::stop_token stop, ChunkData& out,
+                             std::vector<std::uint16_t>& wideHeights) const;
 
   // The grass strips of this land (strips.h), which live as long as it; null where it has none.
   virtual const Strips* strips() const { return nullptr; }
