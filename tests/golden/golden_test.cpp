@@ -82,6 +82,15 @@ std::vector<std::string> viewOfBern(const std::string& from, const std::string& 
                      "weather.variability=0"});
 }
 
+// Over the same land in the colours of an aerial image: a town, its river, fields and woods in the evening.
+std::vector<std::string> inColoursFromAbove() {
+  const std::string root = sourceDir();
+  return withoutHud({"--scene", "bern", "--image", root + "/assets/elevation/mittelland_aerial.tif",
+                     "--camera=3500,1900,5500", "--heading", "330", "--pitch=-14", "--weather",
+                     root + "/tests/corpus/weather/goodMeteoblue.json", "--set", "sky.sun=clock", "--set",
+                     "sky.utc=2026-06-21T16:30Z", "--set", "weather.variability=0"});
+}
+
 const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all = {
       {"empty", {"--scene", "empty"}, kSoftwareRounding, "the frame without any effect is black"},
@@ -227,6 +236,7 @@ const std::vector<Golden>& goldens() {
                                  "clouds.layers.0.coverage=0.5", "weather.sites.0.layers.0.cover=0.5"})},
       {"gurtenTowardsSolothurn", viewOfBern("Gurten", "Solothurn")},
       {"bantigerTowardsFribourg", viewOfBern("Bantiger", "Fribourg")},
+      {"aerialImageOfATown", inColoursFromAbove()},
       {"stratusFromBelow", ofGenus("stratus", 400, 900, 1, "0,200,0,40,6,0")},
       {"stratocumulusFromBelow", ofGenus("stratocumulus", 1200, 1900, 0.85, "0,300,0,40,10,0")},
       {"cumulusOfTheWeather", ofGenus("cumulus", 1555, 3355, 0.45, "0,600,0,40,12,0")},
