@@ -13,6 +13,10 @@
 namespace skydrop::elevation {
 namespace {
 
+// Of files beside others that have no place of their own.
+constexpr const char* kSystemEnding = ".prj";
+constexpr std::array kWorldFileEndings{".pgw", ".pngw", ".jgw", ".jpgw", ".tfw", ".wld"};
+
 using core::DataError;
 
 constexpr std::size_t kMostTextBytes = std::size_t{512} << 20;
@@ -67,9 +71,20 @@ std::optional<std::string> guessedCrs(glm::dvec2 lowest, glm::dvec2 highest) {
   return std::nullopt;
 }
 
+std::vector<std::filesystem::path> filesBeside(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const char* ending) {
+    files.emplace_back(file).replace_extension(ending);
+    if (files.back() == file) files.pop_back();
+  };
+  add(kSystemEnding);
+  for (const char* ending : kWorldFileEndings) add(ending);
+  return files;
+}
+
 std::optional<std::string> crsBeside(const std::filesystem::path& file) {
   std::filesystem::path beside = file;
-  beside.replace_extension(".prj");
+  beside.replace_extension(kSystemEnding);
   std::error_code error;
   if (!std::filesystem::is_regular_file(beside, error)) return std::nullopt;
   std::string text = core::readTextFile(beside, std::size_t{64} << 10);
@@ -79,7 +94,7 @@ std::optional<std::string> crsBeside(const std::filesystem::path& file) {
 }
 
 std::optional<Georeference> worldFileBeside(const std::filesystem::path& file) {
-  for (const char* ending : {".pgw", ".pngw", ".jgw", ".jpgw", ".tfw", ".wld"}) {
+  for (const char* ending : kWorldFileEndings) {
     std::filesystem::path beside = file;
     beside.replace_extension(ending);
     std::error_code error;

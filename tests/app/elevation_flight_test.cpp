@@ -1,10 +1,12 @@
 // Flights over elevation data.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "app/session/run_config.h"
 #include "app/session/simulation.h"
+#include "app/window/file_watch.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
 #include "skydrop/game/contact.h"
@@ -145,6 +147,47 @@ TEST_F(ElevationFlight, aSceneThatIsWrittenAnewBringsItsLandAndADamagedOneChange
   name("");
   reloadScene(*run, line);
   EXPECT_TRUE(run->setup.land.elevation.empty());
+}
+
+TEST_F(ElevationFlight, aFileThatIsWrittenAnewBringsItsLandAndADamagedOneChangesNothing) {
+  const auto file = write();
+  const CommandLine line = lineOf(file);
+  const auto run = prepareRun(line);
+  const auto land = run->setup.land.elevation[0];
+  const Settings kept = run->settings;
+  folder_.write("hills.tif", core::readTextFile(file).substr(0, 300));
+  const std::string refusal = test::refusalOf<core::DataError>([&] { reloadLand(*run, line); });
+  EXPECT_TRUE(test::isOneLineAbout(refusal, "hills.tif")) << refusal;
+  EXPECT_EQ(run->setup.land.elevation[0], land) << "the last good land stays";
+  EXPECT_EQ(run->settings.elevation, kept.elevation);
+  // Elsewhere: the world's origin and its sky go along.
+  test::writeGeoTiff(file, 100, 100, {2640000, 1250000}, {20, 20},
+                     test::heightsOf(100, 100, [](double, double) { return 700.0; }));
+  const SettingsChange change = reloadLand(*run, line);
+  EXPECT_TRUE(change.touches("elevation.latitude"));
+  EXPECT_NE(run->setup.land.elevation[0], land);
+  EXPECT_GT(run->settings.elevation.latitude, kept.elevation.latitude + 0.3);
+  EXPECT_EQ(run->settings.render.sun.latitudeDegrees, run->settings.elevation.latitude);
+}
+
+TEST_F(ElevationFlight, filesAreReadAgainWhenTheyHaveBeenWritten) {
+  // Not while they are written; also where what is written lies beside them.
+  const auto file = write();
+  FilesWatch watch(filesOfLand(lineOf(file), {}));
+  const auto now = std::filesystem::last_write_time(file);
+  EXPECT_FALSE(watch.wereWritten());
+  for (int i = 1; i < 4; ++i) {
+    std::filesystem::last_write_time(file, now + std::chrono::seconds(i));
+    EXPECT_FALSE(watch.wereWritten()) << "it may be half written";
+  }
+  EXPECT_TRUE(watch.wereWritten());
+  EXPECT_FALSE(watch.wereWritten());
+  folder_.write("hills.prj", "EPSG:2056");
+  EXPECT_FALSE(watch.wereWritten());
+  EXPECT_TRUE(watch.wereWritten());
+  std::filesystem::remove(file);
+  EXPECT_FALSE(watch.wereWritten());
+  EXPECT_FALSE(watch.wereWritten()) << "what was taken away cannot be read";
 }
 
 TEST_F(ElevationFlight, anImageAloneLiesOnTheEndlessLandOfItsPlace) {

@@ -137,6 +137,23 @@ TEST_F(LastGoodState, aSceneWhosePartsAreBrokenLeavesTheFlight) {
   }
 }
 
+TEST_F(LastGoodState, aBrokenElevationFileOrImageLeavesTheLandAndARepairedOneReplacesIt) {
+  const fs::path land = data() / "assets/elevation/mittelland.tif",
+                 image = data() / "assets/elevation/mittelland_aerial.tif";
+  fly({"--scene", "terrain", "--elevation", land.string(), "--image", image.string()});
+  for (const fs::path& file : {land, image}) {
+    const std::string good = contentOf(file);
+    writeTo(file, good.substr(0, good.size() / 2));
+    expectFault(file.filename().string());
+    EXPECT_EQ(linesAbout(file.filename().string()), 1) << flown().log();
+    const auto steps = flown().statistics().at("steps").get<std::int64_t>();
+    ASSERT_TRUE(flown().waitFor([&](const json& s) { return s.at("steps").get<std::int64_t>() > steps; }))
+        << "the flight goes on";
+    writeTo(file, good);
+    expectSound();
+  }
+}
+
 TEST_F(LastGoodState, aBrokenPlayersFileChangesNothing) {
   fly();
   const fs::path file = flown().userFolder() / "settings.json";

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace skydrop::elevation {
 
@@ -70,6 +71,10 @@ inline glm::dvec2 centreOf(const Georeference& place, double column, double row)
 // core::DataError.
 inline constexpr double kFinestCellM = 2;
 std::shared_ptr<const Raster> openRaster(const std::filesystem::path& file);
+
+// Names of files that say where a file lies which does not say so itself, whether they exist or not: its
+// world file, its reference system.
+std::vector<std::filesystem::path> filesBeside(const std::filesystem::path& file);
 
 // Of a file's content: that a replay is flown over the same land. Throws core::DataError.
 std::uint64_t contentDigest(const std::filesystem::path& file);

@@ -40,6 +40,20 @@ LandFiles openLandFiles(const CommandLine& line, const scene::Scene& scene, cons
   return land;
 }
 
+std::vector<std::filesystem::path> filesOfLand(const CommandLine& line, const scene::Scene& scene) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&files](const std::vector<std::filesystem::path>& named) {
+    for (const std::filesystem::path& file : named) {
+      files.push_back(file);
+      const std::vector<std::filesystem::path> beside = elevation::filesBeside(file);
+      files.insert(files.end(), beside.begin(), beside.end());
+    }
+  };
+  add(line.elevationFiles.empty() ? scene.elevationFiles : line.elevationFiles);
+  add(line.imageFiles.empty() ? scene.imageFiles : line.imageFiles);
+  return files;
+}
+
 bool namesOtherLand(const CommandLine& line, const scene::Scene& before, const scene::Scene& after) {
   const bool otherHeights = line.elevationFiles.empty() && before.elevationFiles != after.elevationFiles;
   const bool otherImages = line.imageFiles.empty() && (before.imageFiles != after.imageFiles ||

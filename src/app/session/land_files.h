@@ -1,6 +1,7 @@
 // The files that the land of a run is made of: heights, and aerial images that it wears.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ struct LandFiles {
 // the file of that name). Throws core::DataError.
 LandFiles openLandFiles(const CommandLine& line, const scene::Scene& scene, const game::InputLog* log,
                         const std::string& logFile);
+
+// What openLandFiles reads without a log, and what may lie beside it (world files, reference systems):
+// whoever writes one of them changes the land.
+std::vector<std::filesystem::path> filesOfLand(const CommandLine& line, const scene::Scene& scene);
 
 // Whether another scene brings other files, as far as the command line does not.
 bool namesOtherLand(const CommandLine& line, const scene::Scene& before, const scene::Scene& after);

@@ -432,18 +432,17 @@ Settings ungoverned(const RunConfig& run) {
   return settings;
 }
 
-SettingsChange reloadScene(RunConfig& run, const CommandLine& line) {
+namespace {
+
+// All or nothing. `land` null: that of the run stays.
+SettingsChange takeOver(RunConfig& run, const scene::Scene& scene, const LandFiles* land) {
   const Settings before = run.settings;
-  const scene::Scene scene = scene::loadScene(run.setup.scene.source);
-  const bool isOtherLand = namesOtherLand(line, run.setup.scene, scene);
-  const LandFiles land =
-      isOtherLand ? openLandFiles(line, scene, nullptr, run.setup.replayFile) : run.setup.land;
   const Choices whole = choicesOf(run);
   try {
-    if (isOtherLand) {
+    if (land != nullptr) {
       std::erase_if(run.overrides, [&](const std::string& set) { return holds(run.landRows, set); });
       compose(run, scene, ownChoices(run.userSettings), When::flying);
-      run.landRows = rowsOfLand(land, run.settings, run.table);
+      run.landRows = rowsOfLand(*land, run.settings, run.table);
       run.overrides.insert(run.overrides.begin(), run.landRows.begin(), run.landRows.end());
     }
     compose(run, scene, ownChoices(run.userSettings), When::flying);
@@ -451,10 +450,26 @@ SettingsChange reloadScene(RunConfig& run, const CommandLine& line) {
     goBackTo(whole, run);
     throw;
   }
-  run.setup.land = land;
+  if (land != nullptr) run.setup.land = *land;
+  return changeSince(before, run);
+}
+
+}  // namespace
+
+SettingsChange reloadScene(RunConfig& run, const CommandLine& line) {
+  const scene::Scene scene = scene::loadScene(run.setup.scene.source);
+  std::optional<LandFiles> land;
+  if (namesOtherLand(line, run.setup.scene, scene))
+    land = openLandFiles(line, scene, nullptr, run.setup.replayFile);
+  const SettingsChange change = takeOver(run, scene, land ? &*land : nullptr);
   run.setup.scene = scene;
   if (!line.seed && !line.replay) run.setup.seed = scene.seed;
-  return changeSince(before, run);
+  return change;
+}
+
+SettingsChange reloadLand(RunConfig& run, const CommandLine& line) {
+  const LandFiles land = openLandFiles(line, run.setup.scene, nullptr, run.setup.replayFile);
+  return takeOver(run, run.setup.scene, &land);
 }
 
 SettingsChange reloadPlayer(RunConfig& run, std::vector<std::string>* refused) {

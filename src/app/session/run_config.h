@@ -98,6 +98,9 @@ Settings ungoverned(const RunConfig& run);
 // Returns what changed. All or nothing: throws core::DataError and changes nothing.
 SettingsChange reloadScene(RunConfig& run, const CommandLine& line);
 
+// Opens the files of the land again, under the same names. The same.
+SettingsChange reloadLand(RunConfig& run, const CommandLine& line);
+
 // The same for the player's file; what the menu changed since it was saved stays. What does not fit is in
 // `run.warning`. A change of a fixed setting waits for the next flight; its reason is added to `refused`.
 SettingsChange reloadPlayer(RunConfig& run, std::vector<std::string>* refused = nullptr);

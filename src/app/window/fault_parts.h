@@ -9,6 +9,6 @@ inline constexpr std::string_view kStart = "start", kShaders = "shaders", kScene
                                   kPlayersFile = "player's file", kPlayersValues = "player's values",
                                   kChange = "change", kPreset = "preset", kFrame = "frame",
                                   kStatistics = "statistics", kScreenshot = "screenshot",
-                                  kChoices = "choices", kWeather = "weather";
+                                  kChoices = "choices", kWeather = "weather", kLand = "land";
 
 }  // namespace skydrop::app::part

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 namespace skydrop::app {
 
@@ -28,6 +29,27 @@ class FileWatch {
 
   std::filesystem::path file_;
   std::filesystem::file_time_type seen_;
+};
+
+// Of several files, which may be large and are then written for a while: notices it when none was written
+// since the look before.
+class FilesWatch {
+ public:
+  FilesWatch() = default;  // watches nothing
+  explicit FilesWatch(const std::vector<std::filesystem::path>& files) {
+    for (const std::filesystem::path& file : files) files_.emplace_back(file);
+  }
+
+  // Whether some were written before the last call, and none since.
+  bool wereWritten() {
+    bool isWriting = false;
+    for (FileWatch& file : files_) isWriting = file.wasWritten() || isWriting;
+    return std::exchange(wasWriting_, isWriting) && !isWriting;
+  }
+
+ private:
+  std::vector<FileWatch> files_;
+  bool wasWriting_ = false;
 };
 
 }  // namespace skydrop::app

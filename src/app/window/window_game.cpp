@@ -103,6 +103,7 @@ WindowGame::WindowGame(const CommandLine& line)
   beginRenewal();
   loadedMs_ = 1000 * secondsSinceStart();
   if (!line_.replay) sceneFile_ = FileWatch(run_->setup.scene.file);
+  watchLand();
   if (run_->userFolder) playerFile_ = FileWatch(userSettingsFile(*run_->userFolder));
 }
 

@@ -147,6 +147,8 @@ class WindowGame {
   void followForecast(bool live);
   void writeWeatherTo(core::WindowStatistics& window) const;
   void reloadSceneFile();
+  void watchLand();
+  void reloadLandFiles();
   void reloadPlayerFile();
   void servePreset(const ui::PresetRequest& request);
   ui::MenuTools menuTools(const game::Snapshot& snapshot, Size size);
@@ -242,6 +244,7 @@ class WindowGame {
   double loadedMs_ = 0;
   std::int64_t programsLoaded_ = 0;
   FileWatch sceneFile_, playerFile_;
+  FilesWatch landFiles_;
   std::unique_ptr<forecast::Renewal> renewal_;  // with --live only
   WeatherBarData weatherBarData_;
   std::optional<PhotoOverlay> photo_;  // with --photo only

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/console/message.h"
+#include "app/session/land_files.h"
 #include "app/session/lightning_effect.h"
 #include "app/window/fault_parts.h"
 #include "app/window/window_game.h"
@@ -204,6 +205,7 @@ void WindowGame::watchFiles() {
   }
   followRenewal();
   if (sceneFile_.wasWritten()) attempt(part::kScene, [this] { reloadSceneFile(); });
+  if (landFiles_.wereWritten()) attempt(part::kLand, [this] { reloadLandFiles(); });
   if (playerFile_.wasWritten()) attempt(part::kPlayersFile, [this] { reloadPlayerFile(); });
 }
 
@@ -212,7 +214,20 @@ void WindowGame::reloadSceneFile() {
   const SettingsChange change = reloadScene(*run_, line_);
   buildScene();
   apply(change);
+  watchLand();
   notices_.add("The scene was reloaded");
+}
+
+void WindowGame::watchLand() {
+  if (!line_.replay) landFiles_ = FilesWatch(filesOfLand(line_, run_->setup.scene));
+}
+
+void WindowGame::reloadLandFiles() {
+  if (run_->recorder) return tellOfRefusals({"The land stays as it was while a flight is recorded"});
+  const SettingsChange change = reloadLand(*run_, line_);
+  buildScene();
+  apply(change);
+  notices_.add("The land was reloaded");
 }
 
 void WindowGame::reloadPlayerFile() {
