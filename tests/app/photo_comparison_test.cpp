@@ -73,6 +73,22 @@ TEST(Photo, aNarrowPhotographCoversItsOwnFieldAndNothingElse) {
   EXPECT_EQ(seen.pixel(0, 0)[3], 0);
 }
 
+TEST(Photo, besideItThePictureShowsItsMiddleAndThePhotographTheSame) {
+  // A quarter of the width further right a moved view has the rays of the view; there a photograph lies too.
+  const render::View view = viewTo(30), moved = withRoomToTheLeft(view);
+  PhotoRequest request;
+  request.fieldDegrees = 50;
+  const core::Image photo = plain(60, 40, 0);
+  for (const double x : {15.25, 30.5, 40.0}) {
+    const glm::dvec2 there(x + 0.25 * view.width, 11);
+    EXPECT_LT(glm::length(render::rayDirection(moved, there) - render::rayDirection(view, {x, 11})), 1e-12);
+    const glm::dvec2 before = photoPlaceOf(photo, request, view, {x, 11}),
+                     after = photoPlaceOf(photo, request, moved, there);
+    EXPECT_NEAR(after.x, before.x, 1e-12);
+    EXPECT_NEAR(after.y, before.y, 1e-12);
+  }
+}
+
 TEST(Photo, itIsLaidOverWipedOrSetBeside) {
   const core::Image dark = plain(10, 4, 40), bright = plain(10, 4, 240);
   EXPECT_EQ(together(dark, bright, PhotoView::overlay, 0.25).pixel(3, 2)[0], 90);

@@ -42,8 +42,18 @@ TEST(PhotoWindow, itIsWipedLaidOverOrSetBesideAt640x360) {
   FlownGame flown({"--photo", photo, "--photo-view", "beside", "--no-hud"});
   const core::Image beside = flown.screenshot();
   EXPECT_GT(purpleAt(beside, 0.25, 0.5), 0.9);
-  EXPECT_LT(purpleAt(beside, 0.25, 0.1), 0.1) << "black above it";
+  EXPECT_GT(purpleAt(beside, 0.02, 0.02), 0.9) << "all of the left half";
+  EXPECT_GT(purpleAt(beside, 0.48, 0.98), 0.9);
+  EXPECT_LT(purpleAt(beside, 0.52, 0.5), 0.4);
   EXPECT_LT(purpleAt(beside, 0.75, 0.5), 0.4);
+  // V goes on: hidden, laid over.
+  flown.press("v");
+  const core::Image hidden = flown.screenshot();
+  EXPECT_LT(purpleAt(hidden, 0.25, 0.5), 0.4);
+  flown.press("v");
+  const core::Image over = flown.screenshot();
+  EXPECT_GT(purpleAt(over, 0.25, 0.5), 0.4);
+  EXPECT_GT(purpleAt(over, 0.75, 0.5), 0.4);
 }
 
 }  // namespace

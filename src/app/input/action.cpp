@@ -37,6 +37,7 @@ constexpr std::array<ActionText, kActions> kTexts = {{{"thrust", "faster"},
                                                       {"hourForward", "an hour on"},
                                                       {"timeSlower", "time slower"},
                                                       {"timeFaster", "time faster"},
+                                                      {"photo", "photograph"},
                                                       {"escape", "resume, quit"}}};
 
 const ActionText& textOf(Action action) { return kTexts[static_cast<std::size_t>(action)]; }

@@ -40,6 +40,7 @@ enum class Action {
   hourForward,
   timeSlower,
   timeFaster,
+  photo,
   escape,
   count_
 };

@@ -40,6 +40,7 @@ std::array<Inputs, kActions> defaultInputs() {
   bind(Action::hourForward, {keyInput('.')});
   bind(Action::timeSlower, {keyInput('[')});
   bind(Action::timeFaster, {keyInput(']')});
+  bind(Action::photo, {keyInput('O')});
   bind(Action::split, {keyInput(key::kF3)});
   bind(Action::help, {keyInput('H'), buttonInput(pad::kUp)});
   bind(Action::menu, {keyInput(key::kF1), buttonInput(pad::kRight)});
@@ -71,6 +72,7 @@ const std::vector<HelpEntry>& helpEntries() {
       {{Action::deliveries}, ""},
       {{Action::weatherBar, Action::weatherMode}, "weather bar, live"},
       {{Action::hourBack, Action::hourForward, Action::timeSlower, Action::timeFaster}, "its hour, pace"},
+      {{Action::photo}, ""},
       {{Action::costs}, ""},
       {{Action::split}, ""},
       {{Action::help}, "this help"},

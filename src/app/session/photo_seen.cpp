@@ -41,11 +41,17 @@ glm::dvec2 photoPlaceOf(const core::Image& photo, const PhotoRequest& request, c
     return {turn - std::floor(turn), 0.5 - pitch * photo.width / (360.0 * photo.height)};
   }
   const double half = std::tan(view.fovYRad / 2);
-  const glm::dvec2 tangent((2 * pixel.x / view.width - 1) * half * view.aspect(),
-                           (2 * pixel.y / view.height - 1) * half);
+  const glm::dvec2 tangent = view.offAxis + glm::dvec2((2 * pixel.x / view.width - 1) * half * view.aspect(),
+                                                       (2 * pixel.y / view.height - 1) * half);
   const double halfWidth =
       request.fieldDegrees ? std::tan(glm::radians(*request.fieldDegrees) / 2) : half * view.aspect();
   return {0.5 + 0.5 * tangent.x / halfWidth, 0.5 - 0.5 * tangent.y / halfWidth * photo.width / photo.height};
+}
+
+render::View withRoomToTheLeft(const render::View& view) {
+  render::View moved = view;
+  moved.offAxis.x -= 0.5 * std::tan(view.fovYRad / 2) * view.aspect();
+  return moved;
 }
 
 core::Image asSeen(const core::Image& photo, const PhotoRequest& request, const render::View& view) {

@@ -16,6 +16,10 @@ namespace skydrop::app {
 glm::dvec2 photoPlaceOf(const core::Image& photo, const PhotoRequest& request, const render::View& view,
                         const glm::dvec2& pixel);
 
+// The view moved by a quarter of its width, so that the middle half of what it shows fills the right half of
+// the picture: room for the middle half of a photograph in the left.
+render::View withRoomToTheLeft(const render::View& view);
+
 // The photograph as the view would see it: of the view's size, transparent where it shows nothing.
 core::Image asSeen(const core::Image& photo, const PhotoRequest& request, const render::View& view);
 

@@ -10,6 +10,7 @@
 #include "app/measure/bill.h"
 #include "app/measure/stopwatch.h"
 #include "app/session/compile_ahead.h"
+#include "app/session/photo_seen.h"
 #include "skydrop/render/frame/tone_map_pass.h"
 #include "skydrop/render/models/model_layer.h"
 #include "skydrop/render/shadows/land_shadow_pass.h"
@@ -249,7 +250,8 @@ render::View SceneRenderer::view(const game::Snapshot& snapshot, Size size) cons
     return view;
   }
   const terrain::HeightSource* ground = land_ ? &land_->ground() : nullptr;
-  return camera_.view(snapshot, settings_->render.camera, size.width, size.height, ground);
+  const render::View view = camera_.view(snapshot, settings_->render.camera, size.width, size.height, ground);
+  return leavesRoom_ ? withRoomToTheLeft(view) : view;
 }
 
 void SceneRenderer::draw(const game::Snapshot& snapshot, Size size, Streaming streaming) {

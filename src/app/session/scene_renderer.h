@@ -107,6 +107,10 @@ class SceneRenderer {
   // CPU time of asking for land, of all frames that were measured.
   double streamingMs() const { return streamingCost_.ms(); }
 
+  // Whether the picture leaves its left half to something beside it (withRoomToTheLeft): from the next view
+  // on.
+  void leaveRoomToTheLeft(bool leaves) { leavesRoom_ = leaves; }
+
   // From where the snapshot is seen.
   render::View view(const game::Snapshot& snapshot, Size size) const;
 
@@ -206,6 +210,7 @@ class SceneRenderer {
   const Settings* settings_;
   render::Renderer renderer_;
   render::Camera camera_;
+  bool leavesRoom_ = false;
   std::optional<render::View> lastView_, lookedFrom_;
   bool lastLookedFrom_ = false;         // in the last frame there was such a view
   render::EyeAdaptation eye_;           // of frames that follow each other

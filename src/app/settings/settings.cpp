@@ -85,7 +85,7 @@ void describe(core::SettingsVisitor& visitor, ViewSettings& settings) {
   visitor.choice(
       "photo", settings.photo, kPhotoViewNames,
       {.help = "How a photograph (--photo) is laid over the picture: not, with an opacity, up to a "
-               "share of the width, or small to the left.",
+               "share of the width, or its middle in the left half beside that of the picture.",
        .aliases = "photograph, overlay, wipe, side by side, compare"});
   visitor.number("photoShare", settings.photoShare,
                  {.unit = "1",

@@ -47,23 +47,21 @@ PhotoOverlay::PhotoOverlay(render::gl::Context& context, const PhotoRequest& req
 const ui::PhotoLayer* PhotoOverlay::layer(const render::View& view, const ViewSettings& settings) {
   if (settings.photo == PhotoView::none) return nullptr;
   const bool isBeside = settings.photo == PhotoView::beside;
+  // Beside, the left half shows what the right half sees, as large.
+  const double width = isBeside ? 0.5 : 1;
   const auto share = static_cast<float>(settings.photoShare);
   layer_ = {};
   layer_.opacity = settings.photo == PhotoView::overlay ? share : 1;
   layer_.right = settings.photo == PhotoView::wipe ? share : isBeside ? 0.5F : 1;
   layer_.hasGround = isBeside;
-  if (isBeside) {  // half as large, in the middle of the left half
-    layer_.top = 0.25F;
-    layer_.bottom = 0.75F;
-  }
   vertices_.clear();
   for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns; ++column) {
       const double x = column / double{kColumns - 1}, y = row / double{kRows - 1};
-      const glm::dvec2 at = photoPlaceOf(photo_, request_, view, {x * view.width, (1 - y) * view.height});
-      const double half = isBeside ? 0.5 : 1;
-      vertices_.push_back({static_cast<float>(half * x), static_cast<float>(isBeside ? 0.25 + half * y : y),
-                           static_cast<float>(at.x), static_cast<float>(at.y)});
+      const glm::dvec2 at =
+          photoPlaceOf(photo_, request_, view, {(1 - width + width * x) * view.width, (1 - y) * view.height});
+      vertices_.push_back({static_cast<float>(width * x), static_cast<float>(y), static_cast<float>(at.x),
+                           static_cast<float>(at.y)});
     }
   }
   layer_.texture = texture_.id();

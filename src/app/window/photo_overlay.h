@@ -18,7 +18,8 @@ class PhotoOverlay {
   static constexpr int kMostSide = 4096;
   PhotoOverlay(render::gl::Context& context, const PhotoRequest& request);
 
-  // What to draw over a frame of the view; null where the settings show none. Valid until the next call.
+  // What to draw over a frame of the view, which has room to the left (photo_seen.h) where the photograph is
+  // set beside it; null where the settings show none. Valid until the next call.
   const ui::PhotoLayer* layer(const render::View& view, const ViewSettings& settings);
 
  private:

@@ -362,6 +362,9 @@ void WindowGame::handleAction(Action action) {
     case Action::landingLight:
       switchLandingLight();
       break;
+    case Action::photo:
+      nextPhotoView();
+      break;
     case Action::mute:
       toggle("audio.mute");
       notices_.add(run_->settings.audio.mute ? "Sound off" : "Sound on");
@@ -377,6 +380,21 @@ void WindowGame::handleAction(Action action) {
     default:
       break;  // flight actions: PlayerInput::step
   }
+}
+
+// Not, laid over, wiped, beside: and again.
+void WindowGame::nextPhotoView() {
+  if (!photo_) return notices_.add("No photograph here: --photo FILE");
+  ViewSettings& view = run_->settings.view;
+  const std::size_t next = (static_cast<std::size_t>(view.photo) + 1) % kPhotoViewNames.size();
+  attempt(part::kChange, [&] {
+    core::setField(run_->table.at("view.photo"), static_cast<double>(next));
+    applyMenuChanges({"view.photo"});
+  });
+  constexpr std::array<std::string_view, kPhotoViewNames.size()> kNotices = {
+      "Photograph: hidden", "Photograph: laid over the picture", "Photograph: wiped from the left",
+      "Photograph: beside the picture"};
+  notices_.add(std::string(kNotices[static_cast<std::size_t>(view.photo)]));
 }
 
 void WindowGame::switchLandingLight() {
@@ -443,6 +461,7 @@ void WindowGame::drawFrame(double seconds) {
   const game::Snapshot snapshot = snapshotToDraw();
   drawnSeconds_ = snapshot.simulatedSeconds;
   const Size size = window_.size();
+  sceneRenderer_->leaveRoomToTheLeft(photo_ && !split_ && run_->settings.view.photo == PhotoView::beside);
   if (sound_) {
     audio_->setPaused(isPaused() || isFrozen());
     soundCost_.measure([&] { sound_->update(snapshot, events_); });

@@ -83,6 +83,7 @@ class WindowGame {
   bool takeEvent(const render::gl::WindowEvent& event);
   void handleAction(Action action);
   void switchLandingLight();
+  void nextPhotoView();
   void toggle(const std::string& path);
   void showControls();
   void advance(double seconds);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <glm/common.hpp>
 
 #include "render/frame/visibility.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
@@ -63,7 +64,14 @@ int lowBits(std::int64_t index) { return (static_cast<int>(index & 0xfffff) ^ 0x
 }  // namespace
 
 terrain::ViewVolume viewVolume(const View& view) {
-  return terrain::makeViewVolume(view.position, view.worldToView, view.fovYRad, view.width, view.height);
+  if (view.offAxis == glm::dvec2(0))
+    return terrain::makeViewVolume(view.position, view.worldToView, view.fovYRad, view.width, view.height);
+  // Off its axis: as wide to both sides as to the farther one, of pixels of the same size.
+  const double tangent = std::tan(view.fovYRad / 2);
+  const glm::dvec2 times = 1.0 + glm::abs(view.offAxis) / (tangent * glm::dvec2(view.aspect(), 1));
+  const glm::ivec2 size(glm::ceil(times * glm::dvec2(view.width, view.height)));
+  return terrain::makeViewVolume(view.position, view.worldToView, 2 * std::atan(times.y * tangent), size.x,
+                                 size.y);
 }
 
 TerrainPass::TerrainPass(gl::Context& context, bool hasAlpineBelts)
