@@ -158,6 +158,7 @@ TEST_F(ElevationFlight, aFileThatIsWrittenAnewBringsItsLandAndADamagedOneChanges
   folder_.write("hills.tif", core::readTextFile(file).substr(0, 300));
   const std::string refusal = test::refusalOf<core::DataError>([&] { reloadLand(*run, line); });
   EXPECT_TRUE(test::isOneLineAbout(refusal, "hills.tif")) << refusal;
+  ASSERT_EQ(run->setup.land.elevation.size(), 1u);
   EXPECT_EQ(run->setup.land.elevation[0], land) << "the last good land stays";
   EXPECT_EQ(run->settings.elevation, kept.elevation);
   // Elsewhere: the world's origin and its sky go along.
