@@ -111,6 +111,21 @@ LandSight landSight(vec3 relative) {
 #ifdef GRASS_STRIP
 #include "terrain/grass_strip.glsl"
 #endif
+#ifdef STANDING_WOODS
+#include "terrain/wood_floor.glsl"
+
+// Of woods that stand the land shows the floor; lightShares: of the sun's light what trees leave.
+LandSurface belowTrees(LandSurface land, LandSight sight, LandNoise noise, float distanceM, inout vec3 lightShares) {
+  float stand = standingShare(distanceM);
+  float density = forestDensity(growthHeight(sight.heightM), sight.normal.y, 0.0, noise) * stand;
+  float leafy = saturate(0.45 + 0.7 * noise.region - beltHeight(growthHeight(sight.heightM), noise) * 0.0009);
+  land.albedo = floorAlbedo(land.albedo, land.wooded * stand, leafy, noise);
+  land.wooded *= 1.0 - stand;
+  lightShares.x *= sunPastTrees(sight.place, distanceM, density);
+  lightShares.y *= 1.0 - 0.35 * density * standingReach.w;
+  return land;
+}
+#endif
 
 // All but the finest.
 LandNoise coarseNoise(LandSight sight) {
@@ -156,8 +171,14 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   Crowns crowns = crownsAt(cell, inside);
   vec2 strata = rockStrata(sight.heightM, 22.0 * noise.grove + 9.0 * noise.tuft, sight.footprint);
   vec3 normal = sight.normal;
+#ifdef STANDING_WOODS
+  sight.treeShare *= 1.0 - standingShare(length(relative));
+#endif
   LandSurface land =
       landSurface(growthHeight(sight.heightM), normal.y, landCurvature(sight.texel), noise, strata.x, crowns, sight.treeShare);
+#ifdef STANDING_WOODS
+  land = belowTrees(land, sight, noise, length(relative), lightShares);
+#endif
 #ifdef GROUND_PICTURE
   land = worn(land, sight, length(relative));
 #endif
@@ -186,6 +207,9 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
   LandNoise noise = coarseNoise(sight);
   LandSurface land = landSurface(growthHeight(sight.heightM), sight.normal.y, 0.0, noise, 0.0, noCrowns, 0.0);
+#ifdef STANDING_WOODS
+  land = belowTrees(land, sight, noise, length(relative), lightShares);
+#endif
 #ifdef GROUND_PICTURE
   land = worn(land, sight, length(relative));
 #endif

@@ -34,6 +34,8 @@ constexpr double kTurnDiameters = 1.2, kReturnDiameters = 2.0;
 constexpr double kAheadRad = 0.6;
 // It looks so far for a strip to land on, m.
 constexpr double kFarthestStrip = 60000;
+// It flies so far over the tops of trees at least, m.
+constexpr double kOverTreesMetres = 20;
 // Full deflections a second.
 constexpr double kStickPerSecond = 4;
 
@@ -188,6 +190,8 @@ Controls Autopilot::flyTo(const Snapshot& now, const Aim& aim) {
     planned_ = true;
     plannedStep_ = now.stepCount;
     wantedSlope_ = -1;
+    const double overTrees = obstacleHeight_ > 0 ? obstacleHeight_ + kOverTreesMetres : 0;
+    const double clearance = std::max(settings_.clearance, overTrees);
     glm::dvec2 at{craft.position.x, craft.position.z};
     double heading = track, left = turn;
     const double farthest =
@@ -196,7 +200,7 @@ Controls Autopilot::flyTo(const Snapshot& now, const Aim& aim) {
       const glm::dvec2 ahead{dmath::sin(heading), -dmath::cos(heading)}, aside{-ahead.y, ahead.x};
       for (const double side : {-kLookAsideMetres, 0.0, kLookAsideMetres}) {
         const double height = surfaceAt(*ground_, at + aside * side).height;
-        const double missing = height + settings_.clearance - craft.position.y;
+        const double missing = height + clearance - craft.position.y;
         // Behind the margin a slope is a slope; inside it height is missing now.
         const double way = missing > 0 ? std::max(overGround * t - kReachMetres, kReachMetres)
                                        : overGround * t + kReachMetres;

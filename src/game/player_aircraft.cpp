@@ -1,6 +1,7 @@
 #include "game/player_aircraft.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/flight/rotation.h"
+#include "skydrop/terrain/woods.h"
 
 namespace skydrop::game {
 namespace {
@@ -33,6 +35,11 @@ constexpr double kMiddleMargin = 0.3;
 constexpr double kRestHeight = 1.2893, kRestPitchRad = 0.2397;
 // A wreck that met the ground faster than this lies where it struck, m/s.
 constexpr double kShatterSpeed = 12;
+// What of the aircraft meets trees: its middle, places along its wings and its tail, body axes, m; and how
+// near they must be, m. A step moves it by less than that at any speed that it reaches.
+constexpr std::array<glm::dvec3, 6> kTouchPoints = {glm::dvec3{0, 0, 0}, {-2.4, 0.3, 0}, {2.4, 0.3, 0},
+                                                    {-4.6, 0.4, 0},      {4.6, 0.4, 0},  {0, 0.3, 3.5}};
+constexpr double kTouchReach = 1.1;
 // The propeller turns from 8 to 40 times a second between idle and full.
 constexpr double kIdleTurnsPerS = 8, kThrottleTurnsPerS = 32;
 
@@ -207,9 +214,21 @@ void PlayerAircraft::fly(std::uint64_t step) {
   const double margin = ground_ ? kMiddleMargin : setup_->game.contactHeight;
   if (const auto contact = sweepContact(*setup_->ground, from, to, margin, clearanceBefore, clearance_)) {
     crash(*contact, contact->water ? "Ditched in the sea" : "Crashed into the ground");
+  } else if (touchesTree()) {
+    crash({1, to, false}, "Flew into a tree");
+    if (ground_) ground_->wreck(false);
   } else if (step % kSafePlaceSteps == 0) {
     noteSafePlace(step);
   }
+}
+
+bool PlayerAircraft::touchesTree() const {
+  if (!setup_->woods) return false;
+  std::array<glm::dvec3, kTouchPoints.size()> points;
+  std::ranges::transform(kTouchPoints, points.begin(), [&](const glm::dvec3& ofBody) {
+    return body().position + body().orientation * ofBody;
+  });
+  return setup_->woods->touching(points, kTouchReach).has_value();
 }
 
 void PlayerAircraft::noteSafePlace(std::uint64_t step) {

@@ -64,6 +64,7 @@ class PlayerAircraft {
   void move(std::uint64_t step);
   void crash(const Contact& contact, std::string reason);
   void endFlight(const Damage& damage);
+  bool touchesTree() const;
   void turnPropeller();
 
   const WorldSetup* setup_;

@@ -17,6 +17,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/core/hash.h"
+#include "skydrop/terrain/woods.h"
 
 namespace skydrop::game {
 namespace {
@@ -232,6 +233,7 @@ std::uint64_t World::State::hash() const {
     if (aircraft) air.addTo(h);
   }
   if (copy.gear) describe(settings, *copy.gear);
+  if (copy.woods) h.add(copy.woods->density());
   if (aircraft) aircraft->addTo(h);
   deliveries.addTo(h);
   return h.value();
@@ -290,6 +292,8 @@ void World::setGear(const std::optional<flight::GearSettings>& gear) {
   state_->setup.gear = gear;
   if (state_->aircraft) state_->aircraft->applyGear(state_->steps);
 }
+
+void World::setWoods(std::shared_ptr<const terrain::Woods> woods) { state_->setup.woods = std::move(woods); }
 
 void World::setWind(const glm::dvec3& velocity) {
   requireUsable(velocity);

@@ -137,10 +137,12 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::SkySettings;
   using render::StarsSettings;
   using render::SunSettings;
+  using render::VegetationSettings;
   using terrain::GroundPictureSettings;
   using terrain::StripSettings;
   using terrain::TerrainSettings;
   using terrain::TerrainStreamingSettings;
+  using terrain::WoodsSettings;
   using weather::ForecastClock;
   using weather::LightningSettings;
   using weather::LiveSettings;
@@ -153,6 +155,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(PackageSettings),
       SKYDROP_STRUCT(GearSettings),
       SKYDROP_STRUCT(StripSettings),
+      SKYDROP_STRUCT(WoodsSettings),
       SKYDROP_STRUCT(GameSettings),
       SKYDROP_STRUCT(AutopilotSettings),
       SKYDROP_STRUCT(TerrainSettings),
@@ -206,6 +209,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(ForecastClock),
       SKYDROP_STRUCT(IceCloudSettings),
       SKYDROP_STRUCT(PrecipitationSettings),
+      SKYDROP_STRUCT(VegetationSettings),
       SKYDROP_STRUCT(LightningSettings),
       SKYDROP_STRUCT(ElevationSettings),
       SKYDROP_STRUCT(GroundPictureSettings),

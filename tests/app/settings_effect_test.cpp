@@ -43,6 +43,8 @@ constexpr std::string_view kElsewhere[] = {
     "aircraftLights.",         // tests/gl/night_flight_test.cpp
     "landingLight.",           // tests/gl/night_flight_test.cpp
     "sky.",                    // tests/app/mood_test.cpp
+    "woods.obstacles",         // tests/app/tree_flight_test.cpp
+    "vegetation.",             // tests/gl/vegetation_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -99,15 +101,16 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
   EXPECT_GT(rows, 0);
 }
 
-constexpr const char* kGroups[] = {"gear.",        "strips.",    "aircraft.",  "package.", "game.",
-                                   "delivery.",    "assist.",    "autopilot.", "terrain.", "elevation.",
-                                   "aerialImage.", "streaming.", "audio.",     "view.",    "input.",
-                                   "quality",      "clouds.",    "render.",    "wind.",    "weather.",
-                                   "weatherFile.", "lightning.", "live."};
+constexpr const char* kGroups[] = {"gear.",      "strips.",      "woods.",     "aircraft.",  "package.",
+                                   "game.",      "delivery.",    "assist.",    "autopilot.", "terrain.",
+                                   "elevation.", "aerialImage.", "streaming.", "audio.",     "view.",
+                                   "input.",     "quality",      "clouds.",    "render.",    "wind.",
+                                   "weather.",   "weatherFile.", "lightning.", "live."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
-constexpr const char* kGroupsOfPictures[] = {
-    "cloudPlanes.", "cloudDome.",      "groundFog.",    "stars.", "landShadows.", "halo.",         "rainbow.",
-    "lightShafts.", "aircraftLights.", "landingLight.", "sky.",   "iceClouds.",   "precipitation."};
+constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.",    "cloudDome.",    "groundFog.", "stars.",
+                                             "landShadows.",    "halo.",         "rainbow.",   "lightShafts.",
+                                             "aircraftLights.", "landingLight.", "sky.",       "iceClouds.",
+                                             "precipitation.",  "vegetation."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

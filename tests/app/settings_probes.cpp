@@ -35,6 +35,7 @@
 #include "skydrop/terrain/endless_terrain.h"
 #include "skydrop/terrain/noise_height_source.h"
 #include "skydrop/terrain/strips.h"
+#include "skydrop/terrain/woods.h"
 #include "skydrop/weather/lightning.h"
 #include "support/temporary_folder.h"
 
@@ -219,6 +220,14 @@ std::uint64_t stripHeights(const Settings& settings) {
       h.add(ground->height(strip->world(strip->halfLength, strip->halfWidth)));
     }
   }
+  return h.value();
+}
+
+// How many trees stand in some woods.
+std::uint64_t standingTrees(const Settings& settings) {
+  StateHasher h;
+  const terrain::Woods woods(land(), settings.woods.density, false);
+  h.add(std::uint64_t{woods.around({-1600, -3300}, 60).size()});
   return h.value();
 }
 
@@ -739,6 +748,7 @@ const std::vector<Probe>& settingsProbes() {
       {"assist.", assisted},
       {"autopilot.landEvery", circuits},
       {"strips.", stripHeights, {"strips.density=0.5"}},
+      {"woods.density", standingTrees},
       {"gear.mostSinkRate", sinkRates},
       {"gear.mostSideLoad", sideLoads},
       {"gear.mostSlopeDeg", slopes},

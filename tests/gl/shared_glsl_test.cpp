@@ -7,6 +7,7 @@
 
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/core/shared_woods.h"
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/gl/shader.h"
 #include "support/gl_test.h"
@@ -36,6 +37,7 @@ class SharedGLTest : public test::GLTest {
 #include "shared/land_material.glsl"
 #include "shared/marker.glsl"
 #include "shared/tone_map.glsl"
+#include "shared/woods.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer In { vec4 rowsIn[]; };
 layout(std430, binding = 1) writeonly buffer Floats { vec4 rowsOut[]; };
@@ -351,6 +353,63 @@ TEST_F(SharedGLTest, forestDensityAgrees) {
     wooded += exact > 0.1f;
   }
   EXPECT_GT(wooded, 500);
+}
+
+TEST_F(SharedGLTest, treesAgree) {
+  // A tree that is drawn is the tree that is flown into: the same stem, kind, turn and tint bit by bit, sizes
+  // and hues within rounding. The noise that decides about woods, over cells of both signs, within 1e-5.
+  const std::vector<glm::vec4> rows = randomRows(17);
+  const auto cellOf = [](const glm::vec4& a) {
+    return shared::Uvec2(static_cast<std::uint32_t>(static_cast<int>(a.x * 2e6f) - 1000000),
+                         static_cast<std::uint32_t>(static_cast<int>(a.y * 2e6f) - 1000000));
+  };
+  const std::string tree =
+      "uint bits = treeBits(uvec2(uint(int(a.x * 2e6) - 1000000), uint(int(a.y * 2e6) - 1000000)));\n"
+      "LandNoise noise = LandNoise(a.w * 2.0 - 1.0, a.x - 0.5, a.y - 0.5, 0.0, 0.0);\n"
+      "Tree tree = treeOf(bits, a.z * 800.0, 0.7 + 0.3 * a.w, noise, 0.9);\n";
+  run(rows, tree +
+                "r = vec4(tree.heightM, tree.radiusM, tree.leafy, treeWidthAt(tree, a.y * tree.heightM));\n"
+                "u = uvec4(uint(tree.kind), floatBitsToUint(tree.turn), floatBitsToUint(tree.tint), bits);");
+  std::array<int, shared::kTreeKinds> kinds{};
+  int stand = 0, apart = 0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const shared::Uint bits = shared::treeBits(cellOf(a));
+    const shared::Tree exact =
+        shared::treeOf(bits, a.z * 800, 0.7f + 0.3f * a.w, {a.w * 2 - 1, a.x - 0.5f, a.y - 0.5f, 0, 0}, 0.9f);
+    ASSERT_EQ(bits_[i].w, bits);
+    ASSERT_EQ(bits_[i].y, std::bit_cast<std::uint32_t>(exact.turn));
+    ASSERT_EQ(bits_[i].z, std::bit_cast<std::uint32_t>(exact.tint));
+    if (bits_[i].x != static_cast<std::uint32_t>(exact.kind)) {  // a place on the border of two kinds
+      ++apart;
+      continue;
+    }
+    ASSERT_NEAR(result_[i].x, exact.heightM, 1e-2f);
+    ASSERT_NEAR(result_[i].y, exact.radiusM, 3e-3f);
+    ASSERT_NEAR(result_[i].z, exact.leafy, 1e-5f);
+    ASSERT_NEAR(result_[i].w, shared::treeWidthAt(exact, a.y * exact.heightM), 0.02f);
+    stand += exact.heightM > 0;
+    if (exact.heightM > 0) ++kinds[static_cast<std::size_t>(exact.kind)];
+  }
+  EXPECT_LE(apart, 2);
+  EXPECT_GT(stand, 800);
+  for (const int count : kinds) EXPECT_GT(count, 25);
+
+  run(rows,
+      "uvec2 chunk = uvec2(uint(int(a.x * 2000.0) - 1000), uint(int(a.y * 2000.0) - 1000));\n"
+      "LandNoise noise = woodNoise(chunk, a.zw * 4000.0 - 2000.0);\n"
+      "vec2 stem = treeStem(treeBits(chunk));\n"
+      "r = vec4(noise.region, noise.grove, noise.tuft, stem.x);");
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const shared::Uvec2 chunk(static_cast<std::uint32_t>(static_cast<int>(a.x * 2000) - 1000),
+                              static_cast<std::uint32_t>(static_cast<int>(a.y * 2000) - 1000));
+    const shared::LandNoise exact = shared::woodNoise(chunk, {a.z * 4000 - 2000, a.w * 4000 - 2000});
+    ASSERT_NEAR(result_[i].x, exact.region, 1e-5f);
+    ASSERT_NEAR(result_[i].y, exact.grove, 1e-4f);
+    ASSERT_NEAR(result_[i].z, exact.tuft, 1e-4f);
+    ASSERT_NEAR(result_[i].w, shared::treeStem(shared::treeBits(chunk)).x, 1e-6f);
+  }
 }
 
 TEST_F(SharedGLTest, cloudLightAgrees) {

@@ -99,6 +99,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"shafts", terrain},
             {"precipitation", terrain},
             {"lightning", effect},
+            {"vegetation", terrain},
             {"terrain", terrain}}}};
 }
 

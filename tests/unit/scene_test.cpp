@@ -132,7 +132,7 @@ TEST(Scene, unknownNamesListWhatThereIs) {
               "there are: afterRain, airstrip, bern, breeze, cirrus, clear, coldFront, dome, duskPlanes, "
               "empty, fair, lesson, "
               "night-approach, night-range, overcast, plane1, plane3, shafts, snowfall, stress, terrain, "
-              "thunderstorm, valleyFog, warmFront");
+              "thunderstorm, valleyFog, warmFront, woodland");
   }
 }
 

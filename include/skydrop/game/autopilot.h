@@ -44,6 +44,8 @@ class Autopilot {
   Controls decide(const Snapshot& now);
 
   void apply(const AutopilotSettings& settings) { settings_ = settings; }
+  // What stands on the ground, m: its clearance is then so much and 20 m at least. 0 without.
+  void setObstacleHeight(double metres) { obstacleHeight_ = metres; }
 
  private:
   // Where to fly: along a bearing, as far as `distance`.
@@ -60,6 +62,7 @@ class Autopilot {
   std::shared_ptr<const terrain::HeightSource> ground_;
   AutopilotSettings settings_;
   std::uint64_t plannedStep_ = 0;  // of the last look at the ground ahead
+  double obstacleHeight_ = 0;      // m
   double wantedSlope_ = 0;         // m a metre
   bool goingAround_ = false;       // flying away from a target that is too near to turn to
   bool planned_ = false;

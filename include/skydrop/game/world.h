@@ -34,7 +34,8 @@
 
 namespace skydrop::terrain {
 class HeightSource;
-}
+class Woods;
+}  // namespace skydrop::terrain
 namespace skydrop::clouds {
 struct PackedCloudNoise;
 }
@@ -81,6 +82,7 @@ struct WorldSetup {
   GameSettings game;
   DeliverySettings delivery = {};
   std::optional<flight::GearSettings> gear = std::nullopt;  // without: whatever touches the ground crashes
+  std::shared_ptr<const terrain::Woods> woods = nullptr;    // of this ground; null: no tree is in the way
 };
 
 // CPU time of the steps that were measured (World::setMeasuring), on the thread that made them.
@@ -131,6 +133,8 @@ class World {
   // None: the gear is gone, and whatever touches the ground crashes. An aircraft on its wheels is then lifted
   // and flies on level.
   void setGear(const std::optional<flight::GearSettings>& gear);
+  // Null: no tree is in the way any more.
+  void setWoods(std::shared_ptr<const terrain::Woods> woods);
   void setWind(const glm::dvec3& velocity);  // m/s, as WorldSetup::wind
   void setWeather(const std::optional<WeatherSetup>& weather);
 

@@ -35,6 +35,7 @@ enum class Effect {
   precipitation,   // rain, snow and hail around the eye, its shafts, and what it leaves on the land
   lightning,       // flashes of the weather, their light and their thunder
   groundHandling,  // the gear bears: taxi, take-off, landing, ditching
+  vegetation,      // trees that stand on the land and in the way
   count_           // how many there are; no effect itself, and always the last
 };
 
@@ -44,7 +45,7 @@ inline constexpr auto kEffectNames = std::to_array<std::string_view>(
      "targets",   "sound",         "hud",         "cloudPlanes",    "cloudDome",
      "groundFog", "moon",          "stars",       "landShadows",    "halo",
      "rainbow",   "weather",       "lightShafts", "aircraftLights", "landingLight",
-     "iceClouds", "precipitation", "lightning",   "groundHandling"});
+     "iceClouds", "precipitation", "lightning",   "groundHandling", "vegetation"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -71,6 +72,7 @@ inline constexpr std::array kEffectNeeds = {
     EffectNeed{Effect::weather, Effect::aircraft},         // that meets the air
     EffectNeed{Effect::precipitation, Effect::weather},    // that it falls in
     EffectNeed{Effect::groundHandling, Effect::aircraft},  // that stands on it
+    EffectNeed{Effect::vegetation, Effect::terrain},       // that it grows on
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

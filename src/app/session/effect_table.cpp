@@ -14,6 +14,7 @@
 #include "app/session/optics_effects.h"
 #include "app/session/precipitation_effect.h"
 #include "app/session/scene_renderer.h"
+#include "app/session/vegetation_effect.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
 #include "skydrop/render/models/marker_pass.h"
@@ -175,6 +176,11 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addFeatures = addPrecipitationFeatures,
        .apply = applyPrecipitation,
        .menuSections = {{"precipitation", "Rain and snow"}}},
+      // After the land: they stand on it.
+      {.effect = Effect::vegetation,
+       .addPasses = addVegetation,
+       .apply = applyVegetation,
+       .menuSections = {{"vegetation", "Trees"}, {"woods", "Woods"}}},
       {.effect = Effect::groundHandling, .menuSections = {{"gear", "Landing gear"}}},
       {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
       {.effect = Effect::hud},

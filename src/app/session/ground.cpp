@@ -18,4 +18,8 @@ std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& 
   return elevation::makeElevationHeightSource(setup.land.elevation, settings.elevation, std::move(noise));
 }
 
+bool hasAlpineBelts(const terrain::HeightSource& ground) {
+  return dynamic_cast<const elevation::ElevationHeightSource*>(&ground) != nullptr;
+}
+
 }  // namespace skydrop::app

@@ -13,4 +13,7 @@ std::shared_ptr<const terrain::HeightSource> makeGround(const scene::EffectSet& 
                                                         const Settings& settings,
                                                         const SimulationSetup& setup);
 
+// Whether plants grow on it as high as on the earth: land of elevation data.
+bool hasAlpineBelts(const terrain::HeightSource& ground);
+
 }  // namespace skydrop::app

@@ -14,6 +14,7 @@
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/terrain/strips.h"
+#include "skydrop/terrain/woods.h"
 
 namespace skydrop::app {
 namespace {
@@ -41,6 +42,15 @@ void startAtStrip(scene::StripStart where, game::WorldSetup& world) {
   world.start.onWheels = stands;
 }
 
+// Null where no tree is in the way.
+std::shared_ptr<const terrain::Woods> standingWoods(const scene::EffectSet& effects, const Settings& settings,
+                                                    std::shared_ptr<const terrain::HeightSource> ground) {
+  if (!effects.contains(Effect::vegetation) || !settings.woods.obstacles || settings.woods.density <= 0)
+    return {};
+  const bool isOfTheEarth = hasAlpineBelts(*ground);
+  return std::make_shared<const terrain::Woods>(std::move(ground), settings.woods.density, isOfTheEarth);
+}
+
 game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects,
                             const Settings& settings, std::shared_ptr<const terrain::HeightSource> ground,
                             std::shared_ptr<const clouds::PackedCloudNoise>& noise) {
@@ -50,6 +60,7 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   world.hasAircraft = effects.contains(Effect::aircraft);
   world.hasTargets = effects.contains(Effect::targets);
   if (effects.contains(Effect::groundHandling)) world.gear = settings.gear;
+  world.woods = standingWoods(effects, settings, world.ground);
   world.start.position = setup.scene.start.position;
   world.start.aboveGround = effects.contains(Effect::terrain);
   world.start.headingDeg = setup.scene.start.headingDegrees;
@@ -80,7 +91,7 @@ std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field
   if (setup.recorder && field.takesEffect == core::TakesEffect::restart)
     return "The land keeps its shape while a flight is recorded";
   if (setup.recorder && switchesSimulation(field.path))
-    return "Aircraft, targets, terrain and weather stay as they are while a flight is recorded";
+    return "Aircraft, targets, terrain, weather, gear and trees stay as they are while a flight is recorded";
   return {};
 }
 
@@ -93,6 +104,7 @@ Simulation::Simulation(const SimulationSetup& setup, Settings& settings, const c
       inForce_(followed(setup, settings), settings.weatherFile),
       world_(worldSetup(setup, effects_, settings, ground_, noise_)) {
   if (setup_.pilot == Pilot::autopilot) autopilot_.emplace(ground_, settings.autopilot);
+  applyWoods();
   if (setup_.pilot == Pilot::replay) replay_.emplace(*setup_.replay);
   keepFlownValues();
   if (setup_.recorder) beginRecording();
@@ -211,6 +223,7 @@ void Simulation::applyToWorld() {
   world_.apply(settings_->game);
   world_.apply(settings_->delivery);
   applyGear();
+  applyWoods();
   world_.setWind(core::flownWind(settings_->wind));
   applyWeather();
   if (autopilot_) autopilot_->apply(settings_->autopilot);
@@ -219,6 +232,13 @@ void Simulation::applyToWorld() {
 
 void Simulation::applyGear() {
   world_.setGear(effects_.contains(Effect::groundHandling) ? std::optional(settings_->gear) : std::nullopt);
+}
+
+// The woods are a value of the ground and the settings: made anew where these are another.
+void Simulation::applyWoods() {
+  auto woods = standingWoods(effects_, *settings_, ground_);
+  if (autopilot_) autopilot_->setObstacleHeight(woods ? terrain::kTallestTreeM : 0);
+  world_.setWoods(std::move(woods));
 }
 
 void Simulation::applyWeather() {
@@ -246,6 +266,7 @@ void Simulation::applyEffects() {
   if (changes(Effect::weather)) applyWeather();
   if (changes(Effect::groundHandling)) applyGear();
   if (changes(Effect::terrain) && autopilot_) autopilot_.emplace(ground_, settings_->autopilot);
+  if (changes(Effect::terrain) || changes(Effect::vegetation)) applyWoods();
 }
 
 void Simulation::keepFlownValues() {

@@ -112,6 +112,7 @@ class Simulation {
   void applyToWorld();
   void applyWeather();
   void applyGear();
+  void applyWoods();
   void applyEffects();
   void keepFlownValues();
   void beginRecording();

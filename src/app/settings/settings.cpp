@@ -9,13 +9,14 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 12> kSimulationGroups = {
-    "aircraft.", "package.", "delivery.",    "game.", "terrain.", "elevation.",
-    "wind.",     "weather.", "weatherFile.", "live.", "gear.",    "strips."};
+constexpr std::array<std::string_view, 13> kSimulationGroups = {
+    "aircraft.", "package.",     "delivery.", "game.", "terrain.", "elevation.", "wind.",
+    "weather.",  "weatherFile.", "live.",     "gear.", "strips.",  "woods."};
 
 // Effects that are more than pictures and sounds.
-constexpr std::array<std::string_view, 5> kSimulatedEffects = {
-    "effects.aircraft", "effects.targets", "effects.terrain", "effects.weather", "effects.groundHandling"};
+constexpr std::array<std::string_view, 6> kSimulatedEffects = {
+    "effects.aircraft", "effects.targets",        "effects.terrain",
+    "effects.weather",  "effects.groundHandling", "effects.vegetation"};
 
 constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "free"};
 
@@ -106,6 +107,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("autopilot", settings.autopilot, "How the autopilot flies.");
   visitor.group("terrain", settings.terrain, "The shape of the land.");
   visitor.group("strips", settings.strips, "Grass strips in the land: places to land.");
+  visitor.group("woods", settings.woods, "The trees of the land.");
+  visitor.group("vegetation", settings.vegetation, "How trees are drawn.");
   visitor.group("gear", settings.gear, "The landing gear: what it bears, and what it stands.");
   visitor.group("elevation", settings.elevation, "Where elevation data lie, and how they end.");
   visitor.group("aerialImage", settings.aerialImage, "How the land wears aerial images.");

@@ -40,11 +40,13 @@
 #include "skydrop/render/sky/halo_settings.h"
 #include "skydrop/render/sky/rainbow_settings.h"
 #include "skydrop/render/sky/stars_settings.h"
+#include "skydrop/render/vegetation/vegetation_settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/terrain/ground_picture.h"
 #include "skydrop/terrain/strips.h"
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
+#include "skydrop/terrain/woods.h"
 #include "skydrop/weather/forecast.h"
 #include "skydrop/weather/handover.h"
 #include "skydrop/weather/lightning_settings.h"
@@ -103,6 +105,8 @@ struct Settings {
   game::AutopilotSettings autopilot;
   terrain::TerrainSettings terrain;
   terrain::StripSettings strips;
+  terrain::WoodsSettings woods;
+  render::VegetationSettings vegetation;
   flight::GearSettings gear;
   elevation::ElevationSettings elevation;      // of elevation files, where there are some
   terrain::GroundPictureSettings aerialImage;  // of aerial images, where there are some

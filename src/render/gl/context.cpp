@@ -5,6 +5,7 @@
 
 #include "render/gl/owned_functions.h"
 #include "skydrop/core/error.h"
+#include "skydrop/render/gl/buffer.h"
 
 namespace skydrop::render::gl {
 namespace {
@@ -153,6 +154,13 @@ void Context::drawElementsInstanced(GLenum mode, GLsizei count, GLenum indexType
   owned_->DrawElementsInstancedBaseVertexBaseInstance(mode, count, indexType,
                                                       offsetPointer(firstIndex * indexBytes(indexType)),
                                                       instances, baseVertex, baseInstance);
+}
+
+void Context::drawElementsIndirect(GLenum mode, GLenum indexType, const Buffer& commands, std::size_t offset,
+                                   GLsizei draws, GLsizei strideBytes) {
+  resources_.drew();
+  commands.bind(GL_DRAW_INDIRECT_BUFFER);
+  owned_->MultiDrawElementsIndirect(mode, indexType, offsetPointer(offset), draws, strideBytes);
 }
 
 void Context::dispatch(GLuint groupsX, GLuint groupsY, GLuint groupsZ) {

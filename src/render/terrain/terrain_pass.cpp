@@ -13,6 +13,7 @@
 #include "skydrop/render/frame/fallen_water.h"
 #include "skydrop/render/frame/flash_light.h"
 #include "skydrop/render/frame/spot_light.h"
+#include "skydrop/render/frame/standing_woods.h"
 #include "skydrop/render/shadows/cast_shadows.h"
 #include "skydrop/render/shadows/land_shadow_map.h"
 #include "skydrop/terrain/chunk_grid.h"
@@ -127,6 +128,7 @@ std::optional<std::string> TerrainPass::skipReason(const FrameInput&) const {
 
 void TerrainPass::draw(FrameContext& context) {
   const View& view = context.frame.view;
+  context.resources.publish<LandGround>(*this);
   if (context.settings.wireframe) {
     drawLines(context);
   } else {
@@ -142,7 +144,7 @@ void TerrainPass::draw(FrameContext& context) {
   }
 }
 
-void TerrainPass::setEye(gl::Shader& shader, const View& view) const {
+void TerrainPass::setEye(gl::ShaderProgram& shader, const View& view) const {
   const glm::dvec2 eye = glm::dvec2(view.position.x, view.position.z) - base_;
   shader.setVec3("eyeFromBase", glm::vec3(eye.x, view.position.y, eye.y));
 }
@@ -243,7 +245,7 @@ void TerrainPass::drawShares(bool replaces) {
   context_.setDefaultState();
 }
 
-void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
+void TerrainPass::setSurface(gl::ShaderProgram& shader, const View& view) const {
   setEye(shader, view);
   const terrain::ChunkKey base = terrain::chunkAt(base_);
   shader.setIvec2("baseChunk", {lowBits(base.x), lowBits(base.z)});
@@ -254,9 +256,15 @@ void TerrainPass::setSurface(gl::Shader& shader, const View& view) const {
   surface_.colorTexture().bind(kLightSharesUnit);
 }
 
-void TerrainPass::setLand(gl::Shader& shader, const View& view) const {
+void TerrainPass::setLand(gl::ShaderProgram& shader, const View& view) const {
   setSurface(shader, view);
   shader.setFloats("chunkSplit", inFloat(lod_.split));
+}
+
+void TerrainPass::setGround(gl::ShaderProgram& shader, const View& view) const {
+  setLand(shader, view);
+  shader.setVec2("heightRange", glm::vec2(heightRange_.lowest, heightRange_.step()));
+  shader.setFloats("lodMorph", inFloat(lod_.morph));
 }
 
 void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
@@ -271,6 +279,7 @@ void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
 void TerrainPass::drawLitLand(FrameContext& context) {
   const View& view = context.frame.view;
   const FrameFeatures& features = context.frame.features;
+  const auto* woods = context.resources.find<StandingWoods>();  // in all frames, or in none
   const auto* fallen = context.resources.find<FallenWater>();
   const auto* spot = context.resources.find<SpotLight>();
   const auto* flash = context.resources.find<FlashLight>();
@@ -291,6 +300,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
   std::vector<std::string> always = landDefines(context);
   if (hasAlpineBelts_) always.emplace_back("ALPINE_BELTS");
   if (ground_) always.emplace_back(GroundTexture::kDefine);
+  if (woods) always.emplace_back(StandingWoods::kDefine);
   for (unsigned variant = 0; variant < 1u << parts.size(); ++variant) {
     bool isAsked = true, isThis = true, isPossible = true;
     std::vector<std::string> defines = always;
@@ -304,6 +314,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
     if (!isAsked) continue;
     gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
     if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
+    if (woods) woods->set(shader);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if ((variant >> i & 1) != 0) parts[i].set(shader);
     drawLand(shader, view);

@@ -20,6 +20,7 @@
 
 namespace skydrop::render::gl {
 
+class Buffer;
 struct OwnedFunctions;
 
 struct DebugMessage {
@@ -59,6 +60,10 @@ class Context {
                     GLint baseVertex = 0);
   void drawElementsInstanced(GLenum mode, GLsizei count, GLenum indexType, std::size_t firstIndex,
                              GLsizei instances, GLint baseVertex = 0, GLuint baseInstance = 0);
+  // So many draws, as one: their commands (DrawElementsIndirectCommand) lie in a buffer from a byte on, one
+  // after the other, strideBytes apart.
+  void drawElementsIndirect(GLenum mode, GLenum indexType, const Buffer& commands, std::size_t offset,
+                            GLsizei draws, GLsizei strideBytes);
   void dispatch(GLuint groupsX, GLuint groupsY, GLuint groupsZ);
   void dispatchIndirect(std::size_t byteOffset);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skydrop/render/frame/fullscreen_triangle.h"
+#include "skydrop/render/frame/land_ground.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/terrain/chunk_textures.h"
@@ -28,7 +29,7 @@ terrain::ViewVolume viewVolume(const View& view);
 
 // Shadows are those that CastShadows, CloudShadowMap and LandShadowMap of the frame hold, where they are
 // published.
-class TerrainPass final : public Pass {
+class TerrainPass final : public Pass, public LandGround {
  public:
   // Alpine belts: plants, rock and snow as high as on the earth, for land of elevation data; else as on the
   // endless land, which is lower.
@@ -62,14 +63,19 @@ class TerrainPass final : public Pass {
   void drawPatches(gl::Shader& shader, const View& view, GLenum mode);
   void drawLand(gl::Shader& shader, const View& view);
 
+  // For what stands on it: published in each frame in which it is drawn.
+  void setGround(gl::ShaderProgram& shader, const View& view) const override;
+  glm::dvec2 base() const override { return base_; }
+  bool hasAlpineBelts() const override { return hasAlpineBelts_; }
+
  private:
   struct Instance {
     glm::ivec4 place, source;  // as in shaders/terrain/patch.glsl
   };
 
-  void setEye(gl::Shader& shader, const View& view) const;
-  void setSurface(gl::Shader& shader, const View& view) const;
-  void setLand(gl::Shader& shader, const View& view) const;
+  void setEye(gl::ShaderProgram& shader, const View& view) const;
+  void setSurface(gl::ShaderProgram& shader, const View& view) const;
+  void setLand(gl::ShaderProgram& shader, const View& view) const;
   bool isStripSeen(const View& view) const;
   void setStrip(gl::Shader& shader) const;
   void drawDepth(FrameContext& context);

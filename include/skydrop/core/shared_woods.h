@@ -1,0 +1,21 @@
+// The C++ face of shaders/shared/woods.glsl and impostor.glsl, in float and double, as core/shared.h is of
+// the others: apart from them because only those who plant and meet trees need it.
+#pragma once
+
+#include "skydrop/core/shared.h"
+
+#define FN inline
+#define CONST inline constexpr
+
+namespace skydrop::core::shared::f32 {
+#include "shared/impostor.glsl"
+#include "shared/woods.glsl"
+}  // namespace skydrop::core::shared::f32
+
+namespace skydrop::core::shared::f64 {
+#include "shared/impostor.glsl"
+#include "shared/woods.glsl"
+}  // namespace skydrop::core::shared::f64
+
+#undef FN
+#undef CONST

@@ -1,0 +1,29 @@
+// A fragment of an impostor: one fetch, of a view that is chosen by dither among the four around.
+#include "vegetation/lit_tree.glsl"
+#include "vegetation/leaves.glsl"
+
+layout(binding = 6) uniform sampler2D treeAtlas;
+uniform float impostorViews;
+
+const float kMeanNormal = 1.25;  // normals that are filtered grow shorter
+
+vec4 atlasTexel(vec2 inView, vec2 views, float kind, vec2 dither) {
+  vec2 view = clamp(floor(views + dither), vec2(0.0), vec2(impostorViews - 1.0));
+  vec2 at = (view + 0.5 + 0.5 * inView) / impostorViews;
+  return textureGrad(treeAtlas, vec2(at.x, (at.y + kind) / 3.0), dFdx(inView) * (0.5 / impostorViews),
+                     dFdy(inView) * vec2(0.5, 0.5 / 3.0) / impostorViews);
+}
+
+vec3 turnedBack(vec3 v, vec2 turn) { return vec3(v.x * turn.x + v.z * turn.y, v.y, v.z * turn.x - v.x * turn.y); }
+
+// rgb: light, a: whether it is drawn (negative: not).
+vec4 impostorColor(vec4 texel, TreeLight light, vec2 open, vec2 turn) {
+  vec3 lit = texel.rgb / max(texel.a, 0.02) * 2.0 - 1.0;
+  float left = length(lit);
+  vec3 normal = turnedBack(lit / max(left, 1e-3), turn);
+  left = min(left / kBakedLight * kMeanNormal, 1.6);
+  open.x *= saturate((left - 0.55) * 1.8 + 0.15);
+  vec3 sunny = treeRadiance(TreeLight(light.sun, light.above, light.below, vec3(0.0)), normal, open.x,
+                            open.y, vec3(1.0)) * left;
+  return vec4(sunny + light.air, texel.a - 0.38);
+}

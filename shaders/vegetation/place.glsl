@@ -1,0 +1,125 @@
+// Which trees a frame shows: one invocation a cell of the lattice, one work group a tile of 8 x 8 cells.
+#include "terrain/land.glsl"
+#include "terrain/drawn_height.glsl"
+#include "shared/woods.glsl"
+#include "vegetation/instance.glsl"
+#include "vegetation/wind.glsl"
+#ifdef CLOUD_SHADE
+#include "clouds/shadow_map.glsl"
+#endif
+#ifdef LAND_SHADE
+#include "shadow/land_shadow_map.glsl"
+#endif
+#ifdef ICE_SHADE
+#include "clouds/ice_shade_map.glsl"
+#endif
+
+layout(std430, binding = 0) readonly buffer Tiles { ivec2 tiles[]; };  // north-west cells, counted from the base
+layout(std430, binding = 1) writeonly buffer Instances { TreeInstance instances[]; };
+struct DrawCommand {
+  uint count;
+  uint instanceCount;
+  uint firstIndex;
+  int baseVertex;
+  uint baseInstance;
+};
+layout(std430, binding = 2) buffer Commands { DrawCommand commands[kInstanceKinds]; };
+
+uniform vec4 treeReach;      // metres: meshes turn into impostors between x and y, impostors into paint between z and w
+uniform float treeDensity;   // WoodsSettings::density
+uniform vec4 clearings[8];   // strips, two rows each: middle (from the base), unit vector along; half length, half width
+uniform int clearingCount;
+
+bool isCleared(vec2 place) {
+  bool cleared = false;
+  for (int i = 0; i < clearingCount; ++i) {
+    vec2 from = place - clearings[2 * i].xy, along = clearings[2 * i].zw;
+    vec2 at = abs(vec2(dot(from, along), from.y * along.x - from.x * along.y));
+    cleared = cleared || (at.x < clearings[2 * i + 1].x && at.y < clearings[2 * i + 1].y);
+  }
+  return cleared;
+}
+
+vec3 sharesAt(vec3 relative) {
+  vec3 shares = kOpenSky;
+#ifdef CLOUD_SHADE
+  shares = lightThroughClouds(relative);
+#endif
+#ifdef LAND_SHADE
+  shares.x *= sunPastLand(relative);
+#endif
+#ifdef ICE_SHADE
+  shares *= lightBelowIce(relative).xyx;
+#endif
+  return shares;
+}
+
+// Whether a ball may be seen.
+bool isInView(vec3 middle, float radiusM) {
+  vec4 clip = frame.viewProjection * vec4(middle, 1.0);
+  vec2 slack = radiusM * vec2(length(vec3(frame.viewProjection[0].x, frame.viewProjection[1].x, frame.viewProjection[2].x)),
+                              length(vec3(frame.viewProjection[0].y, frame.viewProjection[1].y, frame.viewProjection[2].y))) +
+               radiusM;
+  return clip.w > -radiusM && all(lessThan(abs(clip.xy), vec2(clip.w) + slack));
+}
+
+// What of it is drawn as what: the mesh's share, and what is drawn at all.
+vec2 sharesDrawn(float distanceM) {
+  return vec2(1.0 - smoothstep(treeReach.x, treeReach.y, distanceM), 1.0 - smoothstep(treeReach.z, treeReach.w, distanceM));
+}
+
+TreeInstance instanceOf(Tree tree, vec3 foot, float density, float phase, vec2 drawn) {
+  vec3 middle = foot + vec3(0.0, 0.5 * tree.heightM, 0.0);
+  vec3 shares = sharesAt(middle);
+  vec3 reflected = foliageAlbedo(tree.leafy) * ((0.72 + 0.75 * tree.tint) / kPi);
+  vec3 hazeAlone = endingLandThroughAir(vec3(0.0), middle, leftOfLight(middle));
+  vec3 passed = (endingLandThroughAir(vec3(1.0), middle, leftOfLight(middle)) - hazeAlone) * reflected;
+  float angle = 2.0 * kPi * tree.turn;
+  TreeInstance made;
+  made.foot = vec4(foot, tree.heightM);
+  made.form = vec4(tree.radiusM, cos(angle), sin(angle), drawn.x);
+  made.sun = vec4(frame.sunLight.xyz * shares.x * passed, float(tree.kind));
+  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares)) * passed, density);
+  made.below = vec4(frame.groundLight.xyz * shares.y * passed, phase);
+  made.air = vec4(hazeAlone, drawn.y);
+  made.bend = bentBy(tree.heightM, phase);
+  return made;
+}
+
+void put(uint list, TreeInstance made) {
+  uint slot = atomicAdd(commands[list].instanceCount, 1u);
+  instances[commands[list].baseInstance + slot] = made;
+}
+
+// Loops that run once or not at all stand for branches: a software renderer leaves a loop that has ended for all
+// cells at hand, but runs both sides of a branch.
+void placeTree(ivec2 cell) {
+  uint bits = treeBits(uvec2(baseChunk * kTreeCellsPerChunk + cell));
+  vec2 place = vec2(cell) * kTreeCellM + treeStem(bits);
+  vec2 ground = place - eyeFromBase.xz;
+  int isNear = length(ground) < treeReach.w ? 1 : 0;
+  for (int near = 0; near < isNear; ++near) {
+    LandNoise noise = woodNoise(uvec2(baseChunk), place);
+    // The best place for a tree: what does not stand there stands nowhere.
+    int mayStand = treeOf(bits, 200.0, 1.0, noise, treeDensity).heightM > 0.0 ? 1 : 0;
+    for (int stands = 0; stands < mayStand; ++stands) {
+      float heightM = drawnHeight(place);
+      vec3 foot = vec3(ground.x, heightM - eyeFromBase.y, ground.y);
+      float distanceM = length(foot);
+      LandTexel texel = landTexel(place, distanceM);
+      float up = texel.metres > 0.0 ? normalAt(texel, vec2(0.0)).y : 0.0;
+      Tree tree = treeOf(bits, growthHeight(heightM), up, noise, treeDensity);
+      vec2 drawn = sharesDrawn(distanceM);
+      vec3 middle = foot + vec3(0.0, 0.5 * tree.heightM, 0.0);
+      bool isShown = tree.heightM > 0.0 && drawn.y > 0.0 && heightM > -1e5 && isInView(middle, 0.65 * tree.heightM + 1.0) &&
+                     !isCleared(place);
+      int shown = isShown ? 1 : 0;
+      for (int show = 0; show < shown; ++show) {
+        float density = forestDensity(growthHeight(heightM), up, 0.0, noise);
+        TreeInstance made = instanceOf(tree, foot, density, unitOf(bits * 0x9e3779b1u), drawn);
+        if (drawn.x > 0.0) put(uint(tree.kind), made);
+        if (drawn.x < 1.0) put(3u, made);
+      }
+    }
+  }
+}
