@@ -95,6 +95,8 @@ std::optional<std::string> VegetationPass::skipReasonAfter(const FrameInput&,
 
 void VegetationPass::draw(FrameContext& context) {
   const LandGround& land = context.resources.get<LandGround>();
+  // Asked for in every frame: a program that frames need now and then counts as used.
+  context.shaders.shader("vegetation/impostor_bake.vert", "vegetation/impostor_bake.frag");
   if (!atlas_) bakeAtlas(context);
   const glm::dvec4 reach = reachOf(settings_);
   const TreeTiles tiles = treeTiles(context.frame.view, land.base(), woods_->ground(), reach.y, reach.w);
