@@ -95,7 +95,7 @@ class ChunkReader {
       if (!hasHeader) readHeader(chunk.data, content);
       hasHeader = true;
       if (chunk.type == "IDAT") {
-        if (content.compressed.empty()) content.head = file_.first(before);
+        if (content.head.empty()) content.head = file_.first(before);
         content.compressed.insert(content.compressed.end(), chunk.data.begin(), chunk.data.end());
       }
       if (chunk.type == "tEXt" || chunk.type == "iTXt") readText(chunk, content);

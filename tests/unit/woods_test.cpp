@@ -12,6 +12,7 @@
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/chunk_grid.h"
 #include "skydrop/terrain/noise_height_source.h"
+#include "support/margin.h"
 
 namespace skydrop::terrain {
 namespace {
@@ -197,6 +198,7 @@ TEST(Woods, V01_areWhereTheyAreAtAnyDistanceAndSign) {
     EXPECT_TRUE(woods.around({x, 0}, 50).empty());
     EXPECT_FALSE(woods.touching(std::array{glm::dvec3(0, 0, x)}, 2).has_value());
   }
+  test::noFaults("V01", "trees");
 }
 
 TEST(Woods, growByTheBeltsOfTheirLand) {
