@@ -1,5 +1,6 @@
 // Which trees a frame shows: one invocation a cell of the lattice, one work group a tile of 8 x 8 cells.
 #include "terrain/land.glsl"
+#include "shared/cloud_light.glsl"  // before what is conditional: a file is included once
 #include "terrain/drawn_height.glsl"
 #include "shared/woods.glsl"
 #include "vegetation/instance.glsl"

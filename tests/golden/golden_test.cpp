@@ -145,8 +145,8 @@ const std::vector<Golden>& goldens() {
       {"domeAt61", clouded("dome", "0,400,0,40,20,0", "40", "220", {"cloudDome.cutoff=0.61"})},
       {"domeAtDusk", clouded("dome", "0,400,0,220,12,0", "-1", "250")},
       {"valleyFog", withoutHud({"--scene", "valleyFog", "--pose=8000,1150,-7500,210,-11,0"})},
-      // 50, 150 and 20 m over woods whose trees stand: broadleaves and spruces, spruces on a slope, the dwarf pines of
-      // the tree line.
+      // 50, 150 and 20 m over woods whose trees stand: broadleaves and spruces, spruces on a slope, the dwarf
+      // pines of the tree line.
       {"woodAt50", withoutHud({"--scene", "woodland", "--pose=-1600,268,-3300,200,-14,0"})},
       {"woodAt150", withoutHud({"--scene", "woodland", "--pose=500,620,-3900,120,-16,0"})},
       {"woodAt20", withoutHud({"--scene", "woodland", "--pose=1700,662,-3250,160,-14,0"})},

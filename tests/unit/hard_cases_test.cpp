@@ -24,8 +24,8 @@ std::string contentOf(const fs::path& file) {
 // Ids that stand in test names: TEST(Stability, T01_...), in any folder of tests/.
 std::set<std::string> testedIds() {
   std::set<std::string> ids;
-  const std::regex name(R"(TEST(?:_F|_P)?\(\s*\w+,\s*((?:[TPCSWDLX]\d\d_)+))");
-  const std::regex id(R"([TPCSWDLX]\d\d)");
+  const std::regex name(R"(TEST(?:_F|_P)?\(\s*\w+,\s*((?:[A-Z]\d\d_)+))");
+  const std::regex id(R"([A-Z]\d\d)");
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(skydrop::test::sourceDir()) / "tests")) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = contentOf(entry.path());
