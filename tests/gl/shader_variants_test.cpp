@@ -79,6 +79,10 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("plane3", {"effects.haze=false", "cloudPlanes.resolution=quarter"});
   draw("fair", {"render.land.terrainNormals=true", "render.land.wireframe=true",
                 "clouds.march.resolution=half", "clouds.march.detail=false"});
+  draw("woodland", {});
+  draw("woodland", {"quality=low", "effects.clouds=false", "effects.landShadows=false"});
+  draw("airstrip", {"effects.vegetation=true"});
+  draw("cirrus", {"effects.vegetation=true"});
   draw("coldFront", {});
   draw("thunderstorm", {});
   draw("fair", {"clouds.march.history=quarter"});

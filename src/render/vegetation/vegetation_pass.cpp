@@ -1,6 +1,7 @@
 #include "skydrop/render/vegetation/vegetation_pass.h"
 
 #include <algorithm>
+#include <bit>
 #include <glm/geometric.hpp>
 
 #include "render/vegetation/tree_meshes.h"
@@ -111,11 +112,12 @@ void VegetationPass::draw(FrameContext& context) {
 void VegetationPass::makeRoom(std::size_t tiles, std::size_t nearTiles) {
   const std::size_t mesh = nearTiles * kTreesInTile, impostor = tiles * kTreesInTile;
   if (tiles * sizeof(glm::ivec2) > tiles_.size() || !tiles_)
-    tiles_ = gl::Buffer(context_, std::max<std::size_t>(2 * tiles, 64) * sizeof(glm::ivec2),
+    tiles_ = gl::Buffer(context_, std::bit_ceil(std::max<std::size_t>(2 * tiles, 64)) * sizeof(glm::ivec2),
                         gl::Buffer::Use::write, "tree tiles");
   if (instances_ && mesh <= meshRoom_ && impostor <= impostorRoom_) return;
-  meshRoom_ = std::max(mesh + mesh / 2, meshRoom_);
-  impostorRoom_ = std::max({impostor + impostor / 2, impostorRoom_, kTreesInTile});
+  // In powers of two: views that are near each other want the same room, whichever was first.
+  meshRoom_ = std::max(std::bit_ceil(mesh + mesh / 2), meshRoom_);
+  impostorRoom_ = std::max({std::bit_ceil(impostor + impostor / 2), impostorRoom_, kTreesInTile});
   instances_ = gl::Buffer(context_, (3 * meshRoom_ + impostorRoom_) * sizeof(Instance),
                           gl::Buffer::Use::fixed, "trees");
   trees_.setVertexBuffer(1, instances_, 0, sizeof(Instance), 1);
