@@ -269,12 +269,19 @@ TEST_P(EffectGLTest, switchedManyTimesItLeavesNothingBehind) {
   const auto round = [&] { flight.switchTo(less), flight.switchTo(all); };
   for (int i = 0; i < 3; ++i) round();
   const Ledger before = flight.ledger();
-  const std::size_t memoryBefore = test::residentBytes();
-  for (int i = 3; i < rounds; ++i) round();
+  const auto grownOver = [&](int count) {
+    const std::size_t memoryBefore = test::residentBytes();
+    for (int i = 0; i < count; ++i) round();
+    return static_cast<double>(test::residentBytes()) - static_cast<double>(memoryBefore);
+  };
+  const double most = kFirstBytes + kBytesARound * (rounds - 3);
+  double grown = grownOver(rounds - 3);
+  // What a thread still holds, or a pool that has grown, shows once; what is left behind, in each round
+  // again.
+  if (grown > most) grown = grownOver(rounds - 3);
   EXPECT_EQ(flight.ledger(), before);
-  const double grown = static_cast<double>(test::residentBytes()) - static_cast<double>(memoryBefore);
   RecordProperty("kibibytesARound", std::to_string(grown / (rounds - 3) / 1024));
-  EXPECT_LE(grown, kFirstBytes + kBytesARound * (rounds - 3));
+  EXPECT_LE(grown, most);
 }
 
 class EffectSetGLTest : public EffectGLTestBase {};

@@ -156,9 +156,10 @@ TEST(TerrainWarning, G07_comesInTimeAtTheShippedLand) {
 }
 
 TEST(TerrainWarning, isSilentHighUpAndForWhatIsNoNumber) {
-  World world(overFlat());
+  const WorldSetup setup = overFlat();
+  World world(setup);
   AircraftSnapshot craft = world.now().aircraft;
-  const terrain::HeightSource& ground = *overFlat().ground;
+  const terrain::HeightSource& ground = *setup.ground;
   EXPECT_FALSE(warned(craft, ground));
   craft.position.y = 60;
   EXPECT_FALSE(warned(craft, ground)) << "level over flat land";

@@ -46,11 +46,11 @@ TEST(PhotoWindow, itIsWipedLaidOverOrSetBesideAt640x360) {
   EXPECT_GT(purpleAt(beside, 0.48, 0.98), 0.9);
   EXPECT_LT(purpleAt(beside, 0.52, 0.5), 0.4);
   EXPECT_LT(purpleAt(beside, 0.75, 0.5), 0.4);
-  // V goes on: hidden, laid over.
-  flown.press("v");
+  // O goes on: hidden, laid over.
+  flown.press("o");
   const core::Image hidden = flown.screenshot();
   EXPECT_LT(purpleAt(hidden, 0.25, 0.5), 0.4);
-  flown.press("v");
+  flown.press("o");
   const core::Image over = flown.screenshot();
   EXPECT_GT(purpleAt(over, 0.25, 0.5), 0.4);
   EXPECT_GT(purpleAt(over, 0.75, 0.5), 0.4);

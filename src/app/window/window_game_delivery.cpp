@@ -28,9 +28,13 @@ std::string text(const char* format, Values... values) {
 void WindowGame::faceTarget() {
   const bool isPlayers = run_->setup.pilot == Pilot::player && !line_.pose;
   const bool isSaid = sets(line_, "delivery.startFacesTarget");
-  if (isPlayers && !isSaid && !run_->settings.view.lesson &&
-      run_->setup.scene.start.strip == scene::StripStart::none)
+  const bool isSet = run_->settings.delivery.startFacesTarget;
+  if (isPlayers && !isSaid && !isSet && !run_->settings.view.lesson &&
+      run_->setup.scene.start.strip == scene::StripStart::none) {
     run_->settings.delivery.startFacesTarget = true;
+    // So that it stays when the player's file is read again.
+    run_->overrides.emplace_back("delivery.startFacesTarget=true");
+  }
 }
 
 // Before the first one there are words about it.

@@ -1,7 +1,7 @@
 #include "skydrop/render/vegetation/vegetation_pass.h"
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "render/vegetation/tree_meshes.h"
@@ -37,6 +37,13 @@ struct Command {
 glm::dvec4 reachOf(const VegetationSettings& s) {
   const double mesh = std::min(s.meshM, kFarBand * s.farM);
   return {kMeshBand * mesh, std::max(mesh, 1e-3), kFarBand * s.farM, std::max(s.farM, 2e-3)};
+}
+
+// Most tiles that a square around the eye touches which reaches so far, m.
+std::size_t tilesWithin(double reachM) {
+  const double tileM = 64;
+  const auto side = static_cast<std::size_t>(2 * std::ceil(reachM / tileM) + 2);
+  return side * side;
 }
 
 }  // namespace
@@ -108,16 +115,18 @@ void VegetationPass::draw(FrameContext& context) {
   drawImpostors(context);
 }
 
-// A cell has one tree at most, so no list can run over.
+// A cell has one tree at most, so no list can run over. The room is that of all tiles within reach, whatever
+// the view shows of them: it does not depend on where one has looked before.
 void VegetationPass::makeRoom(std::size_t tiles, std::size_t nearTiles) {
-  const std::size_t mesh = nearTiles * kTreesInTile, impostor = tiles * kTreesInTile;
-  if (tiles * sizeof(glm::ivec2) > tiles_.size() || !tiles_)
-    tiles_ = gl::Buffer(context_, std::bit_ceil(std::max<std::size_t>(2 * tiles, 64)) * sizeof(glm::ivec2),
-                        gl::Buffer::Use::write, "tree tiles");
+  const glm::dvec4 reach = reachOf(settings_);
+  const std::size_t wanted = std::max(tiles, tilesWithin(reach.w));
+  const std::size_t mesh = std::max(nearTiles, tilesWithin(reach.y)) * kTreesInTile;
+  const std::size_t impostor = wanted * kTreesInTile;
+  if (!tiles_ || wanted * sizeof(glm::ivec2) > tiles_.size())
+    tiles_ = gl::Buffer(context_, wanted * sizeof(glm::ivec2), gl::Buffer::Use::write, "tree tiles");
   if (instances_ && mesh <= meshRoom_ && impostor <= impostorRoom_) return;
-  // In powers of two: views that are near each other want the same room, whichever was first.
-  meshRoom_ = std::max(std::bit_ceil(mesh + mesh / 2), meshRoom_);
-  impostorRoom_ = std::max({std::bit_ceil(impostor + impostor / 2), impostorRoom_, kTreesInTile});
+  meshRoom_ = std::max(mesh, meshRoom_);
+  impostorRoom_ = std::max(impostor, impostorRoom_);
   instances_ = gl::Buffer(context_, (3 * meshRoom_ + impostorRoom_) * sizeof(Instance),
                           gl::Buffer::Use::fixed, "trees");
   trees_.setVertexBuffer(1, instances_, 0, sizeof(Instance), 1);
