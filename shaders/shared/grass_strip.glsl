@@ -4,10 +4,13 @@
 #include "shared/land_material.glsl"
 #endif
 
+CONST Real kStripRaggedM = Real(6.0);  // by which the edge of the woods around wanders
+CONST Real kStripReachM = Real(41.0);  // beyond what is mown, within which the land looks other than without
+
 // The share of a pixel `footprint` wide around x, both in metres, that |x| < half covers.
 FN Real stripCover(Real x, Real half_, Real footprint) {
-  Real around = Real(0.5) * footprint;
-  return saturate((min(x + around, half_) - max(x - around, -half_)) / footprint);
+  Real around = Real(0.5) * footprint, away = abs(x);  // both sides from x: far from 0 the ends' difference would cancel
+  return saturate((min(around, half_ - away) + min(around, half_ + away)) / footprint);
 }
 
 // The share of white marks at a place `local` (along and to the right of the middle, m): a row of bars at each
@@ -30,13 +33,13 @@ FN Real stripMarks(Vec2 local, Vec2 half_, Real footprint) {
 }
 
 // The land at a place `local`, with a strip of these halves of its length and width, m. footprint: what a pixel covers,
-// m, > 0. Beyond 35 m from what is mown the land is as it was.
+// m, > 0. Beyond kStripReachM of what is mown the land is as it was.
 FN LandSurface mownLand(LandSurface land, Vec2 local, Vec2 half_, Real footprint, LandNoise noise) {
   Real past = max(abs(local.x) - half_.x, abs(local.y) - half_.y);  // m, > 0 outside
   Real fine = noise.clod * Real(0.4) + noise.grain * Real(0.6);
 
   // Woods are cleared around it.
-  Real cleared = smoothRise(Real(35.0), Real(20.0), past + Real(6.0) * noise.tuft);
+  Real cleared = smoothRise(kStripReachM - kStripRaggedM, Real(20.0), past + kStripRaggedM * noise.tuft);
   Vec3 rough = mix(Vec3(Real(0.070), Real(0.094), Real(0.030)), Vec3(Real(0.125), Real(0.120), Real(0.050)),
                    saturate(Real(0.5) + Real(0.5) * noise.tuft + Real(0.3) * fine));
   land.albedo = mix(land.albedo, rough, cleared * land.wooded);

@@ -122,6 +122,16 @@ FN Real forestDensity(Real heightM, Real normalUp, Real curvature, LandNoise noi
          smoothRise(Real(0.70), Real(0.82), normalUp);
 }
 
+// The hue of the foliage at a place, [0, 1]: dark conifers high up, leaves below. belt: as of beltHeight.
+FN Real leafiness(Real belt, LandNoise noise) {
+  return saturate(Real(0.45) + Real(0.7) * noise.region - belt * Real(0.0009) + Real(0.3) * noise.tuft);
+}
+
+// The colour of foliage by its hue.
+FN Vec3 foliageAlbedo(Real leafy) {
+  return mix(Vec3(Real(0.018), Real(0.036), Real(0.014)), Vec3(Real(0.042), Real(0.066), Real(0.018)), leafy);
+}
+
 // The land at a height, with the upward part of its normal, its curvature (how much the normals 24 m apart diverge:
 // ridges positive, hollows negative), noise, strata in [-1, 1], the wood's crowns and how far a pixel tells trees apart.
 FN LandSurface landSurface(Real heightM, Real normalUp, Real curvature, LandNoise noise, Real strata, Crowns crowns,
@@ -144,9 +154,8 @@ FN LandSurface landSurface(Real heightM, Real normalUp, Real curvature, LandNois
                    saturate(Real(0.5) + Real(0.5) * noise.tuft + Real(0.6) * noise.grain));
   Vec3 sand = mix(Vec3(Real(0.350), Real(0.290), Real(0.195)), Vec3(Real(0.235), Real(0.198), Real(0.138)),
                   saturate(Real(0.4) + Real(0.4) * noise.tuft + Real(0.3) * noise.grain));
-  // Foliage from dark conifers to lighter leaves, a tint of its own for each tree.
-  Real leafy = saturate(Real(0.45) + Real(0.7) * noise.region - height * Real(0.0009) + Real(0.3) * noise.tuft);
-  Vec3 foliage = mix(Vec3(Real(0.018), Real(0.036), Real(0.014)), Vec3(Real(0.042), Real(0.066), Real(0.018)), leafy) *
+  // A tint of its own for each tree.
+  Vec3 foliage = foliageAlbedo(leafiness(height, noise)) *
                  (Real(1.0) + (Real(0.9) * crowns.tree + Real(0.8) * saturate(crowns.height) - Real(0.85)) * treeShare + Real(0.25) * noise.grain);
 
   // Near by each tree stands or does not.

@@ -66,17 +66,6 @@ FN LandNoise woodNoise(Uvec2 chunk, Vec2 insideM) {
   return noise;
 }
 
-// The hue of the foliage at a place, [0, 1]: dark conifers high up, leaves below (as in landSurface).
-FN Real leafiness(Real heightM, LandNoise noise) {
-  return saturate(Real(0.45) + Real(0.7) * noise.region - beltHeight(heightM, noise) * Real(0.0009) +
-                  Real(0.3) * noise.tuft);
-}
-
-// The colour of foliage by its hue, linear albedo (as in landSurface).
-FN Vec3 foliageAlbedo(Real leafy) {
-  return mix(Vec3(Real(0.018), Real(0.036), Real(0.014)), Vec3(Real(0.042), Real(0.066), Real(0.018)), leafy);
-}
-
 // The tree of a cell: heightM, normalUp and noise at its foot, as of forestDensity; share: of the woods' trees that there
 // are, [0, 1]. The land's curvature does not count: the GPU has it from normals of 8 bits, which would make trees of a tenth
 // of all edges grow or shrink. At the edge of woods trees are young, so a density that changes a little (a coarser level of
@@ -97,7 +86,7 @@ FN Tree treeOf(Uint bits, Real heightM, Real normalUp, LandNoise noise, Real sha
   Real stands = kept < share ? margin * (Real(2.0) - margin) : Real(0.0);
 
   Real belt = beltHeight(heightM, noise);
-  Real hue = leafiness(heightM, noise);
+  Real hue = leafiness(belt, noise);
   Real leaves = smoothRise(Real(0.20), Real(0.70), hue - Real(1.2) * (Real(1.0) - normalUp));
   bool isHigh = belt + Real(220.0) * (chance - Real(0.5)) > Real(640.0);
   bool isLeafy = broad < leaves;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "skydrop/core/force_inline.h"
+
 namespace skydrop::elevation {
 
 // Height, and slopes a cell, in the units of the heights.
@@ -15,21 +17,23 @@ struct Patch {
 
 template <class Real>
 struct CubicWeights {
-  std::array<Real, 4> value, slope;
+  Real value[4], slope[4];
 };
 
-// For four neighbours, between the second (0) and the third (1).
+// For four neighbours, t between the second (0) and the third (1). Forced inline: kernels of several
+// instruction sets use it (surface_kernels.inl).
 template <class Real>
-inline CubicWeights<Real> cubicWeights(Real t) {
-  // Four at once, which compilers turn into one vector.
-  constexpr std::array<Real, 4> kFlat{0, 1, 0, 0}, kLinear{Real(-0.5), 0, Real(0.5), 0},
-      kSquare{1, Real(-2.5), 2, Real(-0.5)}, kCube{Real(-0.5), Real(1.5), Real(-1.5), Real(0.5)};
-  CubicWeights<Real> weights;
-  for (std::size_t i = 0; i < 4; ++i) {
-    weights.value[i] = kFlat[i] + t * (kLinear[i] + t * (kSquare[i] + t * kCube[i]));
-    weights.slope[i] = kLinear[i] + t * (2 * kSquare[i] + t * (3 * kCube[i]));
-  }
-  return weights;
+SKYDROP_INLINE CubicWeights<Real> cubicWeights(Real t) {
+  CubicWeights<Real> w;
+  w.value[0] = t * (Real(-0.5) + t * (1 + t * Real(-0.5)));
+  w.value[1] = 1 + t * (t * (Real(-2.5) + t * Real(1.5)));
+  w.value[2] = t * (Real(0.5) + t * (2 + t * Real(-1.5)));
+  w.value[3] = t * (t * (Real(-0.5) + t * Real(0.5)));
+  w.slope[0] = Real(-0.5) + t * (2 + t * Real(-1.5));
+  w.slope[1] = t * (-5 + t * Real(4.5));
+  w.slope[2] = Real(0.5) + t * (4 + t * Real(-4.5));
+  w.slope[3] = t * (-1 + t * Real(1.5));
+  return w;
 }
 
 // cells: 4 x 4 heights, `stride` apart from row to row; across and down in [0, 1] between the inner ones.

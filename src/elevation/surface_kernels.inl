@@ -1,6 +1,7 @@
 // The body of surface_kernels_*.cpp, each of which defines SKYDROP_SURFACE_KERNELS (the name of its table)
 // first. Nothing here may call a function that is not forced inline (terrain/row_kernels.inl).
 
+#include "elevation/bicubic.h"
 #include "elevation/surface_kernels.h"
 #include "skydrop/core/force_inline.h"
 
@@ -66,23 +67,6 @@ void fade(const FadingBlock& blockOfCaller, int from, int past, SurfaceRow& row)
   }
 }
 
-// Catmull and Rom's weights of four cells in a row at t between the middle two, and their slopes.
-struct CellWeights {
-  float value[4], slope[4];
-};
-SKYDROP_INLINE CellWeights weightsOf(float t) {
-  CellWeights w;
-  w.value[0] = t * (-0.5F + t * (1 + t * -0.5F));
-  w.value[1] = 1 + t * (t * (-2.5F + t * 1.5F));
-  w.value[2] = t * (0.5F + t * (2 + t * -1.5F));
-  w.value[3] = t * (t * (-0.5F + t * 0.5F));
-  w.slope[0] = -0.5F + t * (2 + t * -1.5F);
-  w.slope[1] = t * (-5 + t * 4.5F);
-  w.slope[2] = 0.5F + t * (4 + t * -4.5F);
-  w.slope[3] = t * (-1 + t * 1.5F);
-  return w;
-}
-
 void surface(int from, int past, SurfaceRow& row) {
   constexpr int kPart = 64;
   alignas(64) float values[kPart][4], slopes[kPart][4];
@@ -90,7 +74,7 @@ void surface(int from, int past, SurfaceRow& row) {
   for (int first = from; first < past; first += kPart) {
     const int count = past - first < kPart ? past - first : kPart;
     for (int s = 0; s < count; ++s) {
-      const CellWeights w = weightsOf(row.down[first + s]);
+      const CubicWeights<float> w = cubicWeights(row.down[first + s]);
       for (int k = 0; k < 4; ++k) {
         weights[s][k] = w.value[k];
         weights[s][4 + k] = w.slope[k];
@@ -116,7 +100,7 @@ void surface(int from, int past, SurfaceRow& row) {
       }
     }
     for (int s = 0; s < count; ++s) {
-      const CellWeights w = weightsOf(row.across[first + s]);
+      const CubicWeights<float> w = cubicWeights(row.across[first + s]);
       float height = 0, across = 0, down = 0;
 #pragma GCC unroll 4
       for (int i = 0; i < 4; ++i) {

@@ -6,7 +6,9 @@
 #include <glm/vec2.hpp>
 #include <limits>
 
+#include "game/angle.h"
 #include "game/landing_pilot.h"
+#include "game/stick.h"
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/flight/environment.h"
@@ -38,12 +40,6 @@ constexpr double kFarthestStrip = 60000;
 constexpr double kOverTreesMetres = 20;
 // Full deflections a second.
 constexpr double kStickPerSecond = 4;
-
-double wrapped(double angle) {  // to (-pi, pi]
-  while (angle > dmath::kPi) angle -= dmath::kTwoPi;
-  while (angle <= -dmath::kPi) angle += dmath::kTwoPi;
-  return angle;
-}
 
 // Its hand on the stick is no faster than a pilot's.
 Controls eased(const Controls& from, Controls to) {
@@ -179,7 +175,7 @@ Controls Autopilot::flyTo(const Snapshot& now, const Aim& aim) {
   double turn = 0.25;
   if (aim.present) {
     const double distance = aim.distance;
-    turn = wrapped(aim.bearingRad - track);
+    turn = wrappedAngle(aim.bearingRad - track);
     if (distance < kTurnDiameters * turnDiameter && std::abs(turn) > kAheadRad) goingAround_ = true;
     if (distance > kReturnDiameters * turnDiameter || std::abs(turn) < kAheadRad) goingAround_ = false;
     if (goingAround_) turn = 0;
@@ -215,17 +211,12 @@ Controls Autopilot::flyTo(const Snapshot& now, const Aim& aim) {
 
   // Bank into the turn; feedback on the bank, and what the stabiliser takes away.
   const double wantedBank = std::clamp(1.5 * turn, -maxBank, maxBank);
-  out.roll = std::clamp(
-      0.67 * dmath::sin(wantedBank) + 2.5 * (wantedBank - craft.bankRad) + 0.3 * craft.angularVelocityBody.z,
-      -1.0, 1.0);
+  out.roll = rollTo(craft, wantedBank);
 
   // Climb or sink along it. The path is held by feedback on the path, and by what the stabiliser takes away.
   double climb = std::clamp(wantedSlope_, -kSteepestDescent, kSteepestClimb);
   if (speed < kClimbSpeed) climb = std::min(climb, 0.0);
-  const double path =
-      dmath::atan2(craft.velocity.y, glm::length(glm::dvec2(craft.velocity.x, craft.velocity.z)));
-  const double hold = 0.65 * dmath::sin(climb);
-  out.pitch = std::clamp(hold + 2 * (climb - path) - 0.8 * craft.angularVelocityBody.x, -1.0, 1.0);
+  out.pitch = std::clamp(pitchTo(craft, climb, 2), -1.0, 1.0);
   out = eased(craft.controls, out);
 
   // Speed: full thrust to climb, brake when a descent runs away.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "game/stick.h"
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/flight/environment.h"
@@ -69,9 +70,7 @@ Controls FlightAssist::decide(const Snapshot& now, const Controls& player, const
   const double most = std::max(settings.maxBankDeg * dmath::kRadPerDeg - kBankMarginRad,
                                settings.maxBankDeg * dmath::kRadPerDeg / 2);
   const double wanted = std::clamp(player.roll, -1.0, 1.0) * most;
-  out.roll = std::clamp(
-      0.67 * dmath::sin(wanted) + 2.5 * (wanted - craft.bankRad) + 0.3 * craft.angularVelocityBody.z, -1.0,
-      1.0);
+  out.roll = rollTo(craft, wanted);
   if (player.roll == 0 && std::abs(craft.bankRad) < kLevelRad &&
       std::abs(craft.angularVelocityBody.z) < kStillRadPerS) {
     turning_ = false;
@@ -86,10 +85,8 @@ Controls FlightAssist::decide(const Snapshot& now, const Controls& player, const
   const double level = std::sqrt(craft.velocity.x * craft.velocity.x + craft.velocity.z * craft.velocity.z);
   const double climb = std::clamp((*heldM_ - craft.position.y) / (kHoldSeconds * std::max(level, 20.0)),
                                   -kSteepestHold, kSteepestHold);
-  const double path = dmath::atan2(craft.velocity.y, level);
-  out.pitch = std::clamp(0.65 * dmath::sin(climb) + 2 * (climb - path) - 0.8 * craft.angularVelocityBody.x +
-                             kBankLift * (1 / std::max(dmath::cos(craft.bankRad), 0.5) - 1),
-                         -1.0, 1.0);
+  const double bankLift = kBankLift * (1 / std::max(dmath::cos(craft.bankRad), 0.5) - 1);
+  out.pitch = std::clamp(pitchTo(craft, climb, 2) + bankLift, -1.0, 1.0);
   if (player.thrust == 0 && player.brake == 0 && craft.airspeedMps < kSlow)
     out.thrust = std::min((kSlow - craft.airspeedMps) / 4, 1.0);
   return out;

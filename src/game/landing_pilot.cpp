@@ -4,7 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "game/angle.h"
 #include "game/steps.h"
+#include "game/stick.h"
 #include "skydrop/core/deterministic_math.h"
 
 namespace skydrop::game {
@@ -33,22 +35,12 @@ constexpr double kTakeOffMetres = 280;
 constexpr double kBesideMetres = 60;  // beside a strip it is still used, m
 constexpr double kStopSeconds = 2;
 
-double wrapped(double angle) {
-  while (angle > dmath::kPi) angle -= dmath::kTwoPi;
-  while (angle <= -dmath::kPi) angle += dmath::kTwoPi;
-  return angle;
-}
-
 double trackOf(const glm::dvec3& v) { return dmath::atan2(v.x, -v.z); }
 
 // The stick that holds a path angle and a bank, as the autopilot's.
 void hold(Controls& out, const AircraftSnapshot& craft, double climb, double bank) {
-  const double level = std::sqrt(craft.velocity.x * craft.velocity.x + craft.velocity.z * craft.velocity.z);
-  const double path = dmath::atan2(craft.velocity.y, level);
-  out.pitch = std::clamp(0.65 * dmath::sin(climb) + 3 * (climb - path) - 0.8 * craft.angularVelocityBody.x,
-                         -1.0, 1.0);
-  out.roll = std::clamp(
-      0.67 * dmath::sin(bank) + 2.5 * (bank - craft.bankRad) + 0.3 * craft.angularVelocityBody.z, -1.0, 1.0);
+  out.pitch = std::clamp(pitchTo(craft, climb, 3), -1.0, 1.0);
+  out.roll = rollTo(craft, bank);
 }
 
 // Levers that bring the airspeed to one that is wanted: full range within 6 m/s.
@@ -112,7 +104,7 @@ bool LandingPilot::entersFinal(const Snapshot& now) {
   const double before = -strip_.halfLength - at.x;
   const bool isBefore =
       before > 0.5 * kGateMetres && before < kGateMetres + kGateRadius && std::abs(at.y) < kGateRadius;
-  const double off = wrapped(trackOf(craft.velocity) - strip_.headingRad());
+  const double off = wrappedAngle(trackOf(craft.velocity) - strip_.headingRad());
   if (!(isNear || isBefore) || std::abs(off) > kGateAheadRad) return false;
   const double over = craft.position.y - strip_.heightAt(-strip_.halfLength);
   if (over > kSteepestFinal * (before + kAimMetres)) {  // ground before it kept the aircraft too high
@@ -164,7 +156,7 @@ Controls LandingPilot::flyFinal(const Snapshot& now) {
       std::max(std::sqrt(craft.velocity.x * craft.velocity.x + craft.velocity.z * craft.velocity.z), 15.0);
   // Across: a track that closes on the middle, by bank.
   const double closing = std::clamp(-at.y / 120, -0.5, 0.5);
-  const double turn = wrapped(strip_.headingRad() + closing - trackOf(craft.velocity));
+  const double turn = wrappedAngle(strip_.headingRad() + closing - trackOf(craft.velocity));
   double bank = std::clamp(1.6 * turn, -0.45, 0.45);
   double climb = std::clamp(-kFinalSlope - overPath / 150, -0.14, 0.05);
   flares_ = flares_ || (overStrip < kFlareHeight && toAim < 150);
@@ -174,7 +166,7 @@ Controls LandingPilot::flyFinal(const Snapshot& now) {
     climb = strip_.slope - sink / level;
     holdSpeed(out, craft.airspeedMps, overStrip < 5 ? 0 : 35);
     if (-craft.velocity.y > sink + kSinksTooFast) out.thrust = kCatchThrust, out.brake = 0;
-    const double off = wrapped(strip_.headingRad() - craft.headingRad);
+    const double off = wrappedAngle(strip_.headingRad() - craft.headingRad);
     if (overStrip < 2) out.yaw = std::clamp(3 * off + 0.5 * craft.angularVelocityBody.y, -1.0, 1.0);
     bank = std::clamp(bank, -0.12, 0.12);
   } else {
@@ -188,7 +180,7 @@ double LandingPilot::steer(const Snapshot& now) const {
   const AircraftSnapshot& craft = now.aircraft;
   const glm::dvec2 at = strip_.local({craft.position.x, craft.position.z});
   const double wanted = strip_.headingRad() - std::clamp(at.y / 40, -0.2, 0.2);
-  const double off = wrapped(wanted - craft.headingRad);
+  const double off = wrappedAngle(wanted - craft.headingRad);
   return std::clamp(2.5 * off + 0.9 * craft.angularVelocityBody.y, -1.0, 1.0);
 }
 
@@ -220,7 +212,7 @@ Controls LandingPilot::rollOut(const Snapshot& now) {
 Controls LandingPilot::turnRound(const Snapshot& now) {
   Controls out;
   const AircraftSnapshot& craft = now.aircraft;
-  const double off = wrapped(strip_.headingRad() - craft.headingRad);
+  const double off = wrappedAngle(strip_.headingRad() - craft.headingRad);
   // On the spot, at walking pace, away from the nearer edge.
   const glm::dvec2 at = strip_.local({craft.position.x, craft.position.z});
   const double way = std::abs(off) > 2.2 ? (at.y > 0 ? 1.0 : -1.0) : (off > 0 ? 1.0 : -1.0);

@@ -19,11 +19,6 @@ constexpr double kStripReachM = 2500;
 
 bool isInReach(const glm::dvec2& xz) { return std::abs(xz.x) < kFarthestM && std::abs(xz.y) < kFarthestM; }
 
-// As the shaders number chunks: low 20 bits with sign.
-std::uint32_t lowBits(std::int64_t chunk) {
-  return static_cast<std::uint32_t>((static_cast<int>(chunk & 0xfffff) ^ 0x80000) - 0x80000);
-}
-
 // shared::alpineBeltHeight with a deterministic exponential.
 double alpineHeight(double heightM) {
   const double land = std::max(heightM, 0.0);
@@ -79,9 +74,11 @@ std::vector<Strip> Woods::clearings(const glm::dvec2& xz, double radiusM) const 
   std::vector<Strip> found;
   const Strips* strips = ground_->strips();
   if (!strips || !isInReach(xz)) return found;
-  // At most one to a square of kStripCell: the nearest of nine places has all that are near.
-  for (const double dz : {-1.0, 0.0, 1.0}) {
-    for (const double dx : {-1.0, 0.0, 1.0}) {
+  // At most one to a square of kStripCell: the nearest of nine places (of one, for a point) has all that are
+  // near.
+  const int aside = radiusM > 0 ? 1 : 0;
+  for (int dz = -aside; dz <= aside; ++dz) {
+    for (int dx = -aside; dx <= aside; ++dx) {
       const auto strip = strips->nearest(xz + glm::dvec2(dx, dz) * radiusM, radiusM + kStripReachM);
       if (strip && std::ranges::none_of(found, [&](const Strip& s) { return s.middle == strip->middle; }))
         found.push_back(*strip);
@@ -97,7 +94,8 @@ std::optional<StandingTree> Woods::standing(std::int64_t cellX, std::int64_t cel
                      : -((-cell + shared::kTreeCellsPerChunk - 1) / shared::kTreeCellsPerChunk);
   };
   const std::int64_t chunkX = chunkOf(cellX), chunkZ = chunkOf(cellZ);
-  const shared::Uvec2 chunk(lowBits(chunkX), lowBits(chunkZ));
+  const shared::Uvec2 chunk(static_cast<std::uint32_t>(wrappedIndex(chunkX)),
+                            static_cast<std::uint32_t>(wrappedIndex(chunkZ)));
   const glm::dvec2 local(static_cast<double>(cellX - chunkX * shared::kTreeCellsPerChunk),
                          static_cast<double>(cellZ - chunkZ * shared::kTreeCellsPerChunk));
   const auto perChunk = static_cast<std::uint32_t>(shared::kTreeCellsPerChunk);

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <optional>
 
+#include "skydrop/core/guards.h"
+
 namespace skydrop::ui {
 namespace {
 
@@ -14,15 +16,13 @@ constexpr double kInset = 0.03;
 constexpr double kAhead = 0.3;
 constexpr double kNearest = 0.1;  // m before the eye
 
-bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 glm::dvec3 inView(const Eye& eye, const glm::dvec3& world) {
   return eye.worldToView * (world - eye.position);
 }
 
 // Pixels; nothing behind the eye.
 std::optional<glm::dvec2> pixelOf(const Eye& eye, const glm::dvec3& seen) {
-  if (!isFinite(seen) || -seen.z < kNearest) return {};
+  if (!core::isFinite(seen) || -seen.z < kNearest) return {};
   const double scale = eye.height / (2 * std::tan(eye.fovYRad / 2)) / -seen.z;
   const glm::dvec2 pixel(eye.width / 2 + seen.x * scale, eye.height / 2 - seen.y * scale);
   if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) return {};
@@ -54,7 +54,7 @@ std::vector<HudMark> hudMarks(const game::Snapshot& snapshot, const Eye& eye) {
   if (snapshot.predictedLanding && snapshot.target.distance < kAimRangeM)
     add(HudMark::Kind::aim, *snapshot.predictedLanding, snapshot.dropZone, "");
   const glm::dvec3 seen = inView(eye, snapshot.target.position);
-  if (!isFinite(seen)) return marks;
+  if (!core::isFinite(seen)) return marks;
   const auto pixel = pixelOf(eye, seen);
   if (pixel && isInside(eye, *pixel, kInset * eye.width)) return marks;
   // Left or right as a map has it, however the eye is banked; straight up or down there is no such way.

@@ -3,43 +3,24 @@
 #include <optional>
 #include <string>
 
-#include "app/session/run_config.h"
-#include "app/session/scene_renderer.h"
 #include "app/session/start_camera.h"
 #include "skydrop/terrain/strips.h"
-#include "support/gl_test.h"
+#include "support/scene_gl_test.h"
 
 namespace skydrop::app {
 namespace {
 
 constexpr Size kSize{64, 64};
 
-class GrassStripGLTest : public test::GLTest {
+class GrassStripGLTest : public test::SceneGLTest {
  protected:
   void begin(const std::vector<std::string>& set = {}) {
-    CommandLine line;
-    line.verb = Verb::render;
-    line.scene = "airstrip";
-    line.set = {"effects.clouds=false",
-                "effects.haze=false",
-                "effects.landShadows=false",
-                "effects.targets=false",
-                "effects.hud=false",
+    beginScene(lineOf("airstrip",
+                      {"effects.clouds=false", "effects.haze=false", "effects.landShadows=false",
+                       "effects.targets=false", "effects.hud=false",
 
-                "streaming.viewDistanceM=4000",
-                "render.sun.elevationDegrees=60"};
-    line.set.insert(line.set.end(), set.begin(), set.end());
-    run_ = prepareRun(line);
-    simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
-    sceneRenderer_ = std::make_unique<SceneRenderer>(
-        context(),
-        SceneRenderer::Setup{
-            .effects = simulation_->effects(), .ground = simulation_->ground(), .workers = 2},
-        run_->settings);
-  }
-  void TearDown() override {
-    sceneRenderer_.reset();
-    GLTest::TearDown();
+                       "streaming.viewDistanceM=4000", "render.sun.elevationDegrees=60"},
+                      set));
   }
   terrain::Strip strip() { return simulation_->ground()->strips()->nearest({0, 0}, 30000).value(); }
 
@@ -62,10 +43,6 @@ class GrassStripGLTest : public test::GLTest {
         if (define == "GRASS_STRIP") return true;
     return false;
   }
-
-  std::unique_ptr<RunConfig> run_;
-  std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<SceneRenderer> sceneRenderer_;
 };
 
 TEST_F(GrassStripGLTest, marksAndTurfAreDrawnWhereItLies) {

@@ -3,11 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "app/session/run_config.h"
-#include "app/session/scene_renderer.h"
 #include "app/session/start_camera.h"
 #include "skydrop/render/terrain/terrain_pass.h"
-#include "support/gl_test.h"
+#include "support/scene_gl_test.h"
 #include "support/temporary_folder.h"
 
 namespace skydrop::app {
@@ -15,7 +13,7 @@ namespace {
 
 constexpr Size kSize{64, 64};
 
-class GroundPictureGLTest : public test::GLTest {
+class GroundPictureGLTest : public test::SceneGLTest {
  protected:
   // Red, but for a blue north-eastern quarter; 8 km around the world's origin.
   std::filesystem::path image() {
@@ -32,34 +30,15 @@ class GroundPictureGLTest : public test::GLTest {
   }
 
   void begin(bool hasImage, const std::vector<std::string>& set = {}) {
-    CommandLine line;
-    line.verb = Verb::render;
-    line.scene = "bern";
-    line.set = {"effects.clouds=false",
-                "effects.haze=false",
-                "effects.weather=false",
-                "effects.landShadows=false",
-                "effects.aircraft=false",
-                "effects.targets=false",
-                "effects.hud=false",
-                "streaming.viewDistanceM=8000",
-                "render.sun.elevationDegrees=60",
-                "elevation.latitude=46.9510827861504654",
-                "elevation.longitude=7.4386324175389165"};
-    line.set.insert(line.set.end(), set.begin(), set.end());
+    CommandLine line =
+        lineOf("bern",
+               {"effects.clouds=false", "effects.haze=false", "effects.weather=false",
+                "effects.landShadows=false", "effects.aircraft=false", "effects.targets=false",
+                "effects.hud=false", "streaming.viewDistanceM=8000", "render.sun.elevationDegrees=60",
+                "elevation.latitude=46.9510827861504654", "elevation.longitude=7.4386324175389165"},
+               set);
     if (hasImage) line.imageFiles = {image()};
-    run_ = prepareRun(line);
-    simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
-    sceneRenderer_ = std::make_unique<SceneRenderer>(context(),
-                                                     SceneRenderer::Setup{.effects = simulation_->effects(),
-                                                                          .ground = simulation_->ground(),
-                                                                          .workers = 2,
-                                                                          .images = simulation_->images()},
-                                                     run_->settings);
-  }
-  void TearDown() override {
-    sceneRenderer_.reset();
-    GLTest::TearDown();
+    beginScene(line);
   }
   // From above a place of the world: how much more red than blue the middle of the picture is, -1 .. 1.
   double rednessAt(double x, double z, double height = 3500) {
@@ -84,9 +63,6 @@ class GroundPictureGLTest : public test::GLTest {
   }
 
   test::TemporaryFolder folder_;
-  std::unique_ptr<RunConfig> run_;
-  std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<SceneRenderer> sceneRenderer_;
 };
 
 TEST_F(GroundPictureGLTest, itsColoursAreDrawnWhereTheyLie) {

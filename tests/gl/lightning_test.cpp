@@ -8,13 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/session/run_config.h"
-#include "app/session/scene_renderer.h"
 #include "app/settings/settings.h"
 #include "skydrop/render/lightning/lightning_pass.h"
-#include "support/gl_test.h"
 #include "support/light_probe.h"
 #include "support/margin.h"
+#include "support/scene_gl_test.h"
 
 namespace skydrop::app {
 namespace {
@@ -28,32 +26,19 @@ double luminanceOf(const glm::vec4& texel) {
          0.0722 * static_cast<double>(texel.z);
 }
 
-class LightningGLTest : public test::GLTest {
+class LightningGLTest : public test::SceneGLTest {
  protected:
   void begin(const std::vector<std::string>& set = {}) {
-    CommandLine line;
-    line.verb = Verb::render;
-    line.scene = "thunderstorm";
-    line.set = {"render.land.detail=plain",      "streaming.viewDistanceM=8000", "effects.clouds=false",
-                "effects.precipitation=false",   "effects.sound=false",          "lightning.groundShare=1",
-                "render.sun.elevationDegrees=-9"};
-    line.set.insert(line.set.end(), set.begin(), set.end());
-    run_ = prepareRun(line);
-    simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
-    sceneRenderer_ = std::make_unique<SceneRenderer>(
-        context(),
-        SceneRenderer::Setup{
-            .effects = simulation_->effects(), .ground = simulation_->ground(), .workers = 2},
-        run_->settings);
+    beginScene(lineOf("thunderstorm",
+                      {"render.land.detail=plain", "streaming.viewDistanceM=8000", "effects.clouds=false",
+                       "effects.precipitation=false", "effects.sound=false", "lightning.groundShare=1",
+                       "render.sun.elevationDegrees=-9"},
+                      set));
     sceneRenderer_->renderer().add(std::make_unique<test::LightProbe>(light_));
     snapshot_ = simulation_->world().now();
     sceneRenderer_->camera().setMode(render::CameraMode::free);
     flash_ = weather::flashesBetween(snapshot_.weather, run_->settings.lightning, 0, 3600, {}).front();
     lookFrom({-2500, 150, 0});
-  }
-  void TearDown() override {
-    sceneRenderer_.reset();
-    GLTest::TearDown();
   }
 
   // From a place relative to the foot of the flash, along +x.
@@ -84,9 +69,6 @@ class LightningGLTest : public test::GLTest {
     return sum / ((endRow - firstRow) * kSize.width);
   }
 
-  std::unique_ptr<RunConfig> run_;
-  std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<SceneRenderer> sceneRenderer_;
   game::Snapshot snapshot_;
   weather::Flash flash_;
   Light light_;

@@ -9,15 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "app/session/run_config.h"
-#include "app/session/scene_renderer.h"
 #include "app/settings/settings.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/render/models/landing_light_pass.h"
 #include "skydrop/render/models/model_lamps.h"
-#include "support/gl_test.h"
 #include "support/light_probe.h"
 #include "support/row_steps.h"
+#include "support/scene_gl_test.h"
 
 namespace skydrop::app {
 namespace {
@@ -29,34 +27,16 @@ constexpr Size kSize{160, 90};
 
 double sum(const glm::vec4& texel) { return static_cast<double>(texel.x + texel.y + texel.z); }
 
-class NightFlightGLTest : public test::GLTest {
+class NightFlightGLTest : public test::SceneGLTest {
  protected:
   void begin(const std::vector<std::string>& set = {}, bool framesFollow = false) {
-    CommandLine line;
-    line.verb = Verb::render;
-    line.scene = "night-approach";
-    line.set = {"render.land.detail=plain", "streaming.viewDistanceM=8000", "stars.twinkle=0"};
-    line.set.insert(line.set.end(), set.begin(), set.end());
-    run_ = prepareRun(line);
-    simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
-    sceneRenderer_ = std::make_unique<SceneRenderer>(context(),
-                                                     SceneRenderer::Setup{.effects = simulation_->effects(),
-                                                                          .ground = simulation_->ground(),
-                                                                          .workers = 2,
-                                                                          .framesFollow = framesFollow},
-                                                     run_->settings);
+    beginScene(lineOf("night-approach",
+                      {"render.land.detail=plain", "streaming.viewDistanceM=8000", "stars.twinkle=0"}, set),
+               2, framesFollow);
     sceneRenderer_->renderer().add(std::make_unique<test::LightProbe>(light_));
     snapshot_ = simulation_->world().now();
   }
-  void TearDown() override {
-    sceneRenderer_.reset();
-    GLTest::TearDown();
-  }
 
-  void set(const std::string& assignment) {
-    core::setField(run_->table, assignment);
-    sceneRenderer_->apply(SettingsChange::ofAll(run_->table));
-  }
   // Light of the scene, before the tone map.
   const Light& frame(render::CameraMode mode = render::CameraMode::chase) {
     sceneRenderer_->camera().setMode(mode);
@@ -67,9 +47,6 @@ class NightFlightGLTest : public test::GLTest {
   void atRest() { snapshot_.simulatedSeconds = 0; }
   void atBeacon() { snapshot_.simulatedSeconds = 0.5 * 60 / run_->settings.aircraftLights.flashesPerMinute; }
 
-  std::unique_ptr<RunConfig> run_;
-  std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<SceneRenderer> sceneRenderer_;
   game::Snapshot snapshot_;
   Light light_;
 };

@@ -8,15 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "app/session/run_config.h"
-#include "app/session/scene_renderer.h"
-#include "app/session/simulation.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/render/terrain/terrain_pass.h"
 #include "skydrop/render/vegetation/vegetation_pass.h"
-#include "support/gl_test.h"
 #include "support/margin.h"
 #include "support/row_steps.h"
+#include "support/scene_gl_test.h"
 
 namespace skydrop::app {
 namespace {
@@ -24,49 +21,34 @@ namespace {
 constexpr Size kSize{192, 108};
 constexpr double kDegree = std::numbers::pi / 180;
 
-class VegetationGLTest : public test::GLTest {
+class VegetationGLTest : public test::SceneGLTest {
  protected:
   void begin(std::vector<std::string> set = {}) {
-    CommandLine line;
-    line.verb = Verb::render;
-    line.scene = "woodland";
-    line.set = {"effects.clouds=false", "effects.targets=false", "effects.hud=false"};
-    line.set.insert(line.set.end(), set.begin(), set.end());
-    run_ = prepareRun(line);
-    simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
+    beginScene(
+        lineOf("woodland", {"effects.clouds=false", "effects.targets=false", "effects.hud=false"}, set), 1);
     snapshot_ = simulation_->world().now();
     snapshot_.aircraft.present = false;
-    const SceneRenderer::Setup setup{simulation_->effects(), simulation_->ground(), 1, false, {}};
-    renderer_ = std::make_unique<SceneRenderer>(context(), setup, run_->settings);
-    renderer_->camera().setMode(render::CameraMode::free);
-  }
-  void TearDown() override {
-    renderer_.reset();
-    test::GLTest::TearDown();
+    sceneRenderer_->camera().setMode(render::CameraMode::free);
   }
 
   // So high above the land at a place; yaw 0 looks along +x.
   void look(const glm::dvec2& at, double above, double yawDeg, double pitchDeg) {
     const double ground = simulation_->ground()->height(at);
-    renderer_->camera().setPose({at.x, ground + above, at.y}, yawDeg * kDegree, pitchDeg * kDegree, 0);
+    sceneRenderer_->camera().setPose({at.x, ground + above, at.y}, yawDeg * kDegree, pitchDeg * kDegree, 0);
   }
   core::Image frame() {
-    renderer_->draw(snapshot_, kSize, Streaming::settled);
-    return renderer_->renderer().readBack();
-  }
-  void set(const std::string& text) {
-    core::setField(run_->table, text);
-    renderer_->apply(SettingsChange::ofAll(run_->table));
+    sceneRenderer_->draw(snapshot_, kSize, Streaming::settled);
+    return sceneRenderer_->renderer().readBack();
   }
   // Of the land alone, reversed, the lowest row first.
   std::vector<float> depthsOfLand() {
-    const render::gl::Texture& depth = renderer_->renderer().find<render::TerrainPass>()->landDepth();
+    const render::gl::Texture& depth = sceneRenderer_->renderer().find<render::TerrainPass>()->landDepth();
     std::vector<float> values(static_cast<std::size_t>(depth.width()) *
                               static_cast<std::size_t>(depth.height()));
     depth.read(GL_DEPTH_COMPONENT, GL_FLOAT, std::as_writable_bytes(std::span(values)));
     return values;
   }
-  const render::VegetationPass& pass() { return *renderer_->renderer().find<render::VegetationPass>(); }
+  const render::VegetationPass& pass() { return *sceneRenderer_->renderer().find<render::VegetationPass>(); }
   terrain::Woods woods() const { return {simulation_->ground(), run_->settings.woods.density, false}; }
 
   static double meanDifference(const core::Image& a, const core::Image& b) {
@@ -76,9 +58,6 @@ class VegetationGLTest : public test::GLTest {
     return sum / static_cast<double>(a.rgba.size());
   }
 
-  std::unique_ptr<RunConfig> run_;
-  std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<SceneRenderer> renderer_;
   game::Snapshot snapshot_;
 };
 
@@ -92,7 +71,7 @@ TEST_F(VegetationGLTest, V02_whatIsDrawnIsWhatIsFlownInto) {
   for (const glm::dvec2& at : {kWood, glm::dvec2(-2400, -1600), kFarWood}) {
     look(at, 60, 30, -60);
     frame();
-    const glm::dvec3 eye = renderer_->view(snapshot_, kSize).position;
+    const glm::dvec3 eye = sceneRenderer_->view(snapshot_, kSize).position;
     const std::vector<terrain::StandingTree> expected = woods().around(at, 130);
     int seen = 0, apart = 0;
     double farthest = 0;
@@ -133,7 +112,7 @@ TEST_F(VegetationGLTest, V03_feetStandOnTheLandThatIsDrawn) {
        {Look{kWood, 80}, Look{kWood, 320}, Look{{1600, -2800}, 120}, Look{{1200, -2800}, 300}}) {
     look(l.at, l.above, 0, -89.9);
     frame();
-    const render::View view = renderer_->view(snapshot_, kSize);
+    const render::View view = sceneRenderer_->view(snapshot_, kSize);
     const std::vector<float> depths = depthsOfLand();
     int seen = 0, off = 0;
     double worst = 0;
@@ -218,7 +197,7 @@ TEST_F(VegetationGLTest, V05_densityAndReachOfNothingLeaveNothing) {
   const auto reason = [&] {
     frame();
     core::FrameStatistics statistics;
-    renderer_->writeTo(statistics);
+    sceneRenderer_->writeTo(statistics);
     for (const auto& [name, row] : statistics.passes)
       if (name == "vegetation") return row.skipped;
     return std::string("none");
@@ -229,7 +208,7 @@ TEST_F(VegetationGLTest, V05_densityAndReachOfNothingLeaveNothing) {
   set("woods.density=1"), set("vegetation.farM=0");
   EXPECT_EQ(reason(), "trees are painted alone");
   set("vegetation.farM=300");
-  renderer_->camera().setPose({kWood.x, 9000, kWood.y}, 0, -1, 0);
+  sceneRenderer_->camera().setPose({kWood.x, 9000, kWood.y}, 0, -1, 0);
   EXPECT_EQ(reason(), "the view is too high for single trees");
   test::noFaults("V05", "trees");
 }
@@ -239,7 +218,7 @@ TEST_F(VegetationGLTest, everyTenthOfEveryRowMakesADifference) {
   snapshot_.wind = {9, 0, 4};
   snapshot_.simulatedSeconds = 3.3;
   const int rows = test::expectNoIdleSteps(run_->table, {"vegetation."}, [&] {
-    renderer_->apply(SettingsChange::ofAll(run_->table));
+    sceneRenderer_->apply(SettingsChange::ofAll(run_->table));
     core::StateHasher h;
     for (const double above : {12.0, 90.0}) {
       look(kWood, above, 200, -15);

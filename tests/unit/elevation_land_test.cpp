@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "elevation/elevation_source.h"
 #include "skydrop/core/error.h"
@@ -37,6 +38,19 @@ class TwoTiles : public ::testing::Test {
             500, 500, [&](double c, double r) { return landAt(1000 * tile + 2 * c + 1, 1000 - 2 * r - 1); }),
         form);
     rasters_.push_back(openRaster(file));
+  }
+  using Land = std::shared_ptr<const ElevationHeightSource>;
+  // The land of both tiles, and that of one raster with the same cells.
+  std::pair<Land, Land> makeCutAndWhole() {
+    write(0);
+    write(1);
+    Land cut = make();
+    const auto file = folder_.path() / "both.tif";
+    test::writeGeoTiff(
+        file, 1000, 500, {2600000, 1201000}, {2, 2},
+        test::heightsOf(1000, 500, [&](double c, double r) { return landAt(2 * c + 1, 1000 - 2 * r - 1); }));
+    rasters_ = {openRaster(file)};
+    return {std::move(cut), make()};
   }
   std::shared_ptr<const ElevationHeightSource> make(double blendM = 2000) {
     return makeElevationHeightSource(rasters_, {false, kBern.latitude, kBern.longitude, blendM},
@@ -188,15 +202,7 @@ TEST_F(TwoTiles, everyInstructionSetGivesTheSameChunks) {
 
 TEST_F(TwoTiles, tilesSideBySideFadeAsOneRaster) {
   // However the same cells are cut into tiles, the land beyond them is the same, bit by bit.
-  write(0);
-  write(1);
-  const auto two = make();
-  const auto file = folder_.path() / "both.tif";
-  test::writeGeoTiff(
-      file, 1000, 500, {2600000, 1201000}, {2, 2},
-      test::heightsOf(1000, 500, [&](double c, double r) { return landAt(2 * c + 1, 1000 - 2 * r - 1); }));
-  rasters_ = {openRaster(file)};
-  const auto one = make();
+  const auto [two, one] = makeCutAndWhole();
   for (double z = -2900; z < 1900; z += 137) {
     for (double x = -1900; x < 3900; x += 61) {
       const HeightSample a = two->sample({x, z}), b = one->sample({x, z});
@@ -248,15 +254,7 @@ TEST_F(TwoTiles, boundsHoldWhatTheSurfaceOvershoots) {
 
 TEST_F(TwoTiles, seamBetweenTilesIsExact) {
   // The land of two tiles is the land of one raster that holds both, bit by bit.
-  write(0);
-  write(1);
-  const auto two = make();
-  const auto file = folder_.path() / "both.tif";
-  test::writeGeoTiff(
-      file, 1000, 500, {2600000, 1201000}, {2, 2},
-      test::heightsOf(1000, 500, [&](double c, double r) { return landAt(2 * c + 1, 1000 - 2 * r - 1); }));
-  rasters_ = {openRaster(file)};
-  const auto one = make();
+  const auto [two, one] = makeCutAndWhole();
   for (double z = -990; z < -10; z += 7.3) {
     for (double x = 980; x < 1020; x += 0.9) {
       const HeightSample a = two->sample({x, z}), b = one->sample({x, z});

@@ -27,6 +27,12 @@ inline ChunkKey chunkAt(glm::dvec2 xz, std::int32_t level = 0) {
   return {gridIndex(xz.x, size), gridIndex(xz.y, size), level};
 }
 
+// Low 20 bits of a chunk's index, signed, as shaders count chunks: enough for their table and for the noise's
+// lattice, which goes on across the origin and has its seams 5e8 m out.
+constexpr int wrappedIndex(std::int64_t index) {
+  return (static_cast<int>(index & 0xfffff) ^ 0x80000) - 0x80000;
+}
+
 // The chunk of the next coarser level that covers this one. The shift floors, also for negative indices.
 constexpr ChunkKey parentOf(const ChunkKey& key) { return {key.x >> 1, key.z >> 1, key.level + 1}; }
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "skydrop/elevation/elevation_height_source.h"
+#include "app/session/ground.h"
 #include "skydrop/terrain/strips.h"
 
 namespace skydrop::app {
@@ -20,8 +20,7 @@ LandStreaming::LandStreaming(render::Renderer& renderer, std::shared_ptr<const t
       workerCount_(workers),
       workers_(workers),
       terrain_(ground_, workers_, settings) {
-  const bool isOfTheEarth = dynamic_cast<const elevation::ElevationHeightSource*>(ground_.get()) != nullptr;
-  auto pass = std::make_unique<render::TerrainPass>(renderer.context(), isOfTheEarth);
+  auto pass = std::make_unique<render::TerrainPass>(renderer.context(), hasAlpineBelts(*ground_));
   pass_ = pass.get();
   renderer.add(std::move(pass));
 }

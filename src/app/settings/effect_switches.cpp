@@ -60,8 +60,7 @@ std::string_view helpOf(Effect effect) {
       return "Lightning of the weather's storms, the light that it throws, and its thunder.";
     case Effect::vegetation:
       return "Trees that stand: spruces, broadleaves and dwarf pines where the land has woods, bent by the "
-             "wind, and in "
-             "the way of the aircraft.";
+             "wind, and in the way of the aircraft.";
     case Effect::groundHandling:
       return "The gear bears: taxi, take off and land, ditch; only what is too hard breaks the aircraft. "
              "Without it every touch of the ground is a crash.";

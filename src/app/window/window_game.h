@@ -120,7 +120,7 @@ class WindowGame {
   std::optional<ui::HudPanel> panel() const;
   ui::HudPanel briefingPanel() const;
   ui::HudPanel deliveriesPanel() const;
-  bool showsPicture(const game::Snapshot& snapshot) const;
+  bool showsPicture() const;
   void drawPicture(const game::Snapshot& snapshot, const ui::ScreenRect& place);
   void faceTarget();
   void beginDeliveries();  // of another flight

@@ -113,14 +113,14 @@ void WindowGame::followPackages(const game::Snapshot& snapshot, Size size) {
   sceneRenderer_->lookFrom(split_ ? std::nullopt : ride_.view(snapshot, camera, size, ground));
 }
 
-bool WindowGame::showsPicture(const game::Snapshot&) const {
+bool WindowGame::showsPicture() const {
   return pictured_.rides() && !ride_.rides() && !split_ && !sceneRenderer_->isSwitching();
 }
 
 void WindowGame::drawPicture(const game::Snapshot& snapshot, const ui::ScreenRect& place) {
   hasPicture_ = false;
   const Size size{static_cast<int>(place.right - place.left), static_cast<int>(place.bottom - place.top)};
-  if (!showsPicture(snapshot) || size.width < 16 || size.height < 9) return picturedSize_.reset();
+  if (!showsPicture() || size.width < 16 || size.height < 9) return picturedSize_.reset();
   const auto view = pictured_.view(snapshot, run_->settings.render.camera, size, simulation_->ground().get());
   if (!view) return;
   // Where the processor draws it is renewed in every third frame: the land's triangles weigh more than

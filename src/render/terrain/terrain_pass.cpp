@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "render/frame/visibility.h"
+#include "skydrop/core/shared.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/clouds/ice_shade.h"
 #include "skydrop/render/frame/fallen_water.h"
@@ -25,7 +26,6 @@ constexpr GLuint kHeightsUnit = 0, kNormalsUnit = 1, kTableUnit = 2, kDepthUnit 
 constexpr GLuint kLightSharesUnit = 4;
 constexpr GLsizei kSeaVertices = 12;  // four triangles (shaders/terrain/sea.glsl)
 constexpr const char* kStripDefine = "GRASS_STRIP";
-constexpr double kStripClearedM = 41;  // around it (shaders/shared/grass_strip.glsl)
 constexpr int kPatchSide = terrain::kPatchCells + 1;
 constexpr GLsizei kPatchIndices = 3 * terrain::kTrianglesPerPatch;
 
@@ -57,10 +57,6 @@ std::vector<std::string> landDefines(const FrameContext& context) {
   if (context.settings.landDetail == LandDetail::rich) defines.emplace_back("RICH_LAND");
   return defines;
 }
-
-// Low 20 bits of a chunk index, signed: enough for the table and for the noise's lattice, which then goes on
-// across the origin and has its seams 5e8 m out.
-int lowBits(std::int64_t index) { return (static_cast<int>(index & 0xfffff) ^ 0x80000) - 0x80000; }
 
 }  // namespace
 
@@ -248,7 +244,7 @@ void TerrainPass::drawShares(bool replaces) {
 void TerrainPass::setSurface(gl::ShaderProgram& shader, const View& view) const {
   setEye(shader, view);
   const terrain::ChunkKey base = terrain::chunkAt(base_);
-  shader.setIvec2("baseChunk", {lowBits(base.x), lowBits(base.z)});
+  shader.setIvec2("baseChunk", {terrain::wrappedIndex(base.x), terrain::wrappedIndex(base.z)});
   shader.setFloat("farM", static_cast<float>(farDistanceM_));
   textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
   if (!surface_) return;
@@ -302,21 +298,22 @@ void TerrainPass::drawLitLand(FrameContext& context) {
   if (ground_) always.emplace_back(GroundTexture::kDefine);
   if (woods) always.emplace_back(StandingWoods::kDefine);
   for (unsigned variant = 0; variant < 1u << parts.size(); ++variant) {
+    const auto has = [variant](std::size_t part) { return (variant >> part & 1) != 0; };
     bool isAsked = true, isThis = true, isPossible = true;
-    std::vector<std::string> defines = always;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const bool has = (variant >> i & 1) != 0;
-      isAsked = isAsked && (parts[i].mayCome || has == parts[i].isThere);
-      isThis = isThis && has == parts[i].isThere;
-      isPossible = isPossible && (parts[i].isThere || !has);
-      if (has) defines.emplace_back(parts[i].define);
+      isAsked = isAsked && (parts[i].mayCome || has(i) == parts[i].isThere);
+      isThis = isThis && has(i) == parts[i].isThere;
+      isPossible = isPossible && (parts[i].isThere || !has(i));
     }
     if (!isAsked) continue;
+    std::vector<std::string> defines = always;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (has(i)) defines.emplace_back(parts[i].define);
     gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
     if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
     if (woods) woods->set(shader);
     for (std::size_t i = 0; i < parts.size(); ++i)
-      if ((variant >> i & 1) != 0) parts[i].set(shader);
+      if (has(i)) parts[i].set(shader);
     drawLand(shader, view);
   }
 }
@@ -324,7 +321,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
 bool TerrainPass::isStripSeen(const View& view) const {
   if (!strip_) return false;
   const glm::dvec3 middle(strip_->middle.x, strip_->height, strip_->middle.y);
-  const double radius = std::hypot(strip_->halfLength, strip_->halfWidth) + kStripClearedM;
+  const double radius = std::hypot(strip_->halfLength, strip_->halfWidth) + core::shared::f64::kStripReachM;
   return isPotentiallyVisible(view, middle, radius);
 }
 

@@ -13,7 +13,6 @@ namespace {
 
 namespace shared = core::shared::f64;
 
-constexpr double kTileM = kTileCells * shared::kTreeCellM;
 constexpr double kSteepest = 1;  // of the land between the eye's foot and a tile, m a metre
 constexpr double kAroundM = 8;   // what a tree reaches beyond its tile
 

@@ -4,12 +4,14 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "skydrop/core/shared_woods.h"
 #include "skydrop/render/frame/view.h"
 #include "skydrop/terrain/height_source.h"
 
 namespace skydrop::render {
 
 inline constexpr int kTileCells = 8;  // along a side, as in shaders/vegetation/place.comp
+inline constexpr double kTileM = kTileCells * core::shared::f64::kTreeCellM;
 
 struct TreeTiles {
   std::vector<glm::ivec2> corners;  // their north-west cells, counted from the base; the nearest first

@@ -41,8 +41,7 @@ glm::dvec4 reachOf(const VegetationSettings& s) {
 
 // Most tiles that a square around the eye touches which reaches so far, m.
 std::size_t tilesWithin(double reachM) {
-  const double tileM = 64;
-  const auto side = static_cast<std::size_t>(2 * std::ceil(reachM / tileM) + 2);
+  const auto side = static_cast<std::size_t>(2 * std::ceil(reachM / kTileM) + 2);
   return side * side;
 }
 
