@@ -1,19 +1,23 @@
 #!/usr/bin/env bash
 # Long fuzzing beside other work (docs/fuzzing.md): two targets at a time at the lowest priority, from copies of the
-# programs and their seeds, so that the tree may be rebuilt, moved or removed meanwhile.
+# programs and their seeds, so that the tree may be rebuilt, moved or removed meanwhile. A target runs until it has used
+# SECONDS of processor time, however long that takes on a busy machine.
 #   tests/fuzz/long.sh queue FOLDER [SECONDS [TARGET..]]  600 seconds, all targets of build/fuzz; returns at once. Again
 #                                                 with TARGETS: takes their newer programs and runs them once more
 #   tests/fuzz/long.sh table FOLDER               what came of the newest run of each, as a table for docs/fuzzing.md
 # In FOLDER: logs/TARGET.RUN, findings/TARGET.RUN-*, corpus/TARGET (grows over the runs). Exit code of table: 1 where there
 # is a finding.
 set -euo pipefail
-most_seconds_an_input=20 most_megabytes=2560 at_a_time=2
+most_seconds_an_input=20 most_megabytes=2560 at_a_time=${SKYDROP_FUZZ_AT_A_TIME:-2}
 
 # A target of FOLDER/waiting after the other, until there is none; waiting/NUMBER-TARGET-SECONDS holds it.
 work() {
   cd "$1"
   export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1
-  local entry name seconds run longest dictionary flags
+  # Where the scheduler groups sessions, nice counts within one alone: the group's own value is what others feel.
+  echo 19 2>/dev/null >/proc/self/autogroup || true
+  local entry name seconds run longest dictionary flags used
+  local TIMEFORMAT='%0U %0S'
   while true; do
     entry=
     for entry in waiting/*; do
@@ -27,10 +31,17 @@ work() {
     while [ -e "logs/$name.$run" ]; do run=$((run + 1)); done
     mkdir -p "corpus/$name" "temporary/$name"
     flags=(-timeout=$most_seconds_an_input -rss_limit_mb=$most_megabytes -artifact_prefix="findings/$name.$run-"
-      -max_len="$longest" -max_total_time="$seconds" -print_final_stats=1)
+      -max_len="$longest" -print_final_stats=1)
     [ "$dictionary" = - ] || flags+=(-dict="dictionaries/$dictionary.dict")
-    TMPDIR=$PWD/temporary/$name nice -n 19 "./fuzz_$name" "${flags[@]}" "corpus/$name" "seeds/$name" \
-      >"logs/$name.$run" 2>&1 || echo "exit code $?" >>"logs/$name.$run"
+    used=0
+    : >"logs/$name.$run"
+    while [ $used -lt "$seconds" ]; do  # in slices, since libFuzzer knows the clock on the wall alone
+      { time TMPDIR=$PWD/temporary/$name nice -n 19 "./fuzz_$name" "${flags[@]}" \
+        -max_total_time=$((seconds - used > 20 ? seconds - used : 20)) "corpus/$name" "seeds/$name" \
+        >>"logs/$name.$run" 2>&1; } 2>"temporary/$name.time" || { echo "exit code $?" >>"logs/$name.$run" && break; }
+      used=$((used + $(tail -n 1 "temporary/$name.time" | tr ' ' '+')))
+      echo "processor time: $used s" >>"logs/$name.$run"
+    done
   done
 }
 
@@ -70,7 +81,7 @@ queue() {
 table() {
   cd "$1"
   local name log run seconds executions edges findings state failed=
-  echo '| target | executions | s | edges | inputs kept | findings |'
+  echo '| target | executions | processor s | edges | inputs kept | findings |'
   echo '|---|---|---|---|---|---|'
   while read -r -u 3 name _; do
     case $name in '' | \#*) continue ;; esac
@@ -80,8 +91,9 @@ table() {
       continue
     fi
     run=${log##*.}
-    executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-    seconds=$(sed -n 's/^Done .* in \([0-9]*\) second.*/\1/p' "$log")
+    executions=$(awk '/^stat::number_of_executed_units:/ {sum += $2} END {print sum}' "$log")
+    seconds=$(sed -n 's/^processor time: \([0-9]*\) s$/\1/p' "$log" | tail -n 1)
+    [ -n "$seconds" ] || seconds=$(sed -n 's/^Done .* in \([0-9]*\) second.*/\1/p' "$log")  # of an older long.sh
     edges=$(grep -o 'cov: [0-9]*' "$log" | tail -n 1 | cut -d' ' -f2)
     findings=$(find findings -name "$name.$run-*" | wc -l)
     [ "$findings" = 0 ] || failed=yes
