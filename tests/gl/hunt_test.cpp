@@ -47,9 +47,12 @@ class HuntGLTest : public test::GLTest {
 #include "shared/gradient_noise.glsl"
 #include "shared/grass_strip.glsl"
 #include "shared/ground_fog.glsl"
+#include "shared/ground_picture.glsl"
+#include "shared/guard_marks.glsl"
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"
 #include "shared/ice_clouds.glsl"
+#include "shared/impostor.glsl"
 #include "shared/lab/cloud.glsl"
 #include "shared/lab/light.glsl"
 #include "shared/lab/orbit.glsl"
@@ -61,6 +64,7 @@ class HuntGLTest : public test::GLTest {
 #include "shared/sun_glitter.glsl"
 #include "shared/terrain_lod.glsl"
 #include "shared/tone_map.glsl"
+#include "shared/woods.glsl"
 #include "shared/water.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer In { float argumentsOf[]; };

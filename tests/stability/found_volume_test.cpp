@@ -159,5 +159,27 @@ TEST(Stability, X67_aHairBesideTheMiddleOfATorusTubeIsNotAboveIt) {
   EXPECT_EQ(core::shared::f32::torusGradient({0, 0, 0}, 1e-3f).y, 1) << "on the axis up is as good as any";
 }
 
+TEST(Stability, X68_aHeightOfNothingBesideARoundedDistanceIsNoDirection) {
+  // The place is 9.5e-10 outside of the tube's middle, in float 0; the height of 3e-19 below it was all that
+  // was left, and the gradient pointed down.
+  const core::shared::f32::Vec3 gradient =
+      core::shared::f32::torusGradient({7e-5f, -3e-19f, 2.57978034f}, 2.57978034f);
+  EXPECT_TRUE(holds("X68", apart(gradient.y, 0), atMost(1e-5), ""));
+  EXPECT_NEAR(gradient.z, 1, 1e-5);
+  EXPECT_NEAR(core::shared::f32::torusGradient({0, 1e-5f, 2.5f}, 2.5f).y, 1, 1e-5)
+      << "above the middle is up";
+}
+
+TEST(Stability, X69_whatANarrowPixelHasOfAWideBandIsNoDifferenceOfItsEnds) {
+  // A pixel of 1 mm half a kilometre along a strip of 1500 m: (500.0005 - 499.9995) / .001 was .977 in float.
+  EXPECT_TRUE(
+      holds("X69", apart(core::shared::f32::stripCover(500, 750, 0.001f), 1), atMost(1e-6), "of a pixel"));
+  const float x = 500, around = 0.0005f;
+  EXPECT_GT(1 - (std::min(x + around, 750.0f) - std::max(x - around, -750.0f)) / 0.001f, 0.02f)
+      << "the former";
+  EXPECT_EQ(core::shared::f32::stripCover(750, 750, 0.001f), 0.5f);
+  EXPECT_NEAR(core::shared::f32::stripCover(0, 2, 100), 0.04f, 1e-7) << "all of a narrow band";
+}
+
 }  // namespace
 }  // namespace skydrop

@@ -3,10 +3,12 @@
 #include "skydrop/core/shared_clouds.h"
 #include "skydrop/core/shared_flash.h"
 #include "skydrop/core/shared_glitter.h"
+#include "skydrop/core/shared_guard_marks.h"
 #include "skydrop/core/shared_ice.h"
 #include "skydrop/core/shared_lamps.h"
 #include "skydrop/core/shared_optics.h"
 #include "skydrop/core/shared_precipitation.h"
+#include "skydrop/core/shared_woods.h"
 #include "skydrop/lab/shared.h"
 #include "support/hunt.h"
 

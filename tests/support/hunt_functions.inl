@@ -335,3 +335,4 @@ HUNTED(cubeNoises, (in(-1e6, 1e6), in(-1e6, 1e6), in(-1e6, 1e6), whole(1, 16), w
        c.perlinMultiplier = Real(2.0); c.voronoiThreshold = Real(0.5); c.voronoiMultiplier = Real(2.0);
        Vec2 n = cubeNoises(c, Vec3(a[0], a[1], a[2])); r[0] = n.x; r[1] = n.y)
 HUNTED(forwardedSun, (in(0, 1e30), in(0, 10), in(0, 100)), (share(1e-4)), r[0] = forwardedSun(a[0], a[1], a[2]))
+#include "support/hunt_parts.inl"

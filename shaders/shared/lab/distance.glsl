@@ -49,8 +49,11 @@ FN Vec3 torusGradient(Vec3 p, Real ring) {
   // By the distance from the ring, which is one difference; p less the ring's nearest place would be two.
   Vec3 outward = directionOf(Vec3(p.x, Real(0.0), p.z), Vec3(Real(0.0), Real(0.0), Real(0.0)));
   Vec3 aside = outward * (length(Vec2(p.x, p.z)) - ring);
-  // In the middle of the tube every direction is one; where a distance of nearly nothing is rounded to it, outward is near.
+  // In the middle of the tube every direction is one: outward, which is near where a small distance is rounded to none.
+  // Within a float's step of the middle a height beside a distance that is rounded says nothing either.
   bool onAxis = dot(outward, outward) < Real(0.5);
+  Real rounding = Real(1.2e-7) * ring;
+  if (!onAxis && abs(length(Vec2(p.x, p.z)) - ring) < rounding && abs(p.y) < rounding) return outward;
   return directionOf(Vec3(aside.x, p.y, aside.z), onAxis ? Vec3(Real(0.0), Real(1.0), Real(0.0)) : outward);
 }
 
