@@ -207,12 +207,72 @@ def warning(rng):
     return out
 
 
+def birds(rng):
+    """A loop of a wood by day: songs of four kinds, each bird with its own phrase, some near and some far."""
+    t = seconds(8)
+    out = np.zeros_like(t)
+
+    def add(start, sound):
+        at = (int(start * RATE) + np.arange(len(sound))) % len(t)
+        out[at] += sound
+
+    def note(duration, low, high, curve=1.0, flutter=0.0):
+        local = seconds(duration)
+        share = local / duration
+        hertz = low + (high - low) * share**curve + flutter * np.sin(2 * np.pi * 45 * local)
+        phase = 2 * np.pi * np.cumsum(hertz) / RATE
+        return (np.sin(phase) + .12 * np.sin(2 * phase)) * np.sin(np.pi * share)**1.5
+
+    def tit(loud, pitch):  # two tones, again and again
+        start = rng.uniform(0, 8)
+        for k in range(int(rng.integers(3, 6))):
+            add(start + .34 * k, loud * note(.13, 5200 * pitch, 5000 * pitch))
+            add(start + .34 * k + .16, loud * .8 * note(.12, 3900 * pitch, 3750 * pitch))
+
+    def chaffinch(loud, pitch):  # a rattle that falls, and a flourish
+        start = rng.uniform(0, 8)
+        for k in range(9):
+            add(start + .09 * k, loud * (.5 + .05 * k) * note(.06, (5400 - 220 * k) * pitch, (4100 - 160 * k) * pitch))
+        add(start + .84, loud * note(.1, 2600 * pitch, 4600 * pitch))
+        add(start + .97, loud * .9 * note(.16, 4400 * pitch, 2500 * pitch))
+
+    def thrush(loud, pitch):  # fluted phrases
+        start = rng.uniform(0, 8)
+        for _ in range(int(rng.integers(3, 6))):
+            low = rng.uniform(1900, 2700) * pitch
+            add(start, loud * note(rng.uniform(.14, .3), low, low * rng.uniform(.8, 1.3), 1.6, 60))
+            start += rng.uniform(.25, .42)
+
+    def chirp(loud, pitch):
+        add(rng.uniform(0, 8), loud * note(.05, 4300 * pitch, 6100 * pitch, .6))
+
+    for sing, count in ((tit, 4), (chaffinch, 4), (thrush, 4), (chirp, 26)):
+        for _ in range(count):
+            sing(rng.uniform(.15, 1)**1.6, rng.uniform(.92, 1.08))
+    leaves = periodic(rng, t, lambda f: np.exp(-((f - 2600) / 2200)**2))
+    return out / np.abs(out).max() + .05 * leaves * (1 + .5 * np.sin(2 * np.pi * t / 4))
+
+
+def water(rng):
+    """A loop of small waves at a shore: each runs up with a hiss and drains away."""
+    t = seconds(9)
+    hiss = periodic(rng, t, lambda f: np.exp(-((f - 1500) / 1900)**2))
+    wash = periodic(rng, t, lambda f: np.exp(-((f - 380) / 330)**2))
+    out = .1 * hiss + .25 * wash
+    for start, loud in ((.2, 1), (2.5, .7), (4.6, .9), (7.0, .6)):
+        local = (t - start) % 9
+        rise = np.minimum(local / .9, 1)**2
+        out += loud * (wash * rise * np.exp(-np.maximum(local - .9, 0) / .55) +
+                       .8 * hiss * rise * np.exp(-np.maximum(local - 1.0, 0) / .9))
+    return out
+
+
 SOUNDS = {"engine": (engine, .8), "drop": (drop, .7), "parachute": (parachute, .7), "landing": (landing, .8),
           "splash": (splash, .7), "score": (score, .55), "miss": (miss, .5), "crash": (crash, .9),
           "stall": (stall, .4), "rain": (rain, .7), "wind": (wind, .7),
           "thunderNear": (thunder(1.8, 1, 400, 2), .95), "thunder": (thunder(2.4, .25, 170, 4), .9),
           "thunderFar": (thunder(3, 0, 80, 5), .9), "touchdown": (touchdown, .7),
-          "applause": (applause, .5), "warning": (warning, .6)}
+          "applause": (applause, .5), "warning": (warning, .6), "birds": (birds, .5), "water": (water, .6)}
 
 
 def write_wav(path, signal, peak):

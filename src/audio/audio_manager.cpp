@@ -207,6 +207,8 @@ Voice AudioManager::play2d(const std::filesystem::path& file, bool loop) {
   alSourcei(slot->source, AL_BUFFER, static_cast<ALint>(state_->buffers[file]));
   alSourcei(slot->source, AL_LOOPING, loop ? AL_TRUE : AL_FALSE);
   alSourcei(slot->source, AL_SOURCE_RELATIVE, AL_TRUE);  // at the listener: 2D
+  alSource3f(slot->source, AL_POSITION, 0, 0, 0);
+  alSourcef(slot->source, AL_ROLLOFF_FACTOR, 0);  // distance is in the gain
   alSourcef(slot->source, AL_PITCH, 1);
   alSourcef(slot->source, AL_GAIN, 1);
   alSourcePlay(slot->source);
@@ -222,6 +224,14 @@ void AudioManager::setPitch(Voice voice, double pitch) {
 
 void AudioManager::setGain(Voice voice, double gain) {
   if (const Slot* slot = state_->slotOf(voice)) alSourcef(slot->source, AL_GAIN, clamped(gain, 0, 4));
+}
+
+void AudioManager::setPan(Voice voice, double pan) {
+  const Slot* slot = state_->slotOf(voice);
+  if (!slot) return;
+  const float aside = clamped(pan, -1, 1);
+  // On the circle before the listener; the middle itself is all around, as where nothing was said.
+  alSource3f(slot->source, AL_POSITION, aside, 0, aside == 0 ? 0 : -std::sqrt(1 - aside * aside));
 }
 
 void AudioManager::stop(Voice voice) {

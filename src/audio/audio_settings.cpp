@@ -26,6 +26,13 @@ void describe(core::SettingsVisitor& visitor, AudioSettings& settings) {
                   .help = "Loudness of rain and wind against the rest, in flights with weather.",
                   .aliases = "storm, gusts, gain",
                   .note = muted});
+  visitor.number("natureVolume", settings.natureVolume,
+                 {.unit = "1",
+                  .min = 0,
+                  .max = 1,
+                  .help = "Loudness of birds near woods and of the sea at its shores against the rest.",
+                  .aliases = "birds, surf, waves, sea, gain",
+                  .note = muted});
   visitor.flag("mute", settings.mute, {.help = "No sound at all.", .aliases = "silence, sound off"});
 }
 

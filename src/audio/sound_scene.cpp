@@ -18,7 +18,7 @@ namespace {
 using game::GameEventKind;
 
 constexpr std::string_view kEngine = "engine", kStallHorn = "stall", kRain = "rain", kWind = "wind",
-                           kWarning = "warning", kApplause = "applause";
+                           kWarning = "warning", kApplause = "applause", kBirds = "birds", kWater = "water";
 constexpr std::array<std::string_view, 9> kEventSounds = {"drop",  "parachute", "landing",   "score",  "miss",
                                                           "crash", "splash",    "touchdown", kApplause};
 
@@ -63,8 +63,9 @@ double airflowGain(double airspeed) {
   return kLoudest * std::clamp((airspeed - kHeardFrom) / (kLoudAt - kHeardFrom), 0.0, 1.0);
 }
 
-constexpr double kFaintest = 0.01;   // gain below which nobody hears a loop
-constexpr double kCruiseSpeed = 70;  // m/s, where the airflow leaves the propeller's pitch alone
+constexpr double kThroughCabin = 0.4;  // of the place's sounds
+constexpr double kFaintest = 0.01;     // gain below which nobody hears a loop
+constexpr double kCruiseSpeed = 70;    // m/s, where the airflow leaves the propeller's pitch alone
 
 }  // namespace
 
@@ -77,7 +78,7 @@ SoundScene::SoundScene(AudioManager& audio, const AudioSettings& settings)
 }
 
 SoundScene::~SoundScene() {
-  for (const Voice loop : {engine_, stallHorn_, warning_, rain_, wind_}) audio_.stop(loop);
+  for (const Voice loop : {engine_, stallHorn_, warning_, rain_, wind_, birds_, water_}) audio_.stop(loop);
 }
 
 void SoundScene::setLightning(const std::optional<weather::LightningSettings>& settings) {
@@ -112,9 +113,10 @@ std::optional<std::string> SoundScene::skipReason() const {
   return std::nullopt;
 }
 
-void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEvent> events) {
+void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEvent> events,
+                        const Listener& listener, const Surroundings& around) {
   if (skipReason()) {
-    for (Voice* loop : {&engine_, &stallHorn_, &warning_, &rain_, &wind_})
+    for (Voice* loop : {&engine_, &stallHorn_, &warning_, &rain_, &wind_, &birds_, &water_})
       audio_.stop(std::exchange(*loop, 0));
     return;
   }
@@ -124,60 +126,67 @@ void SoundScene::update(const game::Snapshot& now, std::span<const game::GameEve
       audio_.setGain(voice, clap.gain);
     }
   }
-  const bool running = now.aircraft.present && !now.aircraft.crashed;
-  if (!running) {
-    audio_.stop(engine_);
-    engine_ = 0;
-  } else if (engine_ == 0) {
-    engine_ = audio_.play2d(soundFile(kEngine), true);
-  }
-  audio_.setPitch(engine_, enginePitch(now.aircraft.throttle, now.aircraft.airspeedMps));
-  audio_.setGain(engine_, settings_.engineVolume * engineGain(now.aircraft.throttle));
-  if (!running || !now.aircraft.stallWarning) {
-    audio_.stop(stallHorn_);
-    stallHorn_ = 0;
-  } else if (stallHorn_ == 0) {
-    stallHorn_ = audio_.play2d(soundFile(kStallHorn), true);
-  }
-  // Higher and louder in the stall than before it.
-  audio_.setPitch(stallHorn_, now.aircraft.stalled ? kStalledPitch : 1);
-  audio_.setGain(stallHorn_, now.aircraft.stalled ? 1 : kWarningGain);
-  if (!running || !now.pullUpSeconds) {
-    audio_.stop(std::exchange(warning_, 0));
-  } else if (warning_ == 0) {
-    warning_ = audio_.play2d(soundFile(kWarning), true);
-  }
-  updateWeather(now);
+  updateEngine(now, listener);
+  updateWarnings(now, listener);
+  updateWeather(now, listener);
+  updateNature(listener, around);
   for (const game::GameEvent& event : events) {
     if (const auto sound = soundOf(event)) audio_.play2d(soundFile(*sound));
     if (event.kind == GameEventKind::scored) audio_.play2d(soundFile(kApplause));
   }
 }
 
-// A loop runs while it is heard at all; its file is read when it is heard first.
-void SoundScene::updateWeather(const game::Snapshot& now) {
+void SoundScene::play(Voice& loop, std::string_view name, double gain) {
+  if (gain < kFaintest) {
+    audio_.stop(std::exchange(loop, 0));
+  } else if (loop == 0) {
+    loop = audio_.play2d(soundFile(name), true);
+  }
+  audio_.setGain(loop, gain);
+}
+
+void SoundScene::updateEngine(const game::Snapshot& now, const Listener& listener) {
+  const game::AircraftSnapshot& aircraft = now.aircraft;
+  Arrival arrival;
+  if (!listener.aboard) arrival = arrivalFrom(aircraft.position, aircraft.velocity, listener);
+  const bool runs = aircraft.present && !aircraft.crashed;
+  play(engine_, kEngine, runs ? settings_.engineVolume * engineGain(aircraft.throttle) * arrival.gain : 0);
+  audio_.setPitch(engine_, enginePitch(aircraft.throttle, aircraft.airspeedMps) * arrival.pitch);
+  audio_.setPan(engine_, arrival.pan);
+}
+
+void SoundScene::updateWarnings(const game::Snapshot& now, const Listener& listener) {
+  const bool heard = listener.aboard && now.aircraft.present && !now.aircraft.crashed;
+  // Higher and louder in the stall than before it.
+  play(stallHorn_, kStallHorn,
+       !heard || !now.aircraft.stallWarning ? 0
+       : now.aircraft.stalled               ? 1
+                                            : kWarningGain);
+  audio_.setPitch(stallHorn_, now.aircraft.stalled ? kStalledPitch : 1);
+  play(warning_, kWarning, heard && now.pullUpSeconds ? 1 : 0);
+}
+
+void SoundScene::updateWeather(const game::Snapshot& now, const Listener& listener) {
   double rain = 0, wind = 0, gust = 0;
   if (now.weather && now.aircraft.present && settings_.weatherVolume > 0) {
-    const glm::dvec3& place = now.aircraft.position;
+    const glm::dvec3& place = listener.aboard ? now.aircraft.position : listener.position;
     const weather::Precipitation fall = weather::fallAt(now.weather.at({place.x, place.z}), place.y);
-    const double airspeed = now.aircraft.crashed ? 0 : now.aircraft.airspeedMps;
+    const double airspeed = now.aircraft.crashed || !listener.aboard ? 0 : now.aircraft.airspeedMps;
     rain = rainGain(fall.rain + fall.sleet + 2 * fall.hail, airspeed);
     gust = now.air.present ? glm::length(now.air.velocity - now.air.wind) : 0;
     wind = windGain(glm::length(now.air.wind), gust);
   }
-  const bool flies = now.aircraft.present && !now.aircraft.crashed;
+  const bool flies = listener.aboard && now.aircraft.present && !now.aircraft.crashed;
   if (flies && settings_.weatherVolume > 0) wind = std::max(wind, airflowGain(now.aircraft.airspeedMps));
-  const auto play = [&](Voice& voice, std::string_view name, double gain) {
-    if (gain < kFaintest) {
-      audio_.stop(std::exchange(voice, 0));
-    } else if (voice == 0) {
-      voice = audio_.play2d(soundFile(name), true);
-    }
-    audio_.setGain(voice, settings_.weatherVolume * gain);
-  };
-  play(rain_, kRain, rain);
-  play(wind_, kWind, wind);
+  play(rain_, kRain, settings_.weatherVolume * rain);
+  play(wind_, kWind, settings_.weatherVolume * wind);
   audio_.setPitch(wind_, 0.9 + std::min(0.03 * gust, 0.4));
+}
+
+void SoundScene::updateNature(const Listener& listener, const Surroundings& around) {
+  const double share = settings_.natureVolume * (listener.aboard ? kThroughCabin : 1);
+  play(birds_, kBirds, share * around.birds);
+  play(water_, kWater, share * around.water);
 }
 
 }  // namespace skydrop::audio

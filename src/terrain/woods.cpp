@@ -25,6 +25,16 @@ double alpineHeight(double heightM) {
   return std::min(heightM, 0.0) + 0.3335 * land + 26.66 * (1 - core::dmath::exp(-land / 40));
 }
 
+// The chunk of level 0 that a cell of the lattice lies in.
+std::int64_t chunkOf(std::int64_t cell) {
+  return cell >= 0 ? cell / shared::kTreeCellsPerChunk
+                   : -((-cell + shared::kTreeCellsPerChunk - 1) / shared::kTreeCellsPerChunk);
+}
+
+shared::Uvec2 wrapped(std::int64_t chunkX, std::int64_t chunkZ) {
+  return {static_cast<std::uint32_t>(wrappedIndex(chunkX)), static_cast<std::uint32_t>(wrappedIndex(chunkZ))};
+}
+
 bool isCleared(const glm::dvec2& xz, std::span<const Strip> clearings) {
   return std::ranges::any_of(clearings, [&](const Strip& strip) {
     const glm::dvec2 at = strip.local(xz);
@@ -53,6 +63,16 @@ void describe(core::SettingsVisitor& v, WoodsSettings& s) {
             .aliases = "trees, forest, vegetation"});
   v.flag("obstacles", s.obstacles,
          {.help = "A tree that the aircraft touches ends the flight.", .aliases = "collision, trees, crash"});
+}
+
+double forestShare(const HeightSample& land, const glm::dvec2& xz, bool alpineBelts) {
+  if (!isInReach(xz)) return 0;
+  const glm::dvec2 chunk = glm::floor(xz / kChunkMetres);
+  const shared::LandNoise noise =
+      shared::woodNoise(wrapped(static_cast<std::int64_t>(chunk.x), static_cast<std::int64_t>(chunk.y)),
+                        xz - chunk * kChunkMetres);
+  return shared::forestDensity(alpineBelts ? alpineHeight(land.height) : land.height, normalOf(land).y, 0,
+                               noise);
 }
 
 struct Woods::Cells {
@@ -89,13 +109,8 @@ std::vector<Strip> Woods::clearings(const glm::dvec2& xz, double radiusM) const 
 
 std::optional<StandingTree> Woods::standing(std::int64_t cellX, std::int64_t cellZ,
                                             std::span<const Strip> clearings) const {
-  const auto chunkOf = [](std::int64_t cell) {
-    return cell >= 0 ? cell / shared::kTreeCellsPerChunk
-                     : -((-cell + shared::kTreeCellsPerChunk - 1) / shared::kTreeCellsPerChunk);
-  };
   const std::int64_t chunkX = chunkOf(cellX), chunkZ = chunkOf(cellZ);
-  const shared::Uvec2 chunk(static_cast<std::uint32_t>(wrappedIndex(chunkX)),
-                            static_cast<std::uint32_t>(wrappedIndex(chunkZ)));
+  const shared::Uvec2 chunk = wrapped(chunkX, chunkZ);
   const glm::dvec2 local(static_cast<double>(cellX - chunkX * shared::kTreeCellsPerChunk),
                          static_cast<double>(cellZ - chunkZ * shared::kTreeCellsPerChunk));
   const auto perChunk = static_cast<std::uint32_t>(shared::kTreeCellsPerChunk);

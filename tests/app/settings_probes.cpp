@@ -135,7 +135,7 @@ std::uint64_t sound(const Settings& settings) {
   now.weather = {.settings = storm};
   game::GameEvent drop;
   drop.kind = game::GameEventKind::drop;
-  scene.update(now, std::array{drop});
+  scene.update(now, std::array{drop}, {}, {.birds = 1, .water = 1});
   std::vector<float> samples(4410);
   audio.render(samples);
   StateHasher h;

@@ -204,6 +204,48 @@ TEST_F(AudioTest, rainAndWindAreHeardInWeatherAlone) {
   EXPECT_LT(rms(listen(0.2)), 1e-4);
 }
 
+TEST_F(AudioTest, whoIsNotAboardHearsTheEngineFromAfar) {
+  // A test's engine: a sine as its loop would show pitch; here loudness and that horn and warning stay
+  // aboard.
+  SoundScene scene(*audio_, AudioSettings{.volume = 1, .engineVolume = 1, .weatherVolume = 0});
+  game::Snapshot now;
+  now.aircraft.present = true;
+  now.aircraft.airspeedMps = 70;
+  now.aircraft.throttle = 1;
+  const auto loudness = [&](const Listener& listener) {
+    scene.update(now, {}, listener);
+    listen(0.1);
+    return rms(listen(0.5));
+  };
+  const double aboard = loudness({});
+  const double beside = loudness({.aboard = false, .position = {0, 0, 10}});
+  const double off = loudness({.aboard = false, .position = {0, 0, 120}});
+  EXPECT_NEAR(beside / aboard, 1, 0.1);
+  EXPECT_NEAR(off / aboard, 0.1, 0.03);
+  EXPECT_LT(loudness({.aboard = false, .position = {0, 0, 20000}}), 1e-4);
+  now.aircraft.throttle = 0;
+  now.pullUpSeconds = 2;
+  now.aircraft.stallWarning = true;
+  EXPECT_LT(loudness({.aboard = false, .position = {0, 0, 20000}}), 1e-4) << "warnings";
+  EXPECT_GT(loudness({}), 0.05);
+}
+
+TEST_F(AudioTest, placesSoundByTheirLoudness) {
+  SoundScene scene(*audio_, AudioSettings{.volume = 1, .engineVolume = 0, .natureVolume = 1});
+  const Listener standing{.aboard = false};
+  const auto loudness = [&](const Surroundings& around, const Listener& listener) {
+    scene.update({}, {}, listener, around);
+    listen(0.2);
+    return rms(listen(2));
+  };
+  EXPECT_LT(loudness({}, standing), 1e-4);
+  const double birds = loudness({.birds = 1}, standing);
+  EXPECT_GT(birds, 0.005);
+  EXPECT_GT(loudness({.water = 1}, standing), 0.02);
+  EXPECT_LT(loudness({.birds = 1}, {}), 0.7 * birds) << "through the cabin";
+  EXPECT_LT(loudness({}, standing), 1e-4) << "over";
+}
+
 TEST_F(AudioTest, groundAheadIsWarnedOfAndAHitIsApplauded) {
   SoundScene scene(*audio_, AudioSettings{.volume = 1, .engineVolume = 0, .weatherVolume = 0});
   game::Snapshot now;
@@ -229,8 +271,8 @@ TEST(Sound, theGamesSoundsAreWholeAndDoNotClick) {
     const Sound sound = readWav(entry.path());
     EXPECT_GT(sound.seconds(), 0.2) << entry.path();
     const std::string name = entry.path().stem().string();
-    const bool loops =
-        name == "engine" || name == "stall" || name == "rain" || name == "wind" || name == "warning";
+    const bool loops = name == "engine" || name == "stall" || name == "rain" || name == "wind" ||
+                       name == "warning" || name == "birds" || name == "water";
     const int jump = std::abs(sound.samples.front() - sound.samples.back());
     int largest = 0;
     for (std::size_t i = 1; i < sound.samples.size(); ++i) {

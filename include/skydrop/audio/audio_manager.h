@@ -47,6 +47,7 @@ class AudioManager {
 
   void setPitch(Voice voice, double pitch);  // clamped to [0.25, 4]
   void setGain(Voice voice, double gain);    // clamped to [0, 4]
+  void setPan(Voice voice, double pan);      // -1 left .. 1 right, clamped; 0 as it starts. Of mono sounds
   void stop(Voice voice);
   bool isPlaying(Voice voice) const;
 

@@ -1,13 +1,16 @@
 // What is heard of a flight: the engine with the throttle, the horn that announces a stall, the warning of
-// ground ahead, the game's events, applause for a hit, and with weather rain and wind. Built only for scenes
-// that call for sound. Main thread.
+// ground ahead, the game's events, applause for a hit, with weather rain and wind, and birds and the sea of
+// the place. Built only for scenes that call for sound. Main thread.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "skydrop/audio/audio_manager.h"
+#include "skydrop/audio/listener.h"
+#include "skydrop/audio/surroundings.h"
 #include "skydrop/audio/thunder_schedule.h"
 #include "skydrop/game/events.h"
 #include "skydrop/game/snapshot.h"
@@ -25,8 +28,10 @@ class SoundScene {
   // Why nobody can hear anything; nullopt: it can be heard.
   std::optional<std::string> skipReason() const;
   // Once a frame, with the events of the steps since the last call. Where nobody can hear it nothing is
-  // played.
-  void update(const game::Snapshot& now, std::span<const game::GameEvent> events);
+  // played. Who is not aboard hears the engine from where the aircraft was when its sound left; horn and
+  // warning are heard aboard alone.
+  void update(const game::Snapshot& now, std::span<const game::GameEvent> events,
+              const Listener& listener = {}, const Surroundings& around = {});
   void apply(const AudioSettings& settings) { settings_ = settings; }
   // Thunder of these flashes from now on; nullopt: none is asked for, and nothing of it is loaded. Throws
   // core::DataError for a broken sound.
@@ -43,12 +48,18 @@ class SoundScene {
   static double windGain(double meanMps, double gustMps);
 
  private:
-  void updateWeather(const game::Snapshot& now);
+  void updateEngine(const game::Snapshot& now, const Listener& listener);
+  void updateWarnings(const game::Snapshot& now, const Listener& listener);
+  void updateWeather(const game::Snapshot& now, const Listener& listener);
+  void updateNature(const Listener& listener, const Surroundings& around);
+  // A loop runs while it is heard at all; its file is read when it is heard first.
+  void play(Voice& loop, std::string_view name, double gain);
 
   AudioManager& audio_;
   AudioSettings settings_;
   Voice engine_ = 0, stallHorn_ = 0, warning_ = 0;
-  Voice rain_ = 0, wind_ = 0;  // with weather alone
+  Voice rain_ = 0, wind_ = 0;
+  Voice birds_ = 0, water_ = 0;
   std::optional<ThunderSchedule> thunder_;
 };
 

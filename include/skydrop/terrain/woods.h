@@ -31,6 +31,10 @@ inline constexpr double kTallestTreeM = core::shared::f64::kTallestTreeM;
 // No tree stands nearer to what is mown of a strip: beside it, and before its ends, m.
 inline constexpr double kClearBesideStripM = 40, kClearBeforeStripM = 400;
 
+// The share of the ground that crowns of the woods cover at a place, [0, 1], whether trees are drawn or not
+// (shared::forestDensity without the land's curvature). land: of that place. 0 where there is no place.
+double forestShare(const HeightSample& land, const glm::dvec2& xz, bool alpineBelts);
+
 struct StandingTree {
   glm::dvec3 foot{0};  // world, m
   core::shared::f64::Tree shape{};

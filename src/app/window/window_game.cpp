@@ -326,8 +326,7 @@ void WindowGame::drawFrame(double seconds) {
   const Size size = window_.size();
   sceneRenderer_->leaveRoomToTheLeft(photo_ && !split_ && run_->settings.view.photo == PhotoView::beside);
   if (sound_) {
-    audio_->setPaused(isPaused() || isFrozen());
-    soundCost_.measure([&] { sound_->update(snapshot, events_); });
+    soundCost_.measure([&] { hear(snapshot, size); });
     soundCost_.endRound();
   }
   events_.clear();

@@ -135,6 +135,8 @@ class WindowGame {
   void continueSwitch(double seconds);
   void openSound();
   void renewLostSound();
+  audio::Listener listener(const game::Snapshot& snapshot, Size size) const;
+  void hear(const game::Snapshot& snapshot, Size size);
   void apply(const SettingsChange& change);  // to all dependents
   void watchFiles();
   void beginRenewal();
@@ -187,6 +189,7 @@ class WindowGame {
   bool splitFroze_ = false;                     // time is held for it
   std::unique_ptr<audio::AudioManager> audio_;  // with sound only
   std::unique_ptr<audio::SoundScene> sound_;
+  audio::SurroundingsEar surroundings_;
   core::CpuMeter soundCost_;                                           // of its updates
   std::optional<std::chrono::steady_clock::time_point> soundRenewed_;  // after its device was lost
   std::unique_ptr<Clipboard> clipboard_;

@@ -21,9 +21,6 @@ using Clock = std::chrono::steady_clock;
 // What an effect that comes may add to a frame, beside the program that is compiled last.
 constexpr double kShareOfFrame = 0.5, kLongestFrameMs = 200;
 
-// A device that goes away sooner than this after another did is not asked for again.
-constexpr auto kSoundLasts = std::chrono::seconds(2);
-
 constexpr std::string_view kClockOffsetRow = "render.sun.offsetSeconds";
 
 constexpr auto kWatchPeriod = std::chrono::milliseconds(500);  // of files that may be edited while flying
@@ -59,32 +56,6 @@ void WindowGame::registerDependents() {
   presentationDependencies_.add({"lightning"}, [this](const SettingsChange&) {
     if (sound_) sound_->setLightning(lightningOf(simulation_->effects(), run_->settings));
   });
-}
-
-void WindowGame::openSound() {
-  if (audio_) return;
-  audio_ = std::make_unique<audio::AudioManager>(run_->settings.audio);
-  if (audio_->isSilent()) warn(audio_->status());
-}
-
-// As headphones do: through the device that there is now, or silently.
-void WindowGame::renewLostSound() {
-  if (!audio_ || audio_->isConnected()) return;
-  const bool wasRenewed = soundRenewed_ && Clock::now() < *soundRenewed_ + kSoundLasts;
-  soundRenewed_ = Clock::now();
-  const bool isHeard = sound_ != nullptr;
-  sound_.reset();
-  audio_.reset();
-  using Output = audio::AudioManager::Output;
-  audio_ =
-      std::make_unique<audio::AudioManager>(run_->settings.audio, wasRenewed ? Output::none : Output::device);
-  if (isHeard) {
-    sound_ = std::make_unique<audio::SoundScene>(*audio_, run_->settings.audio);
-    sound_->setLightning(lightningOf(simulation_->effects(), run_->settings));
-  }
-  announce("the sound device is gone: " +
-               (audio_->isSilent() ? audio_->status() : "sound goes on through " + audio_->status()),
-           "The sound device is gone");
 }
 
 void WindowGame::switchEffects() {
