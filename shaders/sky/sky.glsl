@@ -10,4 +10,12 @@ vec3 sunDisc(vec3 direction) {
   return dot(direction, frame.skySun.xyz) > 0.0 ? frame.sunDisc.xyz * inDisc : vec3(0.0);
 }
 
-vec3 skyInDirection(vec3 direction) { return min(skyAndPlain(direction) + sunDisc(direction), vec3(kBrightest)); }
+// SKY_ALONE: of directions above the level one.
+vec3 skyInDirection(vec3 direction) {
+#ifdef SKY_ALONE
+  vec3 light = skyTowards(direction);
+#else
+  vec3 light = skyAndPlain(direction);
+#endif
+  return min(light + sunDisc(direction), vec3(kBrightest));
+}

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/common.hpp>
+#include <span>
 
 #include "render/frame/visibility.h"
 #include "skydrop/core/shared.h"
@@ -49,6 +50,24 @@ std::array<float, N> inFloat(const std::array<double, N>& values) {
   std::transform(values.begin(), values.end(), result.begin(),
                  [](double v) { return static_cast<float>(v); });
   return result;
+}
+
+// So many rows of the picture, from the bottom, in which rays go down; all of them where some of the top row
+// do.
+int rowsBelowHorizon(const View& view) {
+  const auto goesDown = [&](int row) {
+    return rayDirection(view, {0, row}).y < 0 || rayDirection(view, {view.width, row}).y < 0;
+  };
+  if (goesDown(0)) return view.height;
+  int low = 0, high = view.height;  // of the first row, from the top, below which rays go down
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    if (goesDown(middle))
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  return std::min(view.height - low + 1, view.height);
 }
 
 // The variant of the land's shaders.
@@ -172,9 +191,7 @@ void TerrainPass::drawDepth(FrameContext& context) {
   context_.api().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const auto* cloudShadows = context.resources.find<CloudShadowMap>();
   if (cloudShadows) drawCloudShadows(context, *cloudShadows);
-  if (context.frame.features.landShadows)  // in every frame: none is compiled when the sun sinks
-    context.shaders.shader("fullscreen.vert", "terrain/land_shade.frag");
-  if (const auto* shadowMap = context.resources.find<LandShadowMap>()) drawLandShadows(context, *shadowMap);
+  drawLandShadows(context, !cloudShadows);
   if (const auto* ice = context.resources.find<IceShade>()) drawIceShade(context, *ice);
   if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
   surface_.unBind();
@@ -211,13 +228,31 @@ void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& 
   drawShares(true);
 }
 
-void TerrainPass::drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap) {
+void TerrainPass::drawLandShadows(FrameContext& context, bool areFirst) {
+  if (!context.frame.features.landShadows) return;
+  // Both are asked for in every frame: none is compiled when the sun sinks or clouds come.
+  const std::vector<std::string> first{"FIRST_SHARES"};
+  const auto variant = [&](bool isFirst) -> gl::Shader& {
+    return context.shaders.shader(
+        "fullscreen.vert", "terrain/land_shade.frag",
+        isFirst ? std::span<const std::string>(first) : std::span<const std::string>());
+  };
+  const auto* shadowMap = context.resources.find<LandShadowMap>();
   const View& view = context.frame.view;
-  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land_shade.frag");
-  shader.use();
-  setSurface(shader, view);
-  shadowMap.bind(shader, {view.position.x, view.position.z});
-  drawShares(false);
+  const auto draw = [&](bool isFirst) {
+    gl::Shader& shader = variant(isFirst);
+    if (!shadowMap) return;
+    shader.use();
+    setSurface(shader, view);
+    shadowMap->bind(shader, {view.position.x, view.position.z});
+    // Land, and what may be sea with no floor drawn: the depth test lets no pixel of the sky through.
+    context_.api().TextureBarrier();  // the depth is target and texture at once, to be read alone
+    drawSharesWhere(GL_NOTEQUAL, view.height, isFirst);
+    drawSharesWhere(GL_EQUAL, rowsBelowHorizon(view), isFirst);
+  };
+  variant(!areFirst);
+  if (context.frame.warmsUp) draw(!areFirst);
+  draw(areFirst);
 }
 
 void TerrainPass::drawIceShade(FrameContext& context, const IceShade& ice) {
@@ -228,15 +263,27 @@ void TerrainPass::drawIceShade(FrameContext& context, const IceShade& ice) {
   drawShares(false);
 }
 
+void TerrainPass::drawSharesWhere(GLenum depthTest, int rows, bool replaces) {
+  const gl::Functions& api = context_.api();
+  api.DepthFunc(depthTest);
+  api.Enable(GL_SCISSOR_TEST);
+  api.Scissor(0, 0, surface_.width(), rows);
+  drawMask(replaces);
+}
+
 void TerrainPass::drawShares(bool replaces) {
+  context_.api().Disable(GL_DEPTH_TEST);
+  context_.api().TextureBarrier();  // as above
+  drawMask(replaces);
+}
+
+void TerrainPass::drawMask(bool replaces) {
   const gl::Functions& api = context_.api();
   api.DepthMask(GL_FALSE);
-  api.Disable(GL_DEPTH_TEST);
   if (!replaces) {
     api.Enable(GL_BLEND);
     api.BlendFunc(GL_ZERO, GL_SRC_COLOR);
   }
-  api.TextureBarrier();  // the depth is target and texture at once, to be read alone
   triangle_.draw();
   context_.setDefaultState();
 }
@@ -263,17 +310,25 @@ void TerrainPass::setGround(gl::ShaderProgram& shader, const View& view) const {
   shader.setFloats("lodMorph", inFloat(lod_.morph));
 }
 
+// A triangle at infinity, which the depth test lets through where land is before it: a software renderer
+// skips what the test rejects, and would work out the land of the sky's pixels with a discard in the program.
 void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
+  context_.api().DepthMask(GL_FALSE);
+  context_.api().DepthFunc(GL_NOTEQUAL);
   shader.use();
   setLand(shader, view);
   if (ground_) ground_->set(shader, base_, worn_);
   triangle_.draw();
+  context_.setDefaultState();
 }
 
 // Where lamps, flashes, rain and snow on the ground, or strips may come and go, all variants are asked for,
 // and those who warm up draw all that they can.
 void TerrainPass::drawLitLand(FrameContext& context) {
   const View& view = context.frame.view;
+  context_.api().CopyImageSubData(surface_.depthTexture().id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                                  context.sceneDepth.id(), GL_TEXTURE_2D, 0, 0, 0, 0, view.width, view.height,
+                                  1);
   const FrameFeatures& features = context.frame.features;
   const auto* woods = context.resources.find<StandingWoods>();  // in all frames, or in none
   const auto* fallen = context.resources.find<FallenWater>();

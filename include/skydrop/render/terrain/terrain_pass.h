@@ -82,10 +82,14 @@ class TerrainPass final : public Pass, public LandGround {
   void drawLitLand(FrameContext& context);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
-  void drawLandShadows(FrameContext& context, const LandShadowMap& shadowMap);
+  // areFirst: the mask has no other shares yet.
+  void drawLandShadows(FrameContext& context, bool areFirst);
   void drawIceShade(FrameContext& context, const IceShade& ice);
   // Of all pixels, with a program that is in use: what was there is replaced, or multiplied.
   void drawShares(bool replaces);
+  // The same of pixels whose depth passes this test against that of infinity, in so many rows from the bottom.
+  void drawSharesWhere(GLenum depthTest, int rows, bool replaces);
+  void drawMask(bool replaces);
   void drawSea(FrameContext& context);
   void drawLines(FrameContext& context);
 
