@@ -34,7 +34,8 @@ vec4 domeLight(vec3 direction, float rim, vec3 airLeft) {
   vec3 sunPlace = domePlace(directionOf(vec3(frame.toSun.x, max(frame.toSun.y, 0.05), frame.toSun.z), vec3(0.0, 1.0, 0.0)), flatness);
   vec3 towardsSun = directionOf(sunPlace - place, vec3(0.0, 1.0, 0.0)) * min(length(sunPlace - place), 0.12);
   float shade = meanDepth(texture(noise, noisePlace(place + towardsSun)).r - cutoff, kDomeShadeBlur);
-  vec3 light = sheetLight(direction, here, shade, 0.0) * cloudColor;
+  float distanceM = domeDistance(direction.y, frame.eye.x);
+  vec3 light = sheetLight(direction, here, shade, 0.0, sheetSunShare(direction * distanceM)) * cloudColor;
   float opacity = bias * sheetCoverOpacity(cover, 1.0) * smoothstep(0.0, 1.0, rim);
-  return vec4(throughAir(light, direction, domeDistance(direction.y, frame.eye.x), airLeft), 1.0) * opacity;
+  return vec4(throughAir(light, direction, distanceM, airLeft), 1.0) * opacity;
 }

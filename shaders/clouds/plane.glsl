@@ -41,6 +41,6 @@ vec4 planeLight(vec3 relative, vec2 place, vec2 weatherPlace, vec2 finePlace, fl
   float opacity = sheetCoverOpacity(cover, sheetPath(direction.y));
   opacity *= smoothstep(0.0, 1.0, rim) * smoothstep(0.0, kNearFadeM, distanceM);
   float shade = meanDepth(textureLod(noise, place + towardsSun, max(level, 1.5)).r - cut, max(spread, kShadeBlur));
-  vec3 light = sheetLight(direction, cover.depth, shade, relative.y < 0.0 ? 1.0 : 0.0);
+  vec3 light = sheetLight(direction, cover.depth, shade, relative.y < 0.0 ? 1.0 : 0.0, sheetSunShare(relative));
   return vec4(throughAir(light, direction, distanceM, airLeft), 1.0) * opacity;
 }

@@ -1,5 +1,6 @@
 // Light of clouds without thickness as the eye sees it, before opacity. Light is multiplied by exposure.
 #include "frame.glsl"
+#include "clouds/land_shade.glsl"
 #include "shared/cloud_sheet.glsl"
 
 uniform vec3 sheetSun;       // illuminance by the sun at the sheet's height, which sees it longer than the eye does
@@ -39,16 +40,24 @@ float sheetSunDepth(float here, float sunward, float lit) {
   return mix(through, shade, lit);
 }
 
+// What mountains leave of the sun at a place of the sheet.
+#ifdef LAND_SHADE
+uniform float landShade;  // share of their shade that counts
+float sheetSunShare(vec3 relative) { return 1.0 - landShade * (1.0 - sunOverLand(relative)); }
+#else
+float sheetSunShare(vec3 relative) { return 1.0; }
+#endif
+
 // here, sunward: optical depth straight through at the place and a little way towards the sun; top: 1 where the eye sees
-// the sheet from above, 0 from below.
-vec3 sheetLight(vec3 direction, float here, float sunward, float top) {
+// the sheet from above, 0 from below; sunShare: of the sun's light that reaches the sheet there.
+vec3 sheetLight(vec3 direction, float here, float sunward, float top, float sunShare) {
   // A sun that is below the horizon of the eye still lights a high sheet, from its side.
   float lit = mix(smoothstep(0.25, -0.05, frame.toSun.y) * 0.7, 1.0, top);
   float depth = selfShadow * sheetSunDepth(here, sunward, lit);
   // What is lit on the eye's side shows light that went into the sheet and came out of it again as well.
   // Slopes towards the sun, where the sheet thins, are brighter; that is all the relief that a sheet has.
   float slope = 1.0 + 0.35 * clamp(here - sunward, -1.0, 1.0) * lit;
-  vec3 sun = sheetSun * (mix(1.0, kLitGain, lit) * slope) * sheetScatteredSun(sheetPhases(dot(direction, frame.toSun.xyz)), depth);
+  vec3 sun = sheetSun * (sunShare * mix(1.0, kLitGain, lit) * slope) * sheetScatteredSun(sheetPhases(dot(direction, frame.toSun.xyz)), depth);
   float high = mix(0.15, 0.9, top);
   // Bases see the sky through what is above them: less where they are thick.
   float open = mix(0.35 + 0.65 * fading(0.35 * selfShadow * here), 1.0, top);

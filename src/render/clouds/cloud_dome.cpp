@@ -5,6 +5,7 @@
 #include <span>
 
 #include "render/clouds/sheet_layer.h"
+#include "render/clouds/sheet_shade.h"
 #include "render/clouds/sheet_sun.h"
 #include "render/clouds/sheet_view.h"
 #include "skydrop/core/shared.h"
@@ -34,6 +35,7 @@ CloudDome::CloudDome(gl::Context& context, const PreparedDomeNoise* prepared,
       settings_(settings),
       asked_(prepared ? prepared->settings : settings),
       layer_(std::make_unique<SheetLayer>(context, "cloud dome layer")),
+      shade_(std::make_unique<SheetShade>()),
       job_([](const clouds::CloudDomeSettings& of, std::stop_token stop) {
         return Made{of, std::make_shared<const SheetNoise>(makeSheetNoise(of, std::move(stop)))};
       }) {
@@ -96,7 +98,16 @@ void CloudDome::draw(FrameContext& context) {
   gl.DepthMask(GL_FALSE);
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   mesh_.bind();
-  gl::Shader& light = context.shaders.shader("clouds/dome.vert", "clouds/dome.frag", context.defines);
+  const bool shaded = shade_->take(context, shared::kDomeHeightM);
+  // Later frames may do without the shade: in frames that nobody sees, that is compiled too.
+  if (shaded && context.frame.warmsUp) drawSheet(context, false);
+  drawSheet(context, shaded);
+}
+
+void CloudDome::drawSheet(FrameContext& context, bool shaded) {
+  const gl::Functions& gl = context.gl.api();
+  gl::Shader& light =
+      shade_->shader(context, "clouds/dome.vert", "clouds/dome.frag", context.defines, shaded);
   if (settings_.resolution == clouds::SheetResolution::full) {
     layer_->release();
     gl.Enable(GL_BLEND);

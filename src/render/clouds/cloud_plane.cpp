@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/clouds/sheet_layer.h"
+#include "render/clouds/sheet_shade.h"
 #include "render/clouds/sheet_sun.h"
 #include "render/clouds/sheet_view.h"
 #include "skydrop/core/shared.h"
@@ -103,7 +104,9 @@ const gl::Texture& CloudPlane::texture() {
 
 CloudPlanes::CloudPlanes(gl::Context& context, const PreparedPlaneNoise* prepared,
                          const clouds::CloudPlanesSettings& settings, const core::WindSettings& wind)
-    : context_(context), layer_(std::make_unique<SheetLayer>(context, "cloud plane layer")) {
+    : context_(context),
+      layer_(std::make_unique<SheetLayer>(context, "cloud plane layer")),
+      shade_(std::make_unique<SheetShade>()) {
   const CloudPlaneMesh mesh = makeCloudPlaneMesh();
   vertices_ = gl::Buffer::of(context, std::span(mesh.vertices), gl::Buffer::Use::fixed, "cloud plane");
   indices_ = gl::Buffer::of(context, std::span(mesh.indices), gl::Buffer::Use::fixed, "cloud plane");
@@ -169,19 +172,26 @@ void CloudPlanes::draw(FrameContext& context) {
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   context.sceneDepth.bind(kDepthUnit);
   mesh_.bind();
-  for (CloudPlane* plane : planes) drawPlane(context, *plane);
+  for (CloudPlane* plane : planes) {
+    const bool shaded = shade_->take(context, plane->settings().height);
+    // Later frames may do without the shade: in frames that nobody sees, that is compiled too.
+    if (shaded && context.frame.warmsUp) drawPlane(context, *plane, false);
+    drawPlane(context, *plane, shaded);
+  }
 }
 
-void CloudPlanes::drawPlane(FrameContext& context, CloudPlane& plane) {
+void CloudPlanes::drawPlane(FrameContext& context, CloudPlane& plane, bool shaded) {
   const std::vector<std::string> defines = withCloudTransmittance(context.defines, context.resources);
-  gl::ShaderCache& shaders = context.shaders;
   if (settings_.resolution == clouds::SheetResolution::full) {
     layer_->release();
-    drawLight(context, plane, shaders.shader("clouds/plane.vert", "clouds/plane.frag", defines));
+    drawLight(context, plane,
+              shade_->shader(context, "clouds/plane.vert", "clouds/plane.frag", defines, shaded));
     return;
   }
-  gl::Shader& light = shaders.shader("clouds/plane.vert", "clouds/plane_layer.frag", context.defines);
-  gl::Shader& compose = shaders.shader("clouds/plane_compose.vert", "clouds/plane_compose.frag", defines);
+  gl::Shader& light =
+      shade_->shader(context, "clouds/plane.vert", "clouds/plane_layer.frag", context.defines, shaded);
+  gl::Shader& compose =
+      context.shaders.shader("clouds/plane_compose.vert", "clouds/plane_compose.frag", defines);
   const gl::Functions& gl = context.gl.api();
   layer_->begin(context.frame.view, settings_.resolution);
   gl.Disable(GL_BLEND);

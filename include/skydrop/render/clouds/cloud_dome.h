@@ -21,6 +21,7 @@ namespace skydrop::render {
 glm::dvec3 domeOffset(const clouds::CloudDomeSettings& settings, double seconds);
 
 class SheetLayer;
+class SheetShade;
 
 class CloudDome final : public Pass {
  public:
@@ -49,6 +50,8 @@ class CloudDome final : public Pass {
 
   void take(std::shared_ptr<const SheetNoise> noise);
   void upload();
+  // shaded: mountains may take some of the sun's light.
+  void drawSheet(FrameContext& context, bool shaded);
   // The dome's light by this program, into the target that is bound.
   void drawLight(FrameContext& context, gl::Shader& shader);
   void drawMesh(FrameContext& context, gl::Shader& shader);
@@ -60,6 +63,7 @@ class CloudDome final : public Pass {
   bool isUploaded_ = false;
   gl::Texture texture_;
   std::unique_ptr<SheetLayer> layer_;
+  std::unique_ptr<SheetShade> shade_;
   gl::Buffer vertices_, indices_;
   gl::VertexArray mesh_;
   GLsizei indexCount_ = 0;

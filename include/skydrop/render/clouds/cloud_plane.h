@@ -66,6 +66,7 @@ class CloudPlane {
 };
 
 class SheetLayer;
+class SheetShade;
 
 // The pass of all layers, far to near. Holds textures of the layers that are drawn only.
 class CloudPlanes final : public Pass {
@@ -89,7 +90,8 @@ class CloudPlanes final : public Pass {
  private:
   // Why a layer does not touch the frame; null: it does.
   const char* idleReason(const FrameInput& frame, const CloudPlane& plane) const;
-  void drawPlane(FrameContext& context, CloudPlane& plane);
+  // shaded: mountains may take some of the sun's light.
+  void drawPlane(FrameContext& context, CloudPlane& plane, bool shaded);
   // The plane's light by this program, into the target that is bound.
   void drawLight(FrameContext& context, CloudPlane& plane, gl::Shader& shader);
   void drawMesh(FrameContext& context, gl::Shader& shader);
@@ -101,6 +103,7 @@ class CloudPlanes final : public Pass {
   core::WindSettings wind_;
   std::array<std::unique_ptr<CloudPlane>, clouds::kCloudPlanes> planes_;
   std::unique_ptr<SheetLayer> layer_;  // of whichever plane is being drawn
+  std::unique_ptr<SheetShade> shade_;
   gl::Buffer vertices_, indices_;
   gl::VertexArray mesh_;
   GLsizei indexCount_ = 0;
