@@ -29,6 +29,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 horizonIsotropic;
   vec4 skySun;
   vec4 skyTable;
+  vec4 skyGlow;
 } frame;
 
 #include "sky/atmosphere.glsl"

@@ -9,6 +9,7 @@
 #include "shared/hash.glsl"
 
 uniform int steps;
+uniform float glow;                        // share of the light that air scatters with a direction
 uniform vec4 sunAtHeights[kShaftHeights];  // rgb: illuminance on what faces the sun, times exposure
 
 vec3 sunAt(float heightM) {
@@ -50,8 +51,9 @@ vec4 shaftsOf(ivec2 texel) {
   if (clouds.y < kShaftOpaque) span.y = max(min(span.y, 1.1 * clouds.x), span.x);
 
   Atmosphere air = frameAtmosphere();
-  float cosSun = dot(direction, frame.skySun.xyz);
-  vec2 phases = vec2(rayleighPhase(cosSun), henyeyGreenstein(cosSun, air.hazeAnisotropy));
+  float cosSun = dot(direction, frame.toSun.xyz);
+  vec2 phases = glow * vec2(rayleighPhase(cosSun), henyeyGreenstein(cosSun, air.hazeAnisotropy)) +
+                (1.0 - glow) * shaftMeanPhases(direction.y, frame.toSun.y);
   vec3 depth = opticalDepthBetween(air, frame.eye.x, frame.eye.x + direction.y * span.x, span.x);
   float first = firstShare(texel), from = span.x;
   vec3 loss = vec3(0.0);
@@ -62,7 +64,7 @@ vec4 shaftsOf(ivec2 texel) {
     ShellAir here = shellAirAt(air, heightM);
     float shift = fract(first + unitOf(hash2(uvec2(uint(i), 113u)).x));
     float atM = shaftPlace(span, (float(i) + shift) / float(steps));
-    vec3 lost = shaftLoss(here, phases, lightOnAir(direction * atM), frame.skySun.y);
+    vec3 lost = shaftLoss(here, phases, lightOnAir(direction * atM), frame.toSun.y);
     float seen = mix(1.0, clouds.y, smoothstep(0.9 * clouds.x, 1.1 * clouds.x, atM));
     loss += exp(-(depth + here.extinction * (0.5 * (to - from)))) * sunAt(heightM) * lost * ((to - from) * seen);
     depth += here.extinction * (to - from);

@@ -53,6 +53,14 @@ FN Vec2 shaftLight(Real depth) {
   return Vec2(through, max(sunBelowCloud(depth) - through, Real(0.0)));
 }
 
+// Phase functions of molecules and haze for light that is the same towards all azimuths, as the sky's tables hold what has
+// no direction there: Rayleigh's mean over the azimuths between directions of two slopes, the haze's over all directions.
+FN Vec2 shaftMeanPhases(Real slope, Real sunSine) {
+  Real across = (Real(1.0) - slope * slope) * (Real(1.0) - sunSine * sunSine);
+  Real square = slope * slope * sunSine * sunSine + Real(0.5) * across;
+  return Vec2(Real(3.0) / (Real(16.0) * kPi) * (Real(1.0) + square), Real(1.0) / (Real(4.0) * kPi));
+}
+
 // What a metre of air at a place scatters less towards the eye than air in the sun, for an illuminance of 1 on a surface
 // that faces the sun. phases: Rayleigh's and the haze's, 1/sr; light: shares of the sun's light that arrive straight, and
 // out of the base of clouds, which shines on the air evenly from above: its radiance is its illuminance / pi from half of

@@ -65,7 +65,7 @@ vec3 skyByTable(vec3 direction, float anisotropy) {
   vec2 place = skyLayerPlace(direction);
   return textureLod(skyTables, vec3(place, kSkyEven), 0.0).xyz +
          textureLod(skyTables, vec3(place, kSkyHaze), 0.0).xyz *
-             henyeyGreenstein(dot(direction, frame.skySun.xyz), anisotropy);
+             henyeyGreenstein(dot(direction, frame.skyGlow.xyz), anisotropy);
 }
 
 // Radiance of all the air in a direction, the night's included, without the sun's disc; a direction that meets the sea ends
@@ -80,7 +80,7 @@ vec3 airRadiance(vec3 direction, float distanceM) {
   vec3 place = vec3(skyTablePlace(direction), (skyTableSlice(distanceM) + 0.5) / float(2 * kSkySlices));
   return textureLod(airTables, place, 0.0).xyz +
          textureLod(airTables, place + vec3(0.0, 0.0, 0.5), 0.0).xyz *
-             henyeyGreenstein(dot(direction, frame.skySun.xyz), frame.airHaze.w);
+             henyeyGreenstein(dot(direction, frame.skyGlow.xyz), frame.airHaze.w);
 }
 
 // Light of the air before something at a distance that the sky is seen behind, by the air's transmittance.

@@ -51,7 +51,8 @@ Atmosphere makeAtmosphere(double visibilityM, double hazeHeightM, double hazeAni
   return shared::make_atmosphere(visibilityM, hazeHeightM, hazeAnisotropy);
 }
 
-SkyLight skyLight(const Atmosphere& air, const glm::dvec3& toSun, double heightM, SkyModel model) {
+SkyLight skyLight(const Atmosphere& air, const glm::dvec3& toSun, double heightM, SkyModel model,
+                  const SkyViews::Place* tables) {
   SkyLight light;
   light.toSun = toSun;
   light.heightM = heightM;
@@ -60,7 +61,7 @@ SkyLight skyLight(const Atmosphere& air, const glm::dvec3& toSun, double heightM
   light.night = shared::kNightRadiance;
   if (model == SkyModel::shell) {
     light.views = SkyViews::of(air);
-    light.view = light.views->view(heightM, toSun.y);
+    light.view = light.views->view(tables ? *tables : SkyViews::Place{heightM, toSun.y});
   }
   light.sun = sunIlluminance(light, heightM);
   light.column = shared::make_skyColumn(air, heightM, toSun.y);

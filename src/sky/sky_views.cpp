@@ -71,19 +71,19 @@ std::shared_ptr<SkyViews> SkyViews::of(const Atmosphere& air) {
   return newest.front();
 }
 
-int SkyViews::make(Corner& corner, const Place& place, int rows) {
+int SkyViews::make(Corner& corner, const Node& node, int rows) {
   const int last = std::min(corner.rows + rows, core::shared::f32::kSkyRows), made = last - corner.rows;
   if (made <= 0) return 0;
-  makeSkyRows(tables_, heightOf(tables_.air(), place.first), sineOf(place.second), corner.rows, last,
+  makeSkyRows(tables_, heightOf(tables_.air(), node.first), sineOf(node.second), corner.rows, last,
               corner.view);
   corner.rows = last;
   return made;
 }
 
-SkyViews::Corner& SkyViews::cornerAt(const Place& place) {
-  if (!corners_.contains(place) && corners_.size() >= kMostCorners)
+SkyViews::Corner& SkyViews::cornerAt(const Node& node) {
+  if (!corners_.contains(node) && corners_.size() >= kMostCorners)
     corners_.erase(std::ranges::min_element(corners_, {}, [](const auto& one) { return one.second.used; }));
-  Corner& corner = corners_[place];
+  Corner& corner = corners_[node];
   corner.used = ++uses_;
   return corner;
 }
@@ -104,21 +104,47 @@ std::shared_ptr<const SkyView> SkyViews::view(double heightM, double sine) {
   return made.view;
 }
 
-SkyView SkyViews::mixed(double heightM, double sine) {
-  const double height = heightOnGrid(tables_.air(), heightM), elevation = elevationOnGrid(sine);
+std::vector<std::pair<SkyViews::Node, float>> SkyViews::nodesOf(const Place& place) const {
+  const double height = heightOnGrid(tables_.air(), place.heightM), elevation = elevationOnGrid(place.sine);
   const int row = static_cast<int>(std::floor(height)), column = static_cast<int>(std::floor(elevation));
   const auto v = static_cast<float>(height - row), u = static_cast<float>(elevation - column);
+  std::vector<std::pair<Node, float>> nodes{{{row, column}, (1 - v) * (1 - u)},
+                                            {{row, column + 1}, (1 - v) * u},
+                                            {{row + 1, column}, v * (1 - u)},
+                                            {{row + 1, column + 1}, v * u}};
+  std::erase_if(nodes, [](const auto& node) { return node.second <= 0; });
+  return nodes;
+}
+
+int SkyViews::missingRows(const Place& place) {
+  if (place.heightM > kHighestCornerM) return 0;  // made as it is asked for, whatever was
+  const std::lock_guard lock(mutex_);
+  int rows = 0;
+  for (const auto& [node, share] : nodesOf(place)) {
+    const auto found = corners_.find(node);
+    rows += core::shared::f32::kSkyRows - (found == corners_.end() ? 0 : found->second.rows);
+  }
+  return rows;
+}
+
+int SkyViews::makeSome(const Place& place, int rows) {
+  if (place.heightM > kHighestCornerM) return 0;
+  const std::lock_guard lock(mutex_);
+  int made = 0;
+  for (const auto& [node, share] : nodesOf(place)) {
+    if (made >= rows) break;
+    made += make(cornerAt(node), node, rows - made);
+  }
+  return made;
+}
+
+SkyView SkyViews::mixed(double heightM, double sine) {
   SkyView mixed;
   mixed.horizon = f64::horizonSine(std::max(heightM, kLeastEyeM));
   mixed.texels.resize(static_cast<std::size_t>(kSkyLayers * f64::kSkyRows * f64::kSkyColumns));
-  for (const auto& [place, share] :
-       std::array<std::pair<Place, float>, 4>{{{{row, column}, (1 - v) * (1 - u)},
-                                               {{row, column + 1}, (1 - v) * u},
-                                               {{row + 1, column}, v * (1 - u)},
-                                               {{row + 1, column + 1}, v * u}}}) {
-    if (share <= 0) continue;
-    Corner& corner = cornerAt(place);
-    make(corner, place, f64::kSkyRows);
+  for (const auto& [node, share] : nodesOf({heightM, sine})) {
+    Corner& corner = cornerAt(node);
+    make(corner, node, f64::kSkyRows);
     for (std::size_t i = 0; i < mixed.texels.size(); ++i) mixed.texels[i] += corner.view.texels[i] * share;
   }
   return mixed;
@@ -134,8 +160,8 @@ void SkyViews::prepare(double heightM, double sine, int rows) {
   goesOn_ = true;
   const int row = static_cast<int>(std::floor(height)), column = static_cast<int>(std::floor(elevation));
   const auto ahead = [](int at, double moves) { return moves > 0 ? at + 2 : at - 1; };
-  const auto work = [&](const Place& place) {
-    if (rows > 0 && place.first >= 0) rows -= make(cornerAt(place), place, rows);
+  const auto work = [&](const Node& node) {
+    if (rows > 0 && node.first >= 0) rows -= make(cornerAt(node), node, rows);
   };
   for (int i = 0; i < 2 && climbs != 0; ++i) work({row + i, ahead(column, climbs)});
   for (int i = 0; i < 2 && rises != 0; ++i) work({ahead(row, rises), column + i});

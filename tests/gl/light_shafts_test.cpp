@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/settings/settings.h"
@@ -18,6 +19,7 @@
 #include "skydrop/render/shadows/land_shadow_pass.h"
 #include "skydrop/render/shafts/light_shaft_pass.h"
 #include "skydrop/render/sky/sky_pass.h"
+#include "skydrop/sky/instant.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "support/cloud_frame_test.h"
 #include "support/frame_test.h"
@@ -84,9 +86,11 @@ class LightShaftsGLTest : public test::FrameTest {
   // What a ray from the eye loses before it ends, by 3000 even steps in double, times exposure.
   glm::dvec3 lossAlong(const glm::dvec3& eye, const glm::dvec3& ray, double topM, const LightOnAir& lightAt) {
     const SkyLight light = skyLight(settings_, eye.y);
-    const double cosSun = glm::dot(ray, light.toSun);
-    const glm::dvec2 phases(shared::rayleighPhase(cosSun),
-                            shared::henyeyGreenstein(cosSun, light.air.hazeAnisotropy));
+    const sky::SkyLight& direct = light.direct;
+    const double cosSun = glm::dot(ray, direct.toSun), glow = light.moon ? light.moonGlow : 1;
+    const glm::dvec2 phases = glow * glm::dvec2(shared::rayleighPhase(cosSun),
+                                                shared::henyeyGreenstein(cosSun, light.air.hazeAnisotropy)) +
+                              (1 - glow) * shared::shaftMeanPhases(ray.y, direct.toSun.y);
     sky::Atmosphere air = light.air;
     air.ozone = glm::dvec3(0);
     const double meetsM = ray.y < 0 ? eye.y / -ray.y : shared::kFarMarker;
@@ -99,10 +103,10 @@ class LightShaftsGLTest : public test::FrameTest {
       const glm::dvec3 place = eye + ray * at;
       const double fade = shared::shaftFade(std::hypot(ray.x, ray.z) * at, shafts_.distanceM);
       const glm::dvec2 arrives = glm::mix(glm::dvec2(1, 0), lightAt(place), fade);
-      loss += shared::transmittanceBetween(air, eye.y, place.y, at) * sky::sunIlluminance(light, place.y) *
-              shared::shaftLoss(shared::shellAirAt(air, place.y), phases, arrives, light.toSun.y);
+      loss += shared::transmittanceBetween(air, eye.y, place.y, at) * sky::sunIlluminance(direct, place.y) *
+              shared::shaftLoss(shared::shellAirAt(air, place.y), phases, arrives, direct.toSun.y);
     }
-    return loss * (step * light.exposure * shared::sunVisibleShare(light.toSun.y));
+    return loss * (step * light.exposure * shared::sunVisibleShare(direct.toSun.y));
   }
 
   struct Loss {
@@ -124,7 +128,7 @@ class LightShaftsGLTest : public test::FrameTest {
   }
   // Root mean square of what the picture's losses differ by from these, of these. The plain is as bright as
   // it must be for nothing to be cut off: half floats round it by 1/4096 of the largest loss.
-  double errorAgainst(const std::vector<Loss>& losses, const View& view) {
+  double errorAgainst(const std::vector<Loss>& losses, const View& view, double least = 1e-3) {
     double largest = 0;
     for (const Loss& loss : losses)
       for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(loss.exact[c]));
@@ -136,7 +140,7 @@ class LightShaftsGLTest : public test::FrameTest {
       square += glm::dot(drawn - loss.exact, drawn - loss.exact);
       all += glm::dot(loss.exact, loss.exact);
     }
-    EXPECT_GT(largest, 1e-3) << "there is something to lose";
+    EXPECT_GT(largest, least) << "there is something to lose";
     return std::sqrt(square / all);
   }
 
@@ -239,7 +243,7 @@ TEST_F(LightShaftsGLTest, whatCannotTouchTheFrameSaysWhy) {
   EXPECT_EQ(nothing, "nothing shades the air");
   EXPECT_EQ(dispatches(), 0u);
   settings_.sun = {-3, 90};
-  EXPECT_EQ(reason(level), "the sun is below the horizon");
+  EXPECT_EQ(reason(level), "neither sun nor moon is above the horizon");
   EXPECT_EQ(textures(), idle);
   settings_.sun = {5, 90};
   EXPECT_EQ(reason(level), "");
@@ -249,6 +253,85 @@ TEST_F(LightShaftsGLTest, whatCannotTouchTheFrameSaysWhy) {
   clear.toSun = directionToSun(settings_.sun), clear.sunSine = clear.toSun.y;
   EXPECT_EQ(pass_->skipReason(clear), "there is no haze");
   features_.haze = true;
+}
+
+TEST_F(LightShaftsGLTest, behindHillsTheMoonsLossIsTheIntegralInDouble) {
+  // As by day, under a moon over the same hills, in the night (its light in the air has a direction) and in
+  // the dusk before (it has none yet).
+  const auto hills = test::makeHillsSource();
+  addLand(hills);
+  settings_.sun.source = SunSource::clock;
+  for (const auto& [utc, glow] : {std::pair{"2026-09-26T18:50:00Z", 1.0}, {"2026-09-26T17:34:00Z", 0.0}}) {
+    settings_.sun.utcMs = sky::parseInstant(utc).utcMs;
+    const SkyLight light = skyLight(settings_, 400);
+    ASSERT_TRUE(light.moon && light.direct.toSun == light.moon->toMoon) << utc;
+    ASSERT_EQ(light.moonGlow, glow) << utc;
+    for (const double yaw : {0.0, 180.0}) {
+      const View view = pose({300, 400, 100}, yaw, -12, 0, kWide, kHigh);
+      frame(view);
+      const terrain::LandShade& shade = *land_->shade();
+      const std::vector<Loss> losses = lossesIn(view, shade.topM(), [&](const glm::dvec3& place) {
+        const bool isInLand = place.y < hills->sample({place.x, place.z}).height;
+        return glm::dvec2(isInLand ? 0 : shade.sunShare(place), 0);
+      });
+      shafts_ = {LightShaftResolution::full, 128};
+      EXPECT_LT(errorAgainst(losses, view, 1e-4), 0.025) << utc << " " << yaw;
+      shafts_ = {};
+      EXPECT_LT(errorAgainst(losses, view, 1e-4), 0.07) << utc << " " << yaw;
+    }
+  }
+}
+
+TEST_F(LightShaftsGLTest, aMoonThatIsDownOrNewThrowsNoShafts) {
+  // Neither a dispatch nor a texture; and a full one makes no program that the sun had not.
+  addSky();
+  addLand(test::makeHillsSource());
+  const View level = small({0, 500, 0}, 0, 0);
+  settings_.sun = {5, 90};
+  EXPECT_EQ(reason(level), "");
+  const std::uint64_t made = renderer().shaders().madeSoFar();
+  settings_.sun.source = SunSource::clock;
+  const auto at = [&](const char* utc) {
+    settings_.sun.utcMs = sky::parseInstant(utc).utcMs;
+    return reason(level);
+  };
+  EXPECT_EQ(at("2026-09-26T18:10:00Z"), "");
+  EXPECT_EQ(renderer().shaders().madeSoFar(), made);
+  EXPECT_EQ(at("2026-09-11T22:00:00Z"), "neither sun nor moon is above the horizon") << "new";
+  EXPECT_EQ(at("2026-09-12T17:45:00Z"), "the moon lights the air too little to be seen") << "a day old";
+  settings_.sky.model = sky::SkyModel::closedForm;
+  EXPECT_EQ(at("2026-09-26T18:10:00Z"), "the moon lights the air too little to be seen") << "evenly";
+}
+
+TEST_F(LightShaftsGLTest, noLightOfTheMoonFallsBelowNone) {
+  // Behind hills from dusk into a moonlit night, towards the moon and away from it.
+  addSky();
+  addLand(test::makeHillsSource());
+  plains_.clear();
+  settings_.sun.source = SunSource::clock;
+  int cut = 0;
+  double darkest = 1;
+  for (const double visibility : {5000.0, 30'000.0, 150'000.0}) {
+    settings_.atmosphere.visibilityM = visibility;
+    for (const char* utc :
+         {"2026-09-26T17:30:00Z", "2026-09-26T17:50:00Z", "2026-09-26T18:20:00Z", "2026-09-26T18:50:00Z"}) {
+      settings_.sun.utcMs = sky::parseInstant(utc).utcMs;
+      for (const double yaw : {0.0, 180.0}) {
+        const View view = pose({300, 300, 100}, yaw, 5, 0, kWide, kHigh);
+        const Light after = frame(view), before = frame(view, false);
+        for (std::size_t i = 0; i < after.size(); ++i) {
+          for (int c = 0; c < 3; ++c) {
+            cut += after[i][c] <= 0;
+            if (before[i][c] > 0)
+              darkest = std::min(darkest, static_cast<double>(after[i][c] / before[i][c]));
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(cut, 0);
+  RecordProperty("leastShareLeft", std::to_string(darkest));
+  EXPECT_LT(darkest, 0.8) << "there is something to take";
 }
 
 TEST_F(LightShaftsGLTest, noLightFallsBelowNone) {

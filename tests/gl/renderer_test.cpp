@@ -225,7 +225,7 @@ TEST_F(FrameTest, uniformBlockHasTheSameOffsetsOnBothSides) {
       MEMBER(columnDepth),     MEMBER(columnHere),  MEMBER(airLight),
       MEMBER(hazeLight),       MEMBER(overhead),    MEMBER(depthToSea),
       MEMBER(horizonRayleigh), MEMBER(horizonHaze), MEMBER(horizonIsotropic),
-      MEMBER(skySun),          MEMBER(skyTable)};
+      MEMBER(skySun),          MEMBER(skyTable),    MEMBER(skyGlow)};
 #undef MEMBER
   for (const auto& [name, offset] : members) {
     const char* text = name.c_str();

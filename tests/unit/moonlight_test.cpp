@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "render/frame/moon_view.h"
 #include "skydrop/render/frame/sky_light.h"
@@ -73,6 +74,49 @@ TEST(Moonlight, byDayByHandAndWithoutMoonTheSunIsAll) {
     EXPECT_EQ(light.direct.sun, light.sun);
     EXPECT_EQ(light.directRadiusRad, kSunRadiusRad);
   }
+}
+
+TEST(Moonlight, isWorkedOutOnceAFrame) {
+  // By all who ask in a frame of one clock and time, and again for the next.
+  const RenderSettings settings = settingsAt(kFullMoon);
+  MoonOfFrame frame;
+  const SkyPlaces places = skyPlaces(settings, 500, 0, &frame);
+  const SkyLight light = skyLight(settings, 500, 0, std::nullopt, nullptr, &frame);
+  const MoonView& moon = frame.at(settings.sun, 0);
+  EXPECT_EQ(frame.made(), 1);
+  EXPECT_EQ(moon.direction, moonView(settings.sun, 0).direction);
+  EXPECT_EQ(light.moon->toMoon, moon.direction);
+  EXPECT_EQ(places.moon->sine, moon.direction.y);
+  skyLight(settings, 500, 4, std::nullopt, nullptr, &frame);
+  EXPECT_EQ(frame.made(), 2);
+  MoonOfFrame byDay;
+  skyLight(settingsAt("2026-09-26T10:00:00Z"), 500, 0, std::nullopt, nullptr, &byDay);
+  EXPECT_EQ(byDay.made(), 0);
+}
+
+TEST(Moonlight, theSkyGlowsAroundWhicheverLightsItMore) {
+  // From sunset into the night, second by second: the sun's share of direction goes from 1 to 0, and then the
+  // moon's from 0 to 1; never are both there, and neither jumps. The sun is 10 degrees down before its own is
+  // gone.
+  RenderSettings settings = settingsAt("2026-09-26T17:00:00Z");
+  double sunBefore = 1, moonBefore = 0;
+  const auto note = [&](const char* what, const SkyLight& light) {
+    RecordProperty(what, std::to_string(glm::degrees(std::asin(light.toSun.y))));
+  };
+  for (int second = 0; second <= 7200; second += 4) {
+    const SkyLight light = skyLight(settings, 500, second);
+    EXPECT_EQ(light.sunGlow * light.moonGlow, 0) << second;
+    EXPECT_LE(light.sunGlow, sunBefore) << second;
+    EXPECT_GE(light.moonGlow, moonBefore) << second;
+    EXPECT_LT(sunBefore - light.sunGlow + light.moonGlow - moonBefore, 0.05) << second;
+    EXPECT_TRUE(light.sunGlow > 0 || light.toSun.y < std::sin(glm::radians(-13.0)));
+    if (sunBefore == 1 && light.sunGlow < 1) note("sunFades", light);
+    if (sunBefore > 0 && light.sunGlow == 0) note("sunFaded", light);
+    if (moonBefore < 1 && light.moonGlow == 1) note("moonGlows", light);
+    sunBefore = light.sunGlow, moonBefore = light.moonGlow;
+  }
+  EXPECT_EQ(sunBefore, 0);
+  EXPECT_EQ(moonBefore, 1);
 }
 
 }  // namespace

@@ -57,9 +57,10 @@ struct SkyLight {
 };
 
 // With the shell: the first call for an air makes its tables (about 70 ms), and calls for other heights or
-// suns may make some of the sky's (SkyViews::view).
+// suns may make some of the sky's (SkyViews::view). tables: where those belong that are looked up; null:
+// here.
 SkyLight skyLight(const Atmosphere& air, const glm::dvec3& toSun, double heightM,
-                  SkyModel model = SkyModel::shell);
+                  SkyModel model = SkyModel::shell, const SkyViews::Place* tables = nullptr);
 
 // Radiance of the sky in a direction, the night's included, without the sun's disc. Below the horizon: with
 // the closed form that of the horizon, with the shell that of the air before the ground.

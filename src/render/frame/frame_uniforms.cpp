@@ -44,10 +44,12 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simu
   u.horizonRayleigh = rgb(light.horizon.rayleigh * light.sunOutside * e);
   u.horizonHaze = rgb(light.horizon.haze * light.sunOutside * e);
   u.horizonIsotropic = rgb((light.horizon.isotropic * light.sunOutside + night) * e);
-  const double across = std::hypot(light.toSun.x, light.toSun.z), perAcross = across > 1e-6 ? 1 / across : 0;
+  const glm::dvec3& glow = light.moonGlow > 0 ? light.moon->toMoon : light.toSun;
+  const double across = std::hypot(glow.x, glow.z), perAcross = across > 1e-6 ? 1 / across : 0;
   const sky::SkyView* sky = light.view.get();
-  u.skyTable = glm::vec4(sky ? sky->horizon : 0, sky ? sky->airEnds : 1, light.toSun.x * perAcross,
-                         light.toSun.z * perAcross);
+  u.skyTable =
+      glm::vec4(sky ? sky->horizon : 0, sky ? sky->airEnds : 1, glow.x * perAcross, glow.z * perAcross);
+  u.skyGlow = rgb(glow);
   return u;
 }
 

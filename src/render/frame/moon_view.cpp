@@ -32,4 +32,17 @@ MoonView moonView(const SunSettings& clock, double simulatedSeconds) {
   return view;
 }
 
+const MoonView& MoonOfFrame::at(const SunSettings& clock, double simulatedSeconds) {
+  if (made_ > 0 && clock_ == clock && seconds_ == simulatedSeconds) return view_;
+  view_ = moonView(clock, simulatedSeconds);
+  clock_ = clock;
+  seconds_ = simulatedSeconds;
+  ++made_;
+  return view_;
+}
+
+MoonView moonOf(MoonOfFrame* frame, const SunSettings& clock, double simulatedSeconds) {
+  return frame ? frame->at(clock, simulatedSeconds) : moonView(clock, simulatedSeconds);
+}
+
 }  // namespace skydrop::render

@@ -18,4 +18,23 @@ struct MoonView {
 
 MoonView moonView(const SunSettings& clock, double simulatedSeconds);
 
+// moonView() of a frame, worked out when somebody asks for it and kept for all others. A renderer has one
+// (FrameInput::moon). Main thread.
+class MoonOfFrame {
+ public:
+  // Valid until the next call.
+  const MoonView& at(const SunSettings& clock, double simulatedSeconds);
+  // How often it was worked out.
+  int made() const { return made_; }
+
+ private:
+  SunSettings clock_;
+  double seconds_ = 0;
+  MoonView view_;
+  int made_ = 0;
+};
+
+// Of a frame that may have none.
+MoonView moonOf(MoonOfFrame* frame, const SunSettings& clock, double simulatedSeconds);
+
 }  // namespace skydrop::render

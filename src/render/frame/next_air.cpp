@@ -39,7 +39,7 @@ const AtmosphereSettings& NextAir::of(const RenderSettings& settings, const Fram
   }
   const double seconds = frame.simulatedSeconds, sun = directionToSun(settings.sun, seconds).y;
   const bool hasMoon = settings.sun.source == SunSource::clock && sun < 0;
-  const double moon = hasMoon ? moonView(settings.sun, seconds).direction.y : sun;
+  const double moon = hasMoon ? moonOf(frame.moon, settings.sun, seconds).direction.y : sun;
   job_.request({settings.atmosphere, frame.view.position.y, {sun, moon}, ++requests_});
   return *drawn_;
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "render/frame/moon_view.h"
 #include "render/frame/stretch.h"
 #include "render/gl/device_check.h"
 #include "skydrop/core/error.h"
@@ -35,6 +36,7 @@ Renderer::Renderer(gl::Context& context, const RenderSettings& settings, bool me
       settings_(settings),
       shaders_(context),
       timer_(context, measuring),
+      moon_(std::make_unique<MoonOfFrame>()),
       uniforms_(context, sizeof(FrameUniforms), gl::Buffer::Use::write, "frame uniforms") {}
 
 Renderer::~Renderer() = default;
@@ -116,6 +118,7 @@ void Renderer::composeLayer(std::exception_ptr& failure) {
 void Renderer::settle(const FrameInput& input) {
   context_.makeCurrent();
   air_.settle();
+  sky_.settle();
   for (const Entry& entry : passes_) entry.pass->settle(input);
 }
 
@@ -192,11 +195,16 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   RenderSettings lit = settings_;
   if (!isLit()) lit.sky.model = sky::SkyModel::closedForm;  // has no tables to make
   lit.atmosphere = air_.of(lit, asked);
-  const SkyLight light = skyLight(lit, asked.view.position.y, asked.simulatedSeconds, asked.adaptedLevel);
+  const std::optional<SkyPlaces> tables =
+      targets_ == &screen_ ? sky_.of(lit, asked, moon_.get()) : std::nullopt;
+  const SkyLight light = skyLight(lit, asked.view.position.y, asked.simulatedSeconds, asked.adaptedLevel,
+                                  tables ? &*tables : nullptr, moon_.get());
   if (targets_ == &screen_) levelInView_ = levelInView(light, asked.view);
   FrameInput picture = asked;  // of what is drawn over the scene, which may have fewer pixels
   picture.toSun = light.direct.toSun;
   picture.sunSine = light.toSun.y;
+  picture.lightOverNight = lightOverNight(light);
+  picture.moon = moon_.get();
   FrameInput input = picture;
   input.view = scaled(asked.view, settings_.scale);
   resize(input.view, picture.view);

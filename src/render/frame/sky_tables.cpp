@@ -69,22 +69,27 @@ void SkyTables::bind(gl::Context& context, const SkyLight& light) {
   air_.bind(kAirTablesUnit);
 }
 
-// The mean over all azimuths of what a layer has, and of the haze's layer that belongs to it without its
-// phase function.
-void SkyTables::addMoon(const MoonSky& moon, double exposure) {
-  const std::span<const glm::vec4> of(moon.view->texels);
-  const glm::vec4 scale(glm::vec3(moon.outside * exposure), 0);
-  const auto add = [&](int even, int haze) {
+// The rest is the mean over all azimuths of what a layer has, and of the haze's layer that belongs to it
+// without its phase function.
+void SkyTables::add(const sky::SkyView& view, const glm::dvec3& times, double glow) {
+  const std::span<const glm::vec4> of(view.texels);
+  const glm::vec4 kept(glm::vec3(times * glow), 0), spread(glm::vec3(times * (1 - glow)), 0);
+  const auto addLayers = [&](int even, int haze) {
     for (int row = 0; row < kRows; ++row) {
       const auto at = [&](int layer) { return static_cast<std::size_t>((layer * kRows + row) * kColumns); };
+      for (std::size_t c = 0; c < kColumns; ++c) {
+        texels_[at(even) + c] += of[at(even) + c] * kept;
+        texels_[at(haze) + c] += of[at(haze) + c] * kept;
+      }
+      if (glow >= 1) continue;
       glm::vec4 mean(0);
       for (std::size_t c = 0; c < kColumns; ++c)
         mean += kAzimuthShares[c] * (of[at(even) + c] + of[at(haze) + c] * kMeanPhase);
-      for (std::size_t c = 0; c < kColumns; ++c) texels_[at(even) + c] += mean * scale;
+      for (std::size_t c = 0; c < kColumns; ++c) texels_[at(even) + c] += mean * spread;
     }
   };
-  add(static_cast<int>(sky::SkyLayer::skyEven), kSkyHaze);
-  for (int slice = 0; slice < kSlices; ++slice) add(kAir + slice, kAirHaze + slice);
+  addLayers(static_cast<int>(sky::SkyLayer::skyEven), kSkyHaze);
+  for (int slice = 0; slice < kSlices; ++slice) addLayers(kAir + slice, kAirHaze + slice);
 }
 
 const std::vector<glm::vec4>& SkyTables::finer(std::span<const glm::vec4> texels) {
@@ -108,16 +113,15 @@ void SkyTables::write(gl::Context& context, const SkyLight& light) {
     air_ = gl::Texture::make3D(context, GL_RGBA32F, kColumns, kRows, 2 * kSlices, "air tables");
   }
   texels_ = light.view->texels;
-  const glm::vec4 scale(glm::vec3(light.sunOutside * light.exposure), 0);
   const glm::vec4 night(glm::vec3(light.night * light.exposure), 0);
   for (int layer = 0; layer < sky::kSkyLayers; ++layer) {
     if (layer == kLeft) continue;
-    const glm::vec4 added = layer == kSkyHaze || layer >= kAirHaze ? glm::vec4(0) : night;
-    const auto texels =
-        std::span(texels_).subspan(static_cast<std::size_t>(layer) * kLayerTexels, kLayerTexels);
-    for (glm::vec4& texel : texels) texel = texel * scale + added;
+    std::ranges::fill(
+        std::span(texels_).subspan(static_cast<std::size_t>(layer) * kLayerTexels, kLayerTexels),
+        layer == kSkyHaze || layer >= kAirHaze ? glm::vec4(0) : night);
   }
-  if (light.moon) addMoon(*light.moon, light.exposure);
+  add(*light.view, light.sunOutside * light.exposure, light.sunGlow);
+  if (light.moon) add(*light.moon->view, light.moon->outside * light.exposure, light.moonGlow);
   const std::span<const glm::vec4> all(texels_);
   for (GLint layer = 0; layer < kAir; ++layer) {
     const auto texels = all.subspan(static_cast<std::size_t>(layer) * kLayerTexels, kLayerTexels);

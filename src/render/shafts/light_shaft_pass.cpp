@@ -22,16 +22,27 @@ constexpr double kLeastTopM = 1;
 
 GLuint groups(int texels) { return static_cast<GLuint>(texels + 7) / 8; }
 
-// Illuminance by the sun on the air at heights from the sea up, times exposure. On the flat earth of the
-// shade the sun sets at one moment for all heights.
+// A moon that lights less than this of what the night itself does on level ground throws no shafts: they
+// could not be seen.
+constexpr double kLeastOverNight = 1;
+
+// Illuminance by the sun, or the moon, on the air at heights from the sea up, times exposure. On the flat
+// earth of the shade it sets at one moment for all heights.
 std::array<glm::vec4, shared::kShaftHeights> sunAtHeights(const SkyLight& light, double topM) {
-  const double share = shared::sunVisibleShare(light.toSun.y) * light.exposure;
+  const double share = shared::sunVisibleShare(light.direct.toSun.y) * light.exposure;
   std::array<glm::vec4, shared::kShaftHeights> nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double height = topM * static_cast<double>(i) / (shared::kShaftHeights - 1);
-    nodes[i] = glm::vec4(glm::vec3(sky::sunIlluminance(light, height) * share), 0);
+    nodes[i] = glm::vec4(glm::vec3(sky::sunIlluminance(light.direct, height) * share), 0);
   }
   return nodes;
+}
+
+// The share of what the air scatters of this light that has its direction (SkyLight::sunGlow). The closed
+// form has moonlight from all directions.
+double glowOf(const SkyLight& light) {
+  const bool isMoon = light.moon && light.direct.toSun == light.moon->toMoon;
+  return isMoon ? light.moonGlow : 1;
 }
 
 }  // namespace
@@ -45,9 +56,8 @@ LightShaftPass::Shade LightShaftPass::shadeOf(const FrameInput& frame, const Fra
 std::optional<std::string> LightShaftPass::skipReason(const FrameInput& frame) const {
   if (frame.warmsUp) return std::nullopt;
   if (!frame.features.haze) return "there is no haze";
-  // With the moon it is the sun's place that differs from that of what casts shadows.
-  if (frame.sunSine <= -std::sin(kSunRadiusRad) || frame.toSun.y != frame.sunSine)
-    return "the sun is below the horizon";
+  if (frame.toSun.y <= -std::sin(kSunRadiusRad)) return "neither sun nor moon is above the horizon";
+  if (frame.lightOverNight < kLeastOverNight) return "the moon lights the air too little to be seen";
   return std::nullopt;
 }
 
@@ -112,6 +122,7 @@ void LightShaftPass::march(FrameContext& context, const Shade& shade) {
   setScene(shader, top);
   shader.setInt("steps", static_cast<int>(settings_.steps));
   shader.setVec4s("sunAtHeights", sunAtHeights(context.light, top));
+  shader.setFloat("glow", static_cast<float>(glowOf(context.light)));
   marched_.bindImage(0, GL_WRITE_ONLY);
   shader.dispatch(groups(marched_.width()), groups(marched_.height()));
 }

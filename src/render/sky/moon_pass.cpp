@@ -23,7 +23,7 @@ MoonPass::MoonPass(gl::Context& context, const SunSettings& clock) : clock_(cloc
 std::optional<std::string> MoonPass::skipReason(const FrameInput& frame) const {
   if (frame.warmsUp) return std::nullopt;
   if (clock_.source != SunSource::clock) return "the sun is set by hand (sky.sun)";
-  const MoonView moon = moonView(clock_, frame.simulatedSeconds);
+  const MoonView moon = moonOf(frame.moon, clock_, frame.simulatedSeconds);
   if (moon.direction.y <
       core::shared::f64::horizonSine(std::max(frame.view.position.y, 0.0)) - std::sin(moon.radiusRad))
     return "the moon is below the horizon";
@@ -35,7 +35,7 @@ std::optional<std::string> MoonPass::skipReason(const FrameInput& frame) const {
 }
 
 void MoonPass::draw(FrameContext& context) {
-  const MoonView moon = moonView(clock_, context.frame.simulatedSeconds);
+  const MoonView moon = moonOf(context.frame.moon, clock_, context.frame.simulatedSeconds);
   disc_ = {moon.direction, moon.radiusRad};
   context.resources.publish(disc_);
   gl::Shader& shader = context.shaders.shader("sky/moon.vert", "sky/moon.frag", context.defines);

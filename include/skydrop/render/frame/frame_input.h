@@ -12,6 +12,8 @@ struct Snapshot;
 
 namespace skydrop::render {
 
+class MoonOfFrame;
+
 // What a frame is a pure function of, beside the renderer's settings. Values: nothing in here changes while
 // it is drawn. The first three are what any picture needs; a frame without a game shows sky, land, clouds and
 // interface.
@@ -24,6 +26,10 @@ struct FrameInput {
   // night the moon), and the sine of the sun's elevation.
   glm::dvec3 toSun{0, 1, 0};
   double sunSine = 1;
+  // How many times the illuminance by what casts shadows, on what faces it, is that of the night without sun
+  // and moon on level ground. And the moon, for all passes that ask for it; null: each works it out.
+  double lightOverNight = 1e9;
+  MoonOfFrame* moon = nullptr;
   // The frame may use what passes kept of the one that the same renderer drew before it: only then is it a
   // function of more than what is in here. It need not fit: passes find out what of it does.
   bool followsLast = false;

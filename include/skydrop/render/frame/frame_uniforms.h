@@ -36,10 +36,10 @@ struct FrameUniforms {
   glm::vec4 horizonRayleigh;  // rgb: the sky's sources at the horizon
   glm::vec4 horizonHaze;
   glm::vec4 horizonIsotropic;  // with the night's radiance
-  glm::vec4
-      skySun;  // xyz: unit vector to the sun, around which its sky is bright; w: radius of its disc (rad)
+  glm::vec4 skySun;            // xyz: unit vector to the sun; w: radius of its disc (rad)
   glm::vec4 skyTable;  // of the shell: sines of the elevations at which the sea (x) and the air (y) end; zw:
-                       // level unit vector (x, z) towards the sun, 0 where it is vertical
+                       // level unit vector (x, z) of skyGlow, 0 where it is vertical
+  glm::vec4 skyGlow;   // of the shell, xyz: unit vector around which the sky is bright, to sun or moon
 };
 
 FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simulatedSeconds);

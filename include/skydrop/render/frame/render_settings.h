@@ -42,6 +42,8 @@ struct SunSettings {
   double offsetSeconds = 0;            // s, that changes of timeScale in flight have left (clock_pace.h)
   double latitudeDegrees = 47.5;       // north, -90 .. 90
   double longitudeDegrees = 11;        // east, -360 .. 360
+
+  bool operator==(const SunSettings&) const = default;
 };
 
 struct AtmosphereSettings {

@@ -15,6 +15,7 @@
 #include "skydrop/core/frame_statistics.h"
 #include "skydrop/core/image.h"
 #include "skydrop/render/frame/next_air.h"
+#include "skydrop/render/frame/next_sky.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/frame/sky_tables.h"
 #include "skydrop/render/frame/stage_layer.h"
@@ -174,8 +175,10 @@ class Renderer {
   gl::Context& context_;
   RenderSettings settings_;
   NextAir air_;
+  NextSky sky_;
   gl::ShaderCache shaders_;
   gl::PassTimer timer_;
+  std::unique_ptr<MoonOfFrame> moon_;
   gl::Buffer uniforms_;
   SkyTables skyTables_;
   Targets screen_, unseen_;      // of draw(), of warmUp()

@@ -14,9 +14,20 @@ namespace skydrop::render {
 
 using sky::kSunRadiusRad;
 
-// What the moon adds to the light of the sky. Its own direction in the sky is left out: it is the same
-// towards all azimuths.
+class MoonOfFrame;
+
+// Where the tables of a sky are seen from and under which lights, if it is not the frame's own place: while
+// those are being made (NextSky).
+struct SkyPlaces {
+  sky::SkyViews::Place sun{};
+  std::optional<sky::SkyViews::Place> moon{};  // after sunset, where the clock has one; else there is no moon
+
+  bool operator==(const SkyPlaces&) const = default;
+};
+
+// What the moon adds to the light of the sky.
 struct MoonSky {
+  glm::dvec3 toMoon{0, 1, 0};                // unit, world: as it appears
   std::shared_ptr<const sky::SkyView> view;  // from this height, under this moon; null with the closed form
   glm::dvec3 outside{0};                     // illuminance of the moon above the atmosphere
   glm::dvec3 illuminance{0};                 // on a horizontal surface, from the sky
@@ -30,6 +41,10 @@ struct SkyLight : sky::SkyLight {
   sky::SkyLight direct{};
   double directRadiusRad = kSunRadiusRad;
   std::optional<MoonSky> moon{};  // after sunset, with the moon above the horizon
+  // Shares of what the air scatters of the sun's and of the moon's light that come from where they come from;
+  // the rest is the same towards all azimuths. One of the two is 0, for the tables hold one direction: that
+  // of the light of which the sky has more, and while one overtakes the other none.
+  double sunGlow = 1, moonGlow = 0;
   // What exposure follows: illuminance of level ground and of the horizon together, klx, no less than what
   // the eye adapts to at most.
   double level = 0;
@@ -44,8 +59,15 @@ struct SkyLight : sky::SkyLight {
 glm::dvec3 directionToSun(const SunSettings& sun, double simulatedSeconds = 0);
 sky::Atmosphere atmosphereOf(const AtmosphereSettings& settings);
 // eyeHeight in m above the sea, any finite value. adaptedLevel: what the eye is adapted to (EyeAdaptation),
-// as SkyLight::level; without it, or where it is no number above 0, that of this light.
+// as SkyLight::level; without it, or where it is no number above 0, that of this light. tables: null for
+// those of this place and light. moon: for others who ask in the same frame; may be null.
 SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds = 0,
-                  std::optional<double> adaptedLevel = std::nullopt);
+                  std::optional<double> adaptedLevel = std::nullopt, const SkyPlaces* tables = nullptr,
+                  MoonOfFrame* moon = nullptr);
+// As FrameInput::lightOverNight.
+double lightOverNight(const SkyLight& light);
+// Where the tables belong that skyLight() looks up without `tables`.
+SkyPlaces skyPlaces(const RenderSettings& settings, double eyeHeight, double simulatedSeconds,
+                    MoonOfFrame* moon = nullptr);
 
 }  // namespace skydrop::render

@@ -31,7 +31,8 @@ class SkyTables {
   void write(gl::Context& context, const SkyLight& light);
   // Of a layer of the whole sky; valid until the next call.
   const std::vector<glm::vec4>& finer(std::span<const glm::vec4> texels);
-  void addMoon(const MoonSky& moon, double exposure);
+  // A light of so many times the tables' own; of a share of it the direction is kept.
+  void add(const sky::SkyView& view, const glm::dvec3& times, double glow);
 
   gl::Texture sky_, air_;
   std::vector<glm::vec4> texels_, wide_, finer_;
