@@ -10,7 +10,7 @@ void LandShadowMap::makeTexture(gl::Context& context) {
   if (clearances_ && clearances_.width() == side) return;
   clearances_ = {};
   clearances_ =
-      gl::Texture::make2DArray(context, GL_R32F, side, side, terrain::kShadeLevels, "shade of the land");
+      gl::Texture::make2DArray(context, GL_R16, side, side, terrain::kShadeLevels, "shade of the land");
 }
 
 void LandShadowMap::takeNone(gl::Context& context, const terrain::ShadeLayout& layout) {

@@ -52,24 +52,6 @@ std::array<float, N> inFloat(const std::array<double, N>& values) {
   return result;
 }
 
-// So many rows of the picture, from the bottom, in which rays go down; all of them where some of the top row
-// do.
-int rowsBelowHorizon(const View& view) {
-  const auto goesDown = [&](int row) {
-    return rayDirection(view, {0, row}).y < 0 || rayDirection(view, {view.width, row}).y < 0;
-  };
-  if (goesDown(0)) return view.height;
-  int low = 0, high = view.height;  // of the first row, from the top, below which rays go down
-  while (low < high) {
-    const int middle = (low + high) / 2;
-    if (goesDown(middle))
-      high = middle;
-    else
-      low = middle + 1;
-  }
-  return std::min(view.height - low + 1, view.height);
-}
-
 // The variant of the land's shaders.
 std::vector<std::string> landDefines(const FrameContext& context) {
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
@@ -245,10 +227,7 @@ void TerrainPass::drawLandShadows(FrameContext& context, bool areFirst) {
     shader.use();
     setSurface(shader, view);
     shadowMap->bind(shader, {view.position.x, view.position.z});
-    // Land, and what may be sea with no floor drawn: the depth test lets no pixel of the sky through.
-    context_.api().TextureBarrier();  // the depth is target and texture at once, to be read alone
-    drawSharesWhere(GL_NOTEQUAL, view.height, isFirst);
-    drawSharesWhere(GL_EQUAL, rowsBelowHorizon(view), isFirst);
+    drawShares(isFirst);
   };
   variant(!areFirst);
   if (context.frame.warmsUp) draw(!areFirst);
@@ -263,27 +242,15 @@ void TerrainPass::drawIceShade(FrameContext& context, const IceShade& ice) {
   drawShares(false);
 }
 
-void TerrainPass::drawSharesWhere(GLenum depthTest, int rows, bool replaces) {
-  const gl::Functions& api = context_.api();
-  api.DepthFunc(depthTest);
-  api.Enable(GL_SCISSOR_TEST);
-  api.Scissor(0, 0, surface_.width(), rows);
-  drawMask(replaces);
-}
-
 void TerrainPass::drawShares(bool replaces) {
-  context_.api().Disable(GL_DEPTH_TEST);
-  context_.api().TextureBarrier();  // as above
-  drawMask(replaces);
-}
-
-void TerrainPass::drawMask(bool replaces) {
   const gl::Functions& api = context_.api();
   api.DepthMask(GL_FALSE);
+  api.Disable(GL_DEPTH_TEST);
   if (!replaces) {
     api.Enable(GL_BLEND);
     api.BlendFunc(GL_ZERO, GL_SRC_COLOR);
   }
+  api.TextureBarrier();  // the depth is target and texture at once, to be read alone
   triangle_.draw();
   context_.setDefaultState();
 }

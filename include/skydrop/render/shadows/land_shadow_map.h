@@ -15,8 +15,8 @@ namespace skydrop::render {
 // take().
 class LandShadowMap {
  public:
-  // Uploads the shade, which must outlive its use here: 4 bytes a texel and level (3 MiB for medium detail):
-  // a software renderer filters floats in half the time of integers.
+  // Uploads the shade, which must outlive its use here: 2 bytes a texel and level (1.5 MiB for medium
+  // detail).
   void take(gl::Context& context, const terrain::LandShade& shade);
 
   // A texture without content in its place, for frames that nobody sees.

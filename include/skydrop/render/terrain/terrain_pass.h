@@ -87,9 +87,6 @@ class TerrainPass final : public Pass, public LandGround {
   void drawIceShade(FrameContext& context, const IceShade& ice);
   // Of all pixels, with a program that is in use: what was there is replaced, or multiplied.
   void drawShares(bool replaces);
-  // The same of pixels whose depth passes this test against that of infinity, in so many rows from the bottom.
-  void drawSharesWhere(GLenum depthTest, int rows, bool replaces);
-  void drawMask(bool replaces);
   void drawSea(FrameContext& context);
   void drawLines(FrameContext& context);
 
