@@ -233,7 +233,10 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
 void describe(core::SettingsVisitor& visitor, CloudSettings& s) {
   visitor.enterGroup("layers", "The cloud layers.");
   for (std::size_t i = 0; i < s.layers.size(); ++i) {
-    visitor.enterGroup(std::to_string(i), "A cloud layer.");
+    visitor.enterGroup(std::to_string(i),
+                       "A cloud layer. In a scene with weather, whose genus makes the layers, each row acts "
+                       "on the low one: by its ratio to its default, threshold, type and scattering by the "
+                       "difference.");
     describeLayer(visitor, s.layers[i], s);
     visitor.leaveGroup();
   }

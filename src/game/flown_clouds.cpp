@@ -67,11 +67,40 @@ const GenusLook& lookOf(weather::Genus genus) {
   return kLooks[static_cast<std::size_t>(genus)];
 }
 
+void applyLook(clouds::CloudLayerSettings& s, const weather::LayerLook& look) {
+  s.densityThreshold = std::clamp(s.densityThreshold + look.threshold, -0.95, 0.95);
+  s.scale = std::clamp(s.scale * look.scale, 0.1, 4.0);
+  s.anisotropy = std::clamp(s.anisotropy + look.anisotropy, -0.9, 0.95);
+  s.extinction = std::clamp(s.extinction * look.extinction, 0.0, 1.0);
+  s.higherScale = std::clamp(s.higherScale * look.higherScale, 2.0, 80.0);
+  s.weatherScale = std::clamp(s.weatherScale * look.weatherScale, 0.005, 0.1);
+  s.typeShift = std::clamp(s.typeShift + look.typeShift, -1.0, 1.0);
+  s.erosion = std::clamp(s.erosion * look.erosion, 0.0, 0.9);
+  s.forwardShare = std::clamp(s.forwardShare + look.forwardShare, 0.0, 1.0);
+}
+
 }  // namespace
 
 bool isVolume(weather::Genus genus) {
   return genus != weather::Genus::cirrus && genus != weather::Genus::cirrostratus &&
          genus != weather::Genus::cirrocumulus;
+}
+
+weather::LayerLook lookOf(const clouds::CloudLayerSettings& s) {
+  weather::LayerLook look;
+  look.base = s.cloudHeight / kPlain.cloudHeight;
+  look.thickness = s.thickness / kPlain.thickness;
+  look.cover = s.coverage / kPlain.coverage;
+  look.scale = s.scale / kPlain.scale;
+  look.extinction = s.extinction / kPlain.extinction;
+  look.higherScale = s.higherScale / kPlain.higherScale;
+  look.weatherScale = s.weatherScale / kPlain.weatherScale;
+  look.erosion = s.erosion / kPlain.erosion;
+  look.threshold = s.densityThreshold - kPlain.densityThreshold;
+  look.typeShift = s.typeShift - kPlain.typeShift;
+  look.anisotropy = s.anisotropy - kPlain.anisotropy;
+  look.forwardShare = s.forwardShare - kPlain.forwardShare;
+  return look;
 }
 
 clouds::LayerMedium cloudLayerOf(const weather::Layer& layer) {
@@ -88,6 +117,7 @@ clouds::LayerMedium cloudLayerOf(const weather::Layer& layer) {
   out.layer.thickness = layer.topM - layer.baseM;
   out.layer.coverage = layer.cover * look.cover;
   out.layer.extinction = look.extinction * layer.density;
+  applyLook(out.layer, layer.look);
   return out;
 }
 

@@ -53,10 +53,21 @@ const WorldSetup& usable(const WorldSetup& setup) {
   return setup;
 }
 
+// A flight without one keeps the digest that it had before there was any.
+void addLook(core::StateHasher& h, const weather::LayerLook& look) {
+  if (look == weather::LayerLook{}) return;
+  for (const double value :
+       {look.base, look.thickness, look.cover, look.scale, look.extinction, look.higherScale,
+        look.weatherScale, look.erosion, look.threshold, look.typeShift, look.anisotropy, look.forwardShare})
+    h.add(value);
+}
+
 }  // namespace
 
 weather::State WeatherSetup::at(std::uint64_t seed, double seconds, const glm::dvec2& xz) const {
-  return weather::stateAt(settings, forecast.get(), clock, handover.get(), seed, seconds, xz);
+  weather::State state = weather::stateAt(settings, forecast.get(), clock, handover.get(), seed, seconds, xz);
+  weather::lookLow(state, lowLook);
+  return state;
 }
 
 struct World::State {
@@ -187,9 +198,10 @@ void World::State::setParts(std::shared_ptr<const terrain::HeightSource> ground,
 void World::State::showWeather(Snapshot& out) const {
   out.weather = {};
   if (!shownWeather) return;
-  out.weather = {shownWeather,         setup.seed,
-                 out.simulatedSeconds, setup.weather->forecast,
-                 setup.weather->clock, setup.weather->handover};
+  out.weather = {shownWeather,          setup.seed,
+                 out.simulatedSeconds,  setup.weather->forecast,
+                 setup.weather->clock,  setup.weather->handover,
+                 setup.weather->lowLook};
 }
 
 void World::State::fill(Snapshot& out) const {
@@ -230,6 +242,7 @@ std::uint64_t World::State::hash() const {
       describe(settings, clock);
       h.add(handover->beginSeconds), h.add(handover->lastsSeconds);
     }
+    addLook(h, copy.weather->lowLook);
     if (aircraft) air.addTo(h);
   }
   if (copy.gear) describe(settings, *copy.gear);

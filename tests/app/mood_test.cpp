@@ -63,10 +63,11 @@ TEST(Mood, eachIsWhatItsNameSays) {
 }
 
 TEST(Mood, theyLeaveTheSimulationAloneAndSetTheSameRows) {
-  // So that no row of one stays when another is picked.
+  // So that no row of one stays when another is picked. The cloud layer alone decides what is flown through
+  // where a scene has weather.
   std::set<std::string> all;
   for (const std::string& path : moodPaths()) {
-    EXPECT_FALSE(decidesSimulation(path)) << path;
+    EXPECT_TRUE(!decidesSimulation(path) || path.starts_with("clouds.layers.")) << path;
     all.insert(path);
   }
   EXPECT_GE(all.size(), 8u);

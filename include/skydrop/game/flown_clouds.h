@@ -14,8 +14,14 @@ namespace skydrop::game {
 
 // The medium of a layer, for flight and picture: a cumulus between the default base and top at cover .5 is
 // the default layer of clouds.layers.0; of the other genera docs/cloud-layers.md has a table. Density scales
-// the extinction, not the field.
+// the extinction, not the field. What the layer's look makes of it is kept within the ranges of
+// clouds::CloudLayerSettings.
 clouds::LayerMedium cloudLayerOf(const weather::Layer& layer);
+
+// What settings of a layer, by how they depart from their defaults, make of the look of a weather's low one:
+// at defaults nothing. By ratio, and by difference what may be 0 in a genus (threshold, type's shift) or has
+// a sign (mean cosine, forward share).
+weather::LayerLook lookOf(const clouds::CloudLayerSettings& settings);
 
 // Whether clouds of a genus are drawn as volumes: all but the high ones of ice, which are thin sheets.
 bool isVolume(weather::Genus genus);

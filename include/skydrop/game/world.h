@@ -64,8 +64,9 @@ struct WeatherSetup {
   std::shared_ptr<const weather::Forecast> forecast = nullptr;  // in place of the settings' sites; null: none
   weather::ForecastClock clock = {};                            // of the forecast
   std::shared_ptr<const weather::Handover> handover = nullptr;  // of another weather to this one
+  weather::LayerLook lowLook = {};                              // of the low layer, everywhere
 
-  // The weather at a place and time, of the forecast or the sites (weather::stateAt).
+  // The weather at a place and time, of the forecast or the sites (weather::stateAt), with that look.
   weather::State at(std::uint64_t seed, double seconds, const glm::dvec2& xz) const;
 };
 

@@ -20,11 +20,16 @@ struct Moment {
   std::shared_ptr<const Forecast> forecast = nullptr;  // in place of the sites; null: there is none
   ForecastClock clock = {};                            // of the forecast
   std::shared_ptr<const Handover> handover = nullptr;  // of another weather to this one; null: there is none
+  LayerLook lowLook = {};                              // of the low layer, everywhere
+
+  bool operator==(const Moment&) const = default;  // of the very same settings and forecast
 
   explicit operator bool() const { return settings != nullptr; }
-  // stateAt() there: x east, z south, m. Only where there is weather.
+  // stateAt() there, with the look of its low layer: x east, z south, m. Only where there is weather.
   State at(const glm::dvec2& xz) const {
-    return stateAt(*settings, forecast.get(), clock, handover.get(), seed, seconds, xz);
+    State state = stateAt(*settings, forecast.get(), clock, handover.get(), seed, seconds, xz);
+    lookLow(state, lowLook);
+    return state;
   }
 };
 

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "skydrop/weather/layer_look.h"
+
 namespace skydrop::weather {
 
 // The ten genera of the International Cloud Atlas (WMO 2017).
@@ -34,6 +36,7 @@ struct Layer {
   double topM = 3355;   // above the sea, above the base
   double cover = 0;     // share of the sky, [0, 1]; 0: there is none
   double density = 1;   // of the genus's usual density, [0, 4]
+  LayerLook look = {};  // by which its medium departs from the genus's; heights and cover have theirs
 
   bool operator==(const Layer&) const = default;
 };

@@ -47,7 +47,12 @@ Json forecastJson(const game::WeatherSetup& setup, double seconds) {
 // The flashes of the next minute within sight.
 Json flashesJson(const RunConfig& run, double seconds, const glm::dvec3& at) {
   const weather::Moment moment{std::make_shared<const weather::WeatherSettings>(run.settings.weather),
-                               run.setup.seed, seconds};
+                               run.setup.seed,
+                               seconds,
+                               nullptr,
+                               {},
+                               nullptr,
+                               game::lookOf(run.settings.clouds.layers[0])};
   Json flashes = Json::array();
   for (const weather::Flash& flash :
        weather::flashesBetween(moment, run.settings.lightning, seconds, seconds + 60, {at.x, at.z}))

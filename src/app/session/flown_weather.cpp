@@ -5,6 +5,7 @@
 #include "app/session/cloud_noise.h"
 #include "app/session/noise_store.h"
 #include "skydrop/clouds/noise_cache.h"
+#include "skydrop/game/flown_clouds.h"
 
 namespace skydrop::app {
 
@@ -28,7 +29,9 @@ std::optional<game::WeatherSetup> flownWeather(const scene::EffectSet& effects, 
   if (!effects.contains(scene::Effect::weather)) return std::nullopt;
   const bool clouded = forecast ? weather::hasClouds(*forecast) : weather::hasClouds(settings.weather);
   if (!noise && clouded) noise = readFlownNoise();
-  return game::WeatherSetup{settings.weather, settings.wind, noise, forecast, settings.weatherFile};
+  game::WeatherSetup setup{settings.weather, settings.wind, noise, forecast, settings.weatherFile};
+  setup.lowLook = game::lookOf(settings.clouds.layers[0]);
+  return setup;
 }
 
 weather::ForecastClock forecastClock(const Settings& settings, const weather::Forecast& forecast) {

@@ -9,9 +9,10 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 13> kSimulationGroups = {
-    "aircraft.", "package.",     "delivery.", "game.", "terrain.", "elevation.", "wind.",
-    "weather.",  "weatherFile.", "live.",     "gear.", "strips.",  "woods."};
+constexpr std::array<std::string_view, 14> kSimulationGroups = {
+    "aircraft.",    "package.", "delivery.", "game.",   "terrain.", "elevation.",    "wind.", "weather.",
+    "weatherFile.", "live.",    "gear.",     "strips.", "woods.",   "clouds.layers."};  // of a weather's low
+                                                                                        // layer
 
 // Effects that are more than pictures and sounds.
 constexpr std::array<std::string_view, 6> kSimulatedEffects = {

@@ -17,8 +17,9 @@ namespace skydrop::app {
 inline constexpr std::string_view kWeatherSkyRow = "weather.sky";
 
 // Puts the rows of sites and change of the weather, of the wind and of the low clouds to their defaults, and
-// then to what the sky's scene has, of a table of app::Settings; of none nothing. Throws core::DataError
-// where the scene's file is broken.
+// then to what the sky's scene has, of a table of app::Settings; of none nothing. The low clouds stay at the
+// defaults, with which they change nothing in the weather's low layer. Throws core::DataError where the
+// scene's file is broken.
 void applyWeatherSky(const core::SettingsTable& table, weather::SkyChoice sky);
 
 // The paths that a sky sets: the rows that follow when one is picked.

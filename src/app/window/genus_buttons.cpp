@@ -1,10 +1,7 @@
 #include "app/window/genus_buttons.h"
 
-#include <algorithm>
 #include <string>
 
-#include "app/settings/settings.h"
-#include "skydrop/game/flown_clouds.h"
 #include "skydrop/weather/usual_layer.h"
 
 namespace skydrop::app {
@@ -22,18 +19,6 @@ std::vector<ui::GenusButton> genusButtons() {
                             {at + "cover", layer.cover},
                             {at + "density", layer.density}},
                            {{at + "cover", 0}}};
-    if (weather::usualPlace(genus) == 0) {
-      Settings settings;
-      const core::SettingsTable table(settings);
-      settings.clouds.layers[0] = game::cloudLayerOf(layer).layer;
-      const std::string drawn = "clouds.layers.0.";
-      for (const char* row :
-           {"cloudHeight", "thickness", "coverage", "typeShift", "scale", "erosion", "extinction"}) {
-        const core::Field& field = table.at(drawn + row);
-        button.values.push_back({field.path, std::clamp(field.get(), field.min, field.max)});
-      }
-      button.away.push_back({drawn + "coverage", 0});
-    }
     all.push_back(std::move(button));
   }
   return all;

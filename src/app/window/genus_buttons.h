@@ -8,7 +8,7 @@
 namespace skydrop::app {
 
 // One for each genus, in the atlas's order: a layer of the first site's weather, low, middle or high, as it
-// usually is (weather/usual_layer.h), and for the low ones the clouds that are drawn.
+// usually is (weather/usual_layer.h). What of clouds.layers.0 departs from its defaults stays and acts on it.
 std::vector<ui::GenusButton> genusButtons();
 
 }  // namespace skydrop::app

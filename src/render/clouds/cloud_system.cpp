@@ -280,6 +280,9 @@ void CloudSystem::setUniforms(FrameContext& context) {
     weather_->distances().bind(kOccupancyUnit);
     CloudUnionUniforms all = unionUniforms(weather_->layers(), settings_.fadeDistance,
                                            eyeInField(context.frame), textures_->meanDetail());
+    // One phase function for the droplets of all layers.
+    all.common.scattering.x = static_cast<float>(layer().anisotropy);
+    all.common.scattering.y = static_cast<float>(layer().forwardShare);
     addLight(all, weather_->layers(), context.light);
     if (const auto* ice = context.resources.find<IceShade>())
       addIceShade(all, weather_->layers(), *ice, view.position);

@@ -53,6 +53,8 @@ LightVolumesKey lightVolumesKey(std::span<const DrawnLayer> layers, const glm::d
     const LayerRange range = rangeOf(drawn.medium);
     key.layers.emplace_back(range.most);
     clouds::CloudLayerSettings& solved = key.layers.back()->layer;
+    solved.anisotropy = drawn.medium.layer.anisotropy;
+    solved.forwardShare = drawn.medium.layer.forwardShare;
     solved.coverage = 0.5 * (range.leastCoverage + range.most.layer.coverage);
     // A range has the extinction to an octave's quarter, which is enough for where there is cloud.
     constexpr double kExtinctions = 16;  // an octave

@@ -51,6 +51,8 @@ LayerRange rangeOf(const clouds::LayerMedium& medium) {
   const double wide = medium.layer.coverage > 1 ? kWideCoverageStep : kCoverageStep;
   const double step = std::max(std::ceil(medium.layer.coverage / wide), 1.0);
   layer.coverage = step * wide;
+  layer.anisotropy = clouds::CloudLayerSettings().anisotropy;  // how light scatters is none of a range
+  layer.forwardShare = clouds::CloudLayerSettings().forwardShare;
   range.leastCoverage = (step - 1) * wide;
   const auto rounded = [](double heightM) { return std::round(heightM / kHeightStepM) * kHeightStepM; };
   layer.cloudHeight = rounded(medium.layer.cloudHeight);
@@ -100,13 +102,17 @@ namespace {
 // over from another, those of both.
 template <class Visit>
 void forEachState(const weather::Moment& moment, const Visit& visit) {
+  const auto visitLooked = [&](weather::State state) {
+    weather::lookLow(state, moment.lowLook);
+    visit(state);
+  };
   const auto visitAll = [&](const weather::Forecast* forecast) {
     if (forecast) {
       for (const weather::Timeline* site : {&forecast->near, &forecast->far})
-        for (const weather::TimedState& timed : site->states()) visit(timed.state);
+        for (const weather::TimedState& timed : site->states()) visitLooked(timed.state);
     } else {
-      visit(weather::stateOf(moment.settings->sites[0]));
-      if (moment.settings->secondSite) visit(weather::stateOf(moment.settings->sites[1]));
+      visitLooked(weather::stateOf(moment.settings->sites[0]));
+      if (moment.settings->secondSite) visitLooked(weather::stateOf(moment.settings->sites[1]));
     }
   };
   visitAll(moment.forecast.get());
@@ -167,10 +173,11 @@ void WeatherLayers::update(const FrameInput& frame) {
   const glm::dvec2 place(frame.view.position.x, frame.view.position.z);
   const bool isSame = moment.settings == moment_.settings && moment.seed == moment_.seed &&
                       moment.seconds == moment_.seconds && moment.forecast == moment_.forecast &&
-                      moment.clock == moment_.clock && moment.handover == moment_.handover && place == place_;
+                      moment.clock == moment_.clock && moment.handover == moment_.handover &&
+                      moment.lowLook == moment_.lowLook && place == place_;
   if (isSame) return;
   const bool isOther = moment.settings != moment_.settings || moment.forecast != moment_.forecast ||
-                       moment.handover != moment_.handover;
+                       moment.handover != moment_.handover || moment.lowLook != moment_.lowLook;
   moment_ = moment;
   place_ = place;
   if (isOther) mayOverlap_ = shellsMayOverlap(moment);
