@@ -154,21 +154,18 @@ TEST(Fall, cumuliRainInShowersAndNimbostratusEverywhere) {
 }
 
 TEST(Fall, rainDarkensLandAndSnowWhitensItFromItsLineOn) {
-  // Angstrom's formula: 0.2 becomes 0.124; white stays white. A dry state leaves nothing.
+  // Angstrom's formula: 0.2 becomes 0.124; white stays white.
   EXPECT_NEAR(shared::wetAlbedo(0.2), 0.124, 0.001);
   EXPECT_EQ(shared::wetAlbedo(1), 1);
   EXPECT_EQ(shared::wetAlbedo(0), 0);
-  State state = rainy(Genus::nimbostratus, 4, 7);
-  const render::FallenWater fallen = render::fallenWater(state);
-  EXPECT_EQ(fallen.wet, 1);
-  EXPECT_EQ(fallen.snow, 1);
+  const State state = rainy(Genus::nimbostratus, 4, 7);
+  const render::FallenWater fallen = render::fallenWater(state, {0.5, 0.25});
+  EXPECT_EQ(fallen.wet, 0.5);
+  EXPECT_EQ(fallen.snow, 0.25);
   EXPECT_NEAR(fallen.snowLineM, 1000, 1);
   EXPECT_EQ(shared::fallenSnow(1, 800, 1000, 1, 0), 0);
   EXPECT_EQ(shared::fallenSnow(1, 1200, 1000, 1, 0), 1);
   EXPECT_EQ(shared::fallenSnow(1, 1200, 1000, 0.4, 0), 0) << "it slides from cliffs";
-  state.precipitation = {};
-  EXPECT_EQ(render::fallenWater(state).wet, 0);
-  EXPECT_EQ(render::fallenWater(state).snow, 0);
 }
 
 }  // namespace

@@ -6,37 +6,46 @@
 #include <string>
 
 #include "render/precipitation/falling.h"
-#include "skydrop/weather/fall.h"
+#include "skydrop/game/snapshot.h"
 
 namespace skydrop::render {
 namespace {
 
-constexpr double kWetRate = 1, kSnowedRate = 0.3;  // mm/h, from which all is wet or white
-constexpr double kSnowUpToC = 0.5, kLapsePerM = 0.0065;
+constexpr double kLeastSeen = 0.004;    // share of the ground: a step of the picture
 constexpr double kOvercastShare = 0.5;  // of the sky's light that rain lets through to puddles, about
 
 }  // namespace
 
-FallenWater fallenWater(const weather::State& state) {
+FallenWater fallenWater(const weather::State& state, const weather::LyingWater& lying) {
   FallenWater fallen;
-  const std::optional<weather::FallField> field = weather::fallField(state);
-  if (!field) return fallen;
-  fallen.snowLineM = (state.temperatureC - kSnowUpToC) / kLapsePerM;
-  const weather::Precipitation ground = weather::fallAt(state, 0);
-  const weather::Precipitation high = weather::fallAt(state, std::max(fallen.snowLineM, 0.0) + 300);
-  fallen.wet = std::clamp((ground.rain + ground.sleet + ground.hail) / kWetRate, 0.0, 1.0);
-  fallen.snow = std::clamp(high.snow / kSnowedRate, 0.0, 1.0);
+  fallen.snowLineM = weather::snowLineM(state);
+  fallen.wet = lying.wet;
+  fallen.snow = lying.snow;
   return fallen;
+}
+
+const weather::LyingWater& WetGroundPass::lying(const FrameInput& frame) const {
+  const weather::Moment& moment = frame.game->weather;
+  const glm::dvec2 place(frame.view.position.x, frame.view.position.z);
+  if (moment == moment_ && place == place_) return lying_;
+  moment_ = moment;
+  place_ = place;
+  return lying_ = weather::lyingWater(moment, place);
 }
 
 std::optional<std::string> WetGroundPass::skipReason(const FrameInput& frame) const {
   if (!settings_.wetGround) return "switched off";
   if (frame.warmsUp && weatherOf(frame)) return std::nullopt;
-  return whyDry(weatherOf(frame));
+  if (!frame.game || !frame.game->weather) return "no weather";
+  if (!weather::everFalls(frame.game->weather)) return "it never rains";
+  const weather::LyingWater& here = lying(frame);
+  if (std::max(here.wet, here.snow) < kLeastSeen) return "the land is dry";
+  return std::nullopt;
 }
 
 void WetGroundPass::draw(FrameContext& context) {
-  fallen_ = fallenWater(*weatherOf(context.frame));
+  const FrameInput& frame = context.frame;
+  fallen_ = fallenWater(*weatherOf(frame), frame.warmsUp ? weather::LyingWater{1, 1} : lying(frame));
   fallen_.sky = context.uniforms.skyLight * static_cast<float>(kOvercastShare / std::numbers::pi);
   context.resources.publish(fallen_);
 }

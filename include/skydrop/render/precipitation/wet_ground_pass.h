@@ -3,13 +3,12 @@
 #include "skydrop/render/frame/fallen_water.h"
 #include "skydrop/render/frame/pass.h"
 #include "skydrop/render/precipitation/precipitation_settings.h"
-#include "skydrop/weather/state.h"
+#include "skydrop/weather/lying_water.h"
 
 namespace skydrop::render {
 
-// What of a fall lies on the land: wet from 1 mm/h of rain on, white where snow falls and it is no warmer
-// than half a degree. It has no memory: dry land is dry.
-FallenWater fallenWater(const weather::State& state);
+// What lies on the land as it is drawn: snow from the height on where it is no warmer than half a degree.
+FallenWater fallenWater(const weather::State& state, const weather::LyingWater& lying);
 
 // Publishes it for those who draw land. Draws nothing.
 class WetGroundPass final : public Pass {
@@ -21,12 +20,18 @@ class WetGroundPass final : public Pass {
 
   std::string_view name() const override { return "wetGround"; }
   RenderStage stage() const override { return RenderStage::shadows; }
-  // Switched off, and where it is dry.
+  // Switched off, and where nothing lies: it never falls, or the land has dried.
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
   void draw(FrameContext& context) override;
 
  private:
+  // Looks back in time once a frame.
+  const weather::LyingWater& lying(const FrameInput& frame) const;
+
   PrecipitationSettings settings_;
+  mutable weather::Moment moment_;  // that lying_ is of
+  mutable glm::dvec2 place_{0};
+  mutable weather::LyingWater lying_;
   FallenWater fallen_;  // published
 };
 
