@@ -34,7 +34,8 @@ float wayToShell(CloudLayer l, float height, float rise) {
 
 float shapeIn(CloudLayer l, vec3 place, float height) {
   vec2 map = l.weatherPlace.xz + place.xz * l.weatherPlace.w;
-  vec2 weather = textureLod(weatherMap, map, 0.0).xy;  // coverage, type
+  vec3 weather = textureLod(weatherMap, map, 0.0).xyz;  // coverage, type, reach of anvils
+  weather.x = formedMap(formOf(l), height, weather.x, weather.z);
   float base = textureLod(baseNoise, l.shapePlace.xyz + place * l.shapeScale.xyz, 0.0).x;
   return formedShapeEstimate(mediumOf(l), formOf(l), height, weather.x, weather.y, base);
 }

@@ -21,6 +21,9 @@ struct CloudForm {
 // Local coverage about which contrast draws towers apart from the air between them.
 CONST Real kTowerCover = Real(0.35);
 
+// How much more contrast an anvil has than the tower below.
+CONST Real kAnvilContrast = Real(2.0);
+
 // The anvil is whole an eighth of the height above where it begins.
 CONST Real kAnvilSlope = Real(8.0);
 
@@ -32,6 +35,12 @@ FN Real ownProfile(CloudForm form, Real heightFraction) {
 // How much a height is of the anvil's.
 FN Real anvilShare(CloudForm form, Real heightFraction) {
   return saturate((heightFraction - form.anvilBase) * kAnvilSlope + Real(1.0));
+}
+
+// Coverage of the map as a form takes it at a height: in the anvil that of the nearest tower, less the way from there
+// (clouds::anvilReach()), so an anvil hangs together with its tower.
+FN Real formedMap(CloudForm form, Real heightFraction, Real mapped, Real reached) {
+  return mix(mapped, reached, anvilShare(form, heightFraction));
 }
 
 FN Real formedProfile(CloudForm form, Real heightFraction, Real type) {
@@ -52,10 +61,12 @@ FN CloudMedium formedMedium(CloudMedium medium, CloudForm form, Real heightFract
   return there;
 }
 
-// As localCoverage().
-FN Real formedLocalCoverage(CloudMedium there, CloudForm form, Real mapped) {
+// As localCoverage(). anvil: anvilShare(); the reach of an anvil falls slowly with the way, and its edge is drawn the
+// sharper, or noise would leave shreds of it.
+FN Real formedLocalCoverage(CloudMedium there, CloudForm form, Real mapped, Real anvil) {
   Real coverage = mapped * Real(2.0) * there.coverage;
-  return saturate(coverage + form.contrast * (coverage - kTowerCover));
+  Real contrast = form.contrast * (Real(1.0) + kAnvilContrast * anvil);
+  return saturate(coverage + contrast * (coverage - kTowerCover));
 }
 
 // As cloudShapeDensity().
@@ -63,7 +74,7 @@ FN Real formedShapeDensity(CloudMedium medium, CloudForm form, Real heightFracti
                            Real base) {
   CloudMedium there = formedMedium(medium, form, heightFraction);
   Real profile = formedProfile(form, heightFraction, mappedType + medium.typeShift);
-  return profiledDensity(there, base, profile, formedLocalCoverage(there, form, mappedCoverage));
+  return profiledDensity(there, base, profile, formedLocalCoverage(there, form, mappedCoverage, anvilShare(form, heightFraction)));
 }
 
 // As cloudShapeEstimate().
@@ -72,7 +83,7 @@ FN Real formedShapeEstimate(CloudMedium medium, CloudForm form, Real heightFract
   CloudMedium there = formedMedium(medium, form, heightFraction);
   Real body = min((base - there.threshold) / (Real(1.0) - there.threshold), Real(1.0));
   Real profile = formedProfile(form, heightFraction, mappedType + medium.typeShift);
-  return body * profile + formedLocalCoverage(there, form, mappedCoverage) - Real(1.0);
+  return body * profile + formedLocalCoverage(there, form, mappedCoverage, anvilShare(form, heightFraction)) - Real(1.0);
 }
 
 // What is left of the sun's light below layers of an optical depth along its ray, direct and scattered: below scattered

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <string>
 
+#include "skydrop/clouds/anvil_reach.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/shared_clouds.h"
 
@@ -41,6 +42,9 @@ struct InFloat {
   using Vec4 = f32::Vec4;
   using Medium = f32::CloudMedium;
   using Form = f32::CloudForm;
+  static Real formedMap(const Form& form, Real height, Real mapped, Real reached) {
+    return f32::formedMap(form, height, mapped, reached);
+  }
   static Real shapeDensity(const Medium& medium, const Form& form, Real height, Vec4 weather, Real base) {
     return f32::formedShapeDensity(medium, form, height, weather.x, weather.z, base);
   }
@@ -56,6 +60,9 @@ struct InDouble {
   using Vec4 = f64::Vec4;
   using Medium = f64::CloudMedium;
   using Form = f64::CloudForm;
+  static Real formedMap(const Form& form, Real height, Real mapped, Real reached) {
+    return f64::formedMap(form, height, mapped, reached);
+  }
   static Real shapeDensity(const Medium& medium, const Form& form, Real height, Vec4 weather, Real base) {
     return f64::formedShapeDensity(medium, form, height, weather.x, weather.z, base);
   }
@@ -125,6 +132,23 @@ typename Shared::Form formIn(const LayerMedium& of) {
           static_cast<Real>(of.form.contrast)};
 }
 
+// Of the map's quantities at a place what a form takes at a height fraction.
+template <class Shared>
+typename Shared::Vec4 formedMapAt(const PackedCloudNoise& noise, const LayerMedium& medium,
+                                  typename Shared::Real height, const typename Shared::Vec2& place) {
+  using Real = typename Shared::Real;
+  typename Shared::Vec4 weather = mapAt<Shared>(noise.weather, noise.weatherSide, place);
+  if (medium.form.anvilBase >= kNoAnvil || noise.anvils.empty()) return weather;
+  const Between<Real> x(place.x, noise.weatherSide), y(place.y, noise.weatherSide);
+  const auto texel = [&](std::size_t i, std::size_t j) {
+    return static_cast<Real>(noise.anvils[j * static_cast<std::size_t>(noise.weatherSide) + i]);
+  };
+  const auto row = [&](std::size_t j) { return glm::mix(texel(x.first, j), texel(x.second, j), x.share); };
+  weather.x = Shared::formedMap(formIn<Shared>(medium), height, weather.x,
+                                glm::mix(row(y.first), row(y.second), y.share));
+  return weather;
+}
+
 // A place in periods, [0, 1): wrapped in double before anything is rounded.
 double inPeriods(double metres, double period) {
   const double periods = metres / period;
@@ -149,6 +173,7 @@ PackedCloudNoise packCloudNoise(const core::TextureData& shape, const core::Text
     packed.detail[i] = f32::cloudDetail(texelOf(detail, i));
   packed.weather.resize(weather.texels.size() / 4);
   for (std::size_t i = 0; i < packed.weather.size(); ++i) packed.weather[i] = glm::vec3(texelOf(weather, i));
+  packed.anvils = anvilReach(packed.weather, packed.weatherSide);
   return packed;
 }
 
@@ -173,11 +198,11 @@ typename Shared::Real CloudField::densityAs(const glm::dvec3& position) const {
   };
   const auto medium = mediumIn<Shared>(medium_);
   const Vec3 inMap = placeIn(carried, periodM_);
-  const Real shape =
-      Shared::shapeDensity(medium, formIn<Shared>(medium_), static_cast<Real>(height),
-                           mapAt<Shared>(noise_->weather, noise_->weatherSide, Vec2(inMap.x, inMap.z)),
-                           volumeAt<Real>(noise_->base, noise_->shapeSide,
-                                          placeIn(carried * medium_.form.stretch, shapePeriod(layer))));
+  const Real shape = Shared::shapeDensity(
+      medium, formIn<Shared>(medium_), static_cast<Real>(height),
+      formedMapAt<Shared>(*noise_, medium_, static_cast<Real>(height), Vec2(inMap.x, inMap.z)),
+      volumeAt<Real>(noise_->base, noise_->shapeSide,
+                     placeIn(carried * medium_.form.stretch, shapePeriod(layer))));
   if (!(shape > 0)) return 0;  // most places: the detail is not even fetched
   return Shared::eroded(
       medium, static_cast<Real>(height), shape,
@@ -191,8 +216,8 @@ float CloudField::shapeEstimateInFloat(const glm::dvec3& position) const {
     return f32::Vec3(inPeriods(at.x, period), inPeriods(at.y, period), inPeriods(at.z, period));
   };
   const f32::Vec3 inMap = placeIn(carried, periodM_);
-  const f32::Vec4 weather = mapAt<InFloat>(noise_->weather, noise_->weatherSide, f32::Vec2(inMap.x, inMap.z));
   const auto height = static_cast<float>((position.y - layer.cloudHeight) / layer.thickness);
+  const f32::Vec4 weather = formedMapAt<InFloat>(*noise_, medium_, height, f32::Vec2(inMap.x, inMap.z));
   return f32::formedShapeEstimate(
       mediumIn<InFloat>(medium_), formIn<InFloat>(medium_), height, weather.x, weather.z,
       volumeAt<float>(noise_->base, noise_->shapeSide,

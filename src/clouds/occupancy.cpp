@@ -117,17 +117,22 @@ std::vector<float> largestBase(const PackedCloudNoise& noise, const LayerMedium&
   return cells;
 }
 
-// Largest value of a quantity of the weather map in each column of cells, at z * kSide + x.
-template <class Quantity>
-std::vector<float> largestWeather(const PackedCloudNoise& noise, Quantity quantity) {
-  const auto n = static_cast<std::size_t>(noise.weatherSide);
-  const Windows windows =
-      windowsOf(noise.weatherSide, kSide, -0.5, static_cast<double>(noise.weatherSide) / kSide);
-  std::vector<float> texels(n * n), lines(n * kSide), columns(std::size_t{kSide} * kSide);
-  std::transform(noise.weather.begin(), noise.weather.end(), texels.begin(), quantity);
+// Largest value of a square map in each column of cells, at z * kSide + x.
+std::vector<float> largestOf(const std::vector<float>& texels, int side) {
+  const auto n = static_cast<std::size_t>(side);
+  const Windows windows = windowsOf(side, kSide, -0.5, static_cast<double>(side) / kSide);
+  std::vector<float> lines(n * kSide), columns(std::size_t{kSide} * kSide);
   maximaAlong(windows, texels.data(), n, lines.data());
   maximaAcross(windows, lines.data(), kSide, columns.data());
   return columns;
+}
+
+// The same of a quantity of the weather map.
+template <class Quantity>
+std::vector<float> largestWeather(const PackedCloudNoise& noise, Quantity quantity) {
+  std::vector<float> texels(noise.weather.size());
+  std::transform(noise.weather.begin(), noise.weather.end(), texels.begin(), quantity);
+  return largestOf(texels, noise.weatherSide);
 }
 
 // Largest profile over the heights of each row, by type. At one height the profile is linear in the type
@@ -182,24 +187,27 @@ class ProfileTable {
 
 // What the form adds, over the heights of each row: its profile and cover at most, its threshold at least.
 struct FormRows {
-  std::array<float, kRows> profile{}, cover{}, threshold{};
+  std::array<float, kRows> profile{}, cover{}, threshold{}, anvil{};
 
   explicit FormRows(const f32::CloudForm& form) {
     constexpr int kHeights = 64;  // a row, and one beyond each end
     profile.fill(0);
     cover.fill(0);
     threshold.fill(0);
+    anvil.fill(0);
     for (std::size_t row = 0; row < kRows; ++row) {
       for (int k = -1; k <= kHeights + 1; ++k) {
         const float height = (static_cast<float>(row) + static_cast<float>(k) / kHeights) / kRows;
         profile[row] = std::max(profile[row], f32::ownProfile(form, height));
         cover[row] = std::max(cover[row], f32::formedCover(form, height));
+        anvil[row] = std::max(anvil[row], f32::anvilShare(form, height));
         threshold[row] = std::min(threshold[row], form.anvilThreshold * f32::anvilShare(form, height));
       }
       // Between the heights looked at; the plain form has nothing there.
       constexpr float kBetween = 0.02f;
       profile[row] += kBetween;
       if (form.spread != 1 || form.taper != 0) cover[row] += kBetween * form.spread;
+      if (anvil[row] > 0) anvil[row] = std::min(anvil[row] + kBetween, 1.0f);
       if (form.anvilThreshold != 0) threshold[row] += kBetween * form.anvilThreshold;
     }
   }
@@ -284,6 +292,9 @@ BitVolume occupiedCells(const PackedCloudNoise& noise, const LayerMedium& of, do
   if (!(layer.coverage > 0 && layer.thickness > 0)) return occupied;
   const std::vector<float> base = largestBase(noise, of, weatherPeriodM, heightSlackM);
   const std::vector<float> coverage = largestWeather(noise, [](const glm::vec3& w) { return w.x; });
+  // Reach is nowhere less than coverage, so the most of both at a height is that of their largest.
+  const bool hasAnvil = of.form.anvilBase < kNoAnvil && !noise.anvils.empty();
+  const std::vector<float> reach = hasAnvil ? largestOf(noise.anvils, noise.weatherSide) : coverage;
   const std::vector<float> highestType = largestWeather(noise, [](const glm::vec3& w) { return w.z; });
   const std::vector<float> lowestType = largestWeather(noise, [](const glm::vec3& w) { return -w.z; });
   static const ProfileTable kProfiles;
@@ -307,7 +318,10 @@ BitVolume occupiedCells(const PackedCloudNoise& noise, const LayerMedium& of, do
       f32::CloudMedium there = medium;
       there.coverage *= formed.cover[row];
       there.threshold += formed.threshold[row];
-      const float covered = f32::formedLocalCoverage(there, form, coverage[column] + kSlack);
+      const float mapped = f32::mix(coverage[column], reach[column], formed.anvil[row]);
+      const float covered =
+          std::max(f32::formedLocalCoverage(there, form, mapped + kSlack, 0.0f),
+                   f32::formedLocalCoverage(there, form, mapped + kSlack, formed.anvil[row]));
       const float most = f32::mix(profile[row], formed.profile[row], form.own);
       const bool isOccupied = f32::profiledDensity(there, mostBase, most, covered) > 0;
       occupied[z * kRows + row][x / 64] |= std::uint64_t{isOccupied} << (x % 64);

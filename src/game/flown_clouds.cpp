@@ -36,7 +36,7 @@ clouds::CloudForm formOf(const glm::dvec4& profile, const glm::dvec3& stretch = 
 clouds::CloudForm towerWithAnvil() {
   clouds::CloudForm form = formOf({0, 0.02, 0.92, 1}, {1, 0.8, 1});
   form.anvilBase = 0.85;
-  form.spread = 1.25;
+  form.spread = 1;  // of the map's reach, which is what spreads
   form.anvilThreshold = -0.6;
   form.taper = 0.1;
   form.contrast = 6;

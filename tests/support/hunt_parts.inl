@@ -36,9 +36,11 @@ HUNTED(ownProfile, (in(-1e30, 1e30), unit(), in(1, 50), unit(), in(1, 50)), (sha
        CloudForm f; f.profile = Vec4(a[1], a[2], a[3], a[4]); r[0] = ownProfile(f, a[0]))
 HUNTED(formedCover, (in(-1e30, 1e30), in(0.3, 2.5), in(1, 4), unit()), (out(0, 4, 1e-5, 1e-4)),
        CloudForm f; f.anvilBase = a[1]; f.spread = a[2]; f.taper = a[3]; r[0] = formedCover(f, a[0]))
-HUNTED(formedLocalCoverage, (unit(), unit(), in(0, 10)), (share(1e-4)),
+HUNTED(formedMap, (in(-1e30, 1e30), in(0.3, 2.5), unit(), unit()), (share(1e-4)),
+       CloudForm f; f.anvilBase = a[1]; r[0] = formedMap(f, a[0], a[2], a[3]))
+HUNTED(formedLocalCoverage, (unit(), unit(), in(0, 10), unit()), (share(1e-4)),
        CloudMedium m; m.threshold = Real(0.2); m.coverage = a[0]; CloudForm f; f.contrast = a[2];
-       r[0] = formedLocalCoverage(m, f, a[1]))
+       r[0] = formedLocalCoverage(m, f, a[1], a[3]))
 HUNTED(erodedDensity, (in(0, 0.9), in(-1e30, 1e30), unit(), unit()), (share(1e-4)),
        CloudMedium m; m.threshold = Real(0.2); m.coverage = Real(0.5); m.erosion = a[0]; m.typeShift = Real(0.0);
        r[0] = erodedDensity(m, a[1], a[2], a[3]))

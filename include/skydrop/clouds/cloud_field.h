@@ -20,6 +20,7 @@ struct PackedCloudNoise {
   std::vector<float> base;                             // cloudBase() of the shape texture, x fastest
   std::vector<float> detail;                           // cloudDetail() of the detail texture
   std::vector<glm::vec3> weather;                      // coverage, precipitation, type
+  std::vector<float> anvils;                           // anvilReach() of the coverage; empty: as the coverage
 };
 
 // rgba8 cubes and a square map, sides powers of two, as clouds::makeNoise() makes them; anything else (read

@@ -9,11 +9,13 @@
 
 namespace skydrop::clouds {
 
+inline constexpr double kNoAnvil = 2;  // height fraction of an anvil that is not there
+
 // What the genus adds (shaders/shared/cloud_form.glsl). The default adds nothing.
 struct CloudForm {
   glm::dvec4 profile{0, 0.1, 0.9, 1};  // height fractions, ascending in [0, 1]: density rises, falls
   double own = 0;                      // [0, 1]: share of that profile; the rest is that of the map's type
-  double anvilBase = 2;                // height fraction from which the anvil is whole; 2: there is none
+  double anvilBase = kNoAnvil;         // height fraction from which the anvil is whole; 2: there is none
   double spread = 1;                   // 0 .. 4: cover in the anvil, times that below
   double anvilThreshold = 0;           // -0.95 .. 0: added to the least density there
   double taper = 0;                    // 0 .. 0.9: share of its cover that a tower would lose up to the top

@@ -33,11 +33,14 @@ CloudTextures::CloudTextures(gl::Context& context, std::shared_ptr<const clouds:
                   static_cast<double>(noise_->detail.size())),
       base_(volume(context, noise_->base, noise_->shapeSide, "cloud base")),
       detail_(volume(context, noise_->detail, noise_->detailSide, "cloud detail")),
-      weather_(gl::Texture::make2D(context, GL_RG32F, noise_->weatherSide, noise_->weatherSide, "weather")) {
-  std::vector<glm::vec2> coverageAndType(noise_->weather.size());
-  std::transform(noise_->weather.begin(), noise_->weather.end(), coverageAndType.begin(),
-                 [](const glm::vec3& texel) { return glm::vec2(texel.x, texel.z); });
-  weather_.upload(GL_RG, GL_FLOAT, std::as_bytes(std::span(coverageAndType)));
+      weather_(gl::Texture::make2D(context, GL_RGBA32F, noise_->weatherSide, noise_->weatherSide, "weather")) {
+  std::vector<glm::vec4> map;  // coverage, type, reach of anvils
+  map.reserve(noise_->weather.size());
+  for (std::size_t i = 0; i < noise_->weather.size(); ++i) {
+    const glm::vec3& texel = noise_->weather[i];
+    map.emplace_back(texel.x, texel.z, noise_->anvils.empty() ? texel.x : noise_->anvils[i], 0);
+  }
+  weather_.upload(GL_RGBA, GL_FLOAT, std::as_bytes(std::span(map)));
   weather_.setWrap(GL_REPEAT);
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     layers_[i].distances = gl::Texture::make3D(context, GL_R8UI, Occupancy::kSide, Occupancy::kRows,
