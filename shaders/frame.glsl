@@ -30,6 +30,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 skySun;
   vec4 skyTable;
   vec4 skyGlow;
+  vec4 overcast;
 } frame;
 
 #include "sky/atmosphere.glsl"

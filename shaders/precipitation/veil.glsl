@@ -33,22 +33,23 @@ struct Veil {
   float reachM; // where the last span ends
 };
 
-// Shares of the light of sun and sky below the clouds.
-vec2 lightBelowClouds(vec3 relative) {
+// Shares of light below the clouds, as frame.glsl has them.
+vec3 lightBelowClouds(vec3 relative) {
 #ifdef CLOUD_SHADE
-  return vec2(sunThroughClouds(relative), skyThroughClouds(relative));
+  return lightThroughClouds(relative);
 #else
-  return vec2(1.0);
+  return kOpenSky;
 #endif
 }
 
 vec3 lightOfFall(vec3 direction, vec3 relative) {
-  vec2 shares = lightBelowClouds(relative);
+  vec3 shares = lightBelowClouds(relative);
   float phase = mix(1.0 / (4.0 * kPi), henyeyGreenstein(dot(direction, frame.toSun.xyz), kFallForward), kFallOnce);
   // Below clouds the light of the sky is white: they scatter all colours alike.
   vec3 around = (frame.skyLight.xyz + frame.groundLight.xyz) * (shares.y * 0.5 / kPi);
   around = mix(vec3(dot(around, vec3(0.2126, 0.7152, 0.0722))), around, shares.y);
-  return frame.sunLight.xyz * (shares.x * phase) + around;
+  // What clouds have scattered of the sun's comes from above, from half of all directions.
+  return frame.sunLight.xyz * (shares.x * phase) + around + diffuseSun(shares) * (0.5 / kPi);
 }
 
 // Where a ray leaves what falls, upwards or into the sea, m; at most where it is no longer seen.

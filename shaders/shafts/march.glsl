@@ -31,6 +31,15 @@ vec2 lightOnAir(vec3 relative) {
   return mix(vec2(1.0, 0.0), light, shaftFade(length(relative.xz), reachM));
 }
 
+// Where the air is that below an even deck it has no sun to lose.
+float shaftsLeft() {
+#ifdef OVERCAST
+  return 1.0 - frame.overcast.x;
+#else
+  return 1.0;
+#endif
+}
+
 // Each of 4 x 4 neighbours begins its steps elsewhere, by an ordered pattern (Bayer 1973): those that the filter means
 // together have 16 places a step.
 float firstShare(ivec2 texel) {
@@ -66,6 +75,7 @@ vec4 shaftsOf(ivec2 texel) {
     float atM = shaftPlace(span, (float(i) + shift) / float(steps));
     vec3 lost = shaftLoss(here, phases, lightOnAir(direction * atM), frame.toSun.y);
     float seen = mix(1.0, clouds.y, smoothstep(0.9 * clouds.x, 1.1 * clouds.x, atM));
+    lost *= shaftsLeft();
     loss += exp(-(depth + here.extinction * (0.5 * (to - from)))) * sunAt(heightM) * lost * ((to - from) * seen);
     depth += here.extinction * (to - from);
     from = to;

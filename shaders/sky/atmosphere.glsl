@@ -32,6 +32,42 @@ vec3 airTransmittance(float riseM, float distanceM) {
   return transmittanceBetween(frameAtmosphere(), frame.eye.x, frame.eye.x + riseM, distanceM);
 }
 
+// What air of any opacity sends below an even deck of clouds: it sees the deck from above and the land from below, and no
+// sun; as much as one half of all directions at E / pi each (E: illuminance of level ground).
+vec3 airBelowDeck() {
+  vec3 ground = frame.sunLight.xyz * max(frame.toSun.y, 0.0) + frame.skyLight.xyz + frame.groundLight.xyz;
+  return ground * (frame.overcast.y * 0.5 / kPi) + frame.nightRadiance.xyz;
+}
+
+// Air as it is below the clouds of the frame.
+vec3 airBelowClouds(vec3 open) {
+#ifdef OVERCAST
+  return mix(open, airBelowDeck(), frame.overcast.x);
+#else
+  return open;
+#endif
+}
+
+// Of light that arrives on level ground, what is left where the clouds are those around the eye.
+float leftBelowClouds() {
+#ifdef OVERCAST
+  return mix(1.0, frame.overcast.y, frame.overcast.x);
+#else
+  return 1.0;
+#endif
+}
+
+// The open sky beyond the end of a deck, through the dark air below that.
+vec3 behindDeck(vec3 sky, vec3 direction) {
+#ifdef OVERCAST
+  float deckM = frame.overcast.z / max(direction.y, 1e-3);
+  vec3 left = airTransmittance(frame.overcast.z, deckM);
+  return mix(sky, mix(airBelowDeck(), sky, left), frame.overcast.x);
+#else
+  return sky;
+#endif
+}
+
 #ifdef SKY_SHELL
 // Of the whole sky (sky::SkyLayer): light by itself, light to be multiplied by the haze's phase function, and
 // transmittance.
@@ -78,9 +114,9 @@ vec3 skyWithoutGlow(vec3 direction) { return skyByTable(direction, 0.0); }
 // What air of any opacity sends towards the eye, up to a distance, is its opacity times this: the mean along the ray.
 vec3 airRadiance(vec3 direction, float distanceM) {
   vec3 place = vec3(skyTablePlace(direction), (skyTableSlice(distanceM) + 0.5) / float(2 * kSkySlices));
-  return textureLod(airTables, place, 0.0).xyz +
-         textureLod(airTables, place + vec3(0.0, 0.0, 0.5), 0.0).xyz *
-             henyeyGreenstein(dot(direction, frame.skyGlow.xyz), frame.airHaze.w);
+  return airBelowClouds(textureLod(airTables, place, 0.0).xyz +
+                        textureLod(airTables, place + vec3(0.0, 0.0, 0.5), 0.0).xyz *
+                            henyeyGreenstein(dot(direction, frame.skyGlow.xyz), frame.airHaze.w));
 }
 
 // Light of the air before something at a distance that the sky is seen behind, by the air's transmittance.
@@ -101,15 +137,15 @@ float seaEndsSine() { return frame.skyTable.x; }
 // The light of a plain of average land at sea level, without what lies before it: none above its horizon, where it begins
 // over half a degree, as land that is not level would.
 vec3 plainLight(vec3 direction) {
-  return frame.groundLight.xyz / kPi * saturate((seaEndsSine() - direction.y) / 0.01);
+  return frame.groundLight.xyz * (leftBelowClouds() / kPi) * saturate((seaEndsSine() - direction.y) / 0.01);
 }
 
 // Sky and plain as they reach the eye.
 vec3 skyAndPlain(vec3 direction) {
 #ifdef HAZE
-  return skyTowards(direction) + plainLight(direction) * skyTransmittance(direction);
+  return behindDeck(skyTowards(direction), direction) + plainLight(direction) * skyTransmittance(direction);
 #else
-  return direction.y < seaEndsSine() ? frame.groundLight.xyz / kPi : skyTowards(direction);
+  return direction.y < seaEndsSine() ? frame.groundLight.xyz * (leftBelowClouds() / kPi) : skyTowards(direction);
 #endif
 }
 
@@ -131,15 +167,20 @@ vec3 skyWithoutGlow(vec3 direction) {
 // direction.
 vec3 airRadiance(vec3 direction, float distanceM) {
   float c = dot(direction, frame.skySun.xyz);
-  return frame.horizonRayleigh.xyz * rayleighPhase(c) + frame.horizonHaze.xyz * henyeyGreenstein(c, frame.airHaze.w) +
-         frame.horizonIsotropic.xyz;
+  return airBelowClouds(frame.horizonRayleigh.xyz * rayleighPhase(c) +
+                        frame.horizonHaze.xyz * henyeyGreenstein(c, frame.airHaze.w) + frame.horizonIsotropic.xyz);
 }
 
 // Light of the air before something at a distance that the sky is seen behind, by the air's transmittance: what is far
 // away becomes that sky.
 vec3 airBeforeSky(vec3 direction, float distanceM, vec3 transmittance) {
   vec3 leftOfSky = skyTransmittance(frameColumn(), direction.y);
-  return skyTowards(direction) * min((1.0 - transmittance) / max(1.0 - leftOfSky, vec3(1e-6)), vec3(1.0));
+  vec3 open = skyTowards(direction) * min((1.0 - transmittance) / max(1.0 - leftOfSky, vec3(1e-6)), vec3(1.0));
+#ifdef OVERCAST
+  return mix(open, airBelowDeck() * (1.0 - transmittance), frame.overcast.x);
+#else
+  return open;
+#endif
 }
 
 // Transmittance of all the air in a direction; below the horizon as at the horizon.
@@ -150,13 +191,14 @@ float seaEndsSine() { return 0.0; }
 
 // Sky, and below the horizon a plain of average land at sea level, as they reach the eye.
 vec3 skyAndPlain(vec3 direction) {
-  vec3 sky = skyTowards(direction);
 #ifdef HAZE
+  vec3 sky = behindDeck(skyTowards(direction), direction);
   vec3 left = exp(frame.depthToSea.xyz / min(direction.y, -1e-9));
 #else
+  vec3 sky = skyTowards(direction);
   vec3 left = vec3(1.0);
 #endif
-  return mix(sky, frame.groundLight.xyz / kPi, direction.y < 0.0 ? left : vec3(0.0));
+  return mix(sky, frame.groundLight.xyz * (leftBelowClouds() / kPi), direction.y < 0.0 ? left : vec3(0.0));
 }
 #endif
 

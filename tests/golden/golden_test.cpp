@@ -257,6 +257,7 @@ const std::vector<Golden>& goldens() {
       {"altocumulusFromBelow", ofGenus("altocumulus", 3500, 4000, 0.6, "0,300,0,40,20,0")},
       {"nimbostratusFromBelow", ofGenus("nimbostratus", 1000, 5500, 1, "0,300,0,40,8,0")},
       {"cumulonimbusFromAfar", ofGenus("cumulonimbus", 1055, 11000, 0.42, "0,3000,0,200,6,0")},
+      {"skyOfFairWeather", clouded("breeze", "0,600,0,40,10,0", "40", "135")},
       {"skyBeforeAWarmFront", clouded("warmFront", "0,500,0,40,10,0", "40", "135")},
       {"skyOfAFront", clouded("coldFront", "0,600,0,40,10,0", "40", "135")},
       {"skyOfAThunderstorm", clouded("thunderstorm", "30000,700,3000,180,6,0", "40", "135")},

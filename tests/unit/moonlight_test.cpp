@@ -81,16 +81,16 @@ TEST(Moonlight, isWorkedOutOnceAFrame) {
   const RenderSettings settings = settingsAt(kFullMoon);
   MoonOfFrame frame;
   const SkyPlaces places = skyPlaces(settings, 500, 0, &frame);
-  const SkyLight light = skyLight(settings, 500, 0, std::nullopt, nullptr, &frame);
+  const SkyLight light = skyLight(settings, 500, 0, std::nullopt, {}, nullptr, &frame);
   const MoonView& moon = frame.at(settings.sun, 0);
   EXPECT_EQ(frame.made(), 1);
   EXPECT_EQ(moon.direction, moonView(settings.sun, 0).direction);
   EXPECT_EQ(light.moon->toMoon, moon.direction);
   EXPECT_EQ(places.moon->sine, moon.direction.y);
-  skyLight(settings, 500, 4, std::nullopt, nullptr, &frame);
+  skyLight(settings, 500, 4, std::nullopt, {}, nullptr, &frame);
   EXPECT_EQ(frame.made(), 2);
   MoonOfFrame byDay;
-  skyLight(settingsAt("2026-09-26T10:00:00Z"), 500, 0, std::nullopt, nullptr, &byDay);
+  skyLight(settingsAt("2026-09-26T10:00:00Z"), 500, 0, std::nullopt, {}, nullptr, &byDay);
   EXPECT_EQ(byDay.made(), 0);
 }
 

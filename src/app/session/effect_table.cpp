@@ -74,6 +74,7 @@ void applyLand(SceneRenderer& sceneRenderer, const SettingsChange& change) {
 }
 
 void addHaze(render::FrameFeatures& features) { features.haze = true; }
+void addOvercast(render::FrameFeatures& features) { features.overcast = true; }
 
 }  // namespace
 
@@ -158,6 +159,7 @@ const std::vector<EffectDescriptor>& effectTable() {
        .menuSections = {{"rainbow", "Rainbow"}}},
       {.effect = Effect::haze, .addFeatures = addHaze, .menuSections = {{"render.atmosphere", "Air"}}},
       {.effect = Effect::weather,
+       .addFeatures = addOvercast,
        .menuSections = {{"weather", "Weather", false, {}, ui::MenuSection::Head::weather},
                         {"weatherFile", "Hour of a weather file"},
                         {"live", "Live weather"}}},

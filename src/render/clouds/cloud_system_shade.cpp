@@ -160,6 +160,24 @@ CloudShadowMap CloudSystem::shadowMap(FrameContext& context) {
                         map(*coarseShadowMap_, kCoarseShadowMapM, kCoarseShadowRadiusM));
 }
 
+Overcast CloudSystem::overcast(const FrameInput& frame) {
+  if (settings_.tier == clouds::CloudTier::off || !drawsWeather(frame)) return {};
+  prepare(frame);
+  Overcast overcast;
+  double open = 1;
+  for (const DrawnLayer& drawn : weather_->layers()) {
+    if (!drawn.isThere) continue;
+    const clouds::CloudLayerSettings& s = drawn.medium.layer;
+    const double above = 1 - std::clamp((frame.view.position.y - s.cloudHeight) / s.thickness, 0.0, 1.0);
+    const double cover = drawn.cover * above;
+    open *= 1 - cover * cover * cover;
+    overcast.left *= 1 - (1 - drawn.skyMean) * above;
+    if (above > 0) overcast.baseM = std::min(overcast.baseM, s.cloudHeight);
+  }
+  overcast.cover = 1 - open;
+  return overcast;
+}
+
 LightShares CloudSystem::lightAt(const glm::dvec3& place, const FrameInput& frame) const {
   const double distance = glm::distance(place, frame.view.position);
   const double reach = core::shared::f64::cloudFade(distance, settings_.fadeDistance);

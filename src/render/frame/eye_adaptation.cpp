@@ -27,7 +27,7 @@ double glareOf(const SkyLight& light, const View& view) {
   const double nearness = std::clamp(1 - angle / kGlareAngleRad, 0.0, 1.0);
   const double outside = luminance(light.sunOutside);
   const double clear = outside > 0 ? std::clamp(luminance(light.sun) / outside, 0.0, 1.0) : 0;
-  return kGlare * nearness * nearness * clear;
+  return kGlare * nearness * nearness * clear * (1 - light.overcast.cover);
 }
 
 }  // namespace

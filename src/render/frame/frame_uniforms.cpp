@@ -50,6 +50,8 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simu
   u.skyTable =
       glm::vec4(sky ? sky->horizon : 0, sky ? sky->airEnds : 1, glow.x * perAcross, glow.z * perAcross);
   u.skyGlow = rgb(glow);
+  u.overcast = glm::vec4(light.overcast.cover, light.overcast.left,
+                         std::clamp(light.overcast.baseM - view.position.y, 1.0, 1e5), 0);
   return u;
 }
 

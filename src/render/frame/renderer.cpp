@@ -188,6 +188,17 @@ bool Renderer::isLit() const {
                              [](const Entry& entry) { return entry.pass->stage() < RenderStage::toneMap; });
 }
 
+// The darkest that any pass makes of it.
+Overcast Renderer::overcastOf(const FrameInput& frame, Which which) {
+  Overcast darkest;
+  for (const Entry& entry : passes_) {
+    if (!frame.features.overcast || (entry.held && which == Which::drawn)) continue;
+    const Overcast overcast = entry.pass->overcast(frame);
+    if (overcast.light() < darkest.light()) darkest = overcast;
+  }
+  return darkest;
+}
+
 bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& goesOn, const Stages& stages) {
   requireValid(asked.view);
   context_.makeCurrent();
@@ -198,7 +209,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   const std::optional<SkyPlaces> tables =
       targets_ == &screen_ ? sky_.of(lit, asked, moon_.get()) : std::nullopt;
   const SkyLight light = skyLight(lit, asked.view.position.y, asked.simulatedSeconds, asked.adaptedLevel,
-                                  tables ? &*tables : nullptr, moon_.get());
+                                  overcastOf(asked, which), tables ? &*tables : nullptr, moon_.get());
   if (targets_ == &screen_) levelInView_ = levelInView(light, asked.view);
   FrameInput picture = asked;  // of what is drawn over the scene, which may have fewer pixels
   picture.toSun = light.direct.toSun;

@@ -82,7 +82,8 @@ sky::Atmosphere atmosphereOf(const AtmosphereSettings& settings) {
 }
 
 SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds,
-                  std::optional<double> adaptedLevel, const SkyPlaces* tables, MoonOfFrame* moon) {
+                  std::optional<double> adaptedLevel, const Overcast& overcast, const SkyPlaces* tables,
+                  MoonOfFrame* moon) {
   SkyLight light{sky::skyLight(atmosphereOf(settings.atmosphere),
                                directionToSun(settings.sun, simulatedSeconds), eyeHeight, settings.sky.model,
                                tables ? &tables->sun : nullptr)};
@@ -96,7 +97,8 @@ SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simul
   // A low sun lights the horizon more than the land, and the horizon is what fills the picture.
   glm::dvec3 horizon = std::numbers::pi * meanHorizonRadiance(light);
   if (light.moon) horizon += light.moon->illuminance;
-  light.level = std::max(luminance(level + horizon), kDarkestLevel);
+  light.overcast = overcast;
+  light.level = std::max(luminance(level + horizon) * overcast.light(), kDarkestLevel);
   const bool isAdapted = adaptedLevel && std::isfinite(*adaptedLevel) && *adaptedLevel > 0;
   const double seen = isAdapted ? std::max(*adaptedLevel, kDarkestLevel) : light.level;
   light.adaptation = kNoonExposure * std::pow(kNoonLevel / seen, kAdaptation);

@@ -27,7 +27,7 @@ constexpr GLuint kDepthUnit = 0, kBlockBinding = 3;  // as in shaders/precipitat
 constexpr double kCabinMarginM = 0.05;
 // A drop shows the sky from above it, which an overcast has three times as bright as at the horizon (CIE
 // S 011, 2003: 9 / (7 pi) of the illuminance in the zenith), and a little of the ground.
-constexpr double kSkyOfDrop = 1.15, kGroundOfDrop = 0.3;
+constexpr double kSkyOfDrop = 1.15, kCloudsOfDrop = 0.8, kGroundOfDrop = 0.3;
 constexpr double kLeastRate = 1e-3;  // mm/h; less is seen by nobody
 
 struct DropBlock {
@@ -126,7 +126,10 @@ void PrecipitationPass::draw(FrameContext& context) {
   const float grey = glm::dot(glm::vec3(block.ambient), glm::vec3(0.2126f, 0.7152f, 0.0722f));
   block.ambient = glm::mix(glm::vec4(grey), block.ambient, static_cast<float>(shares.sky));
   block.ambient.w = static_cast<float>(settings_.rangeM);
-  block.sun = light.sunLight * static_cast<float>(shares.sun + shares.diffuseSun);
+  // What they have scattered of the sun's comes from above, about as evenly.
+  const double fromClouds = std::max(static_cast<double>(light.toSun.y), 0.0) * shares.diffuseSun;
+  block.ambient += light.sunLight * static_cast<float>(kCloudsOfDrop * fromClouds / std::numbers::pi);
+  block.sun = light.sunLight * static_cast<float>(shares.sun);
   block.sun.w = static_cast<float>(settings_.shutterS);
   block.sets = sets.sets;
   uniforms_.writeValue(0, block);

@@ -58,6 +58,8 @@ class CloudSystem final : public Pass {
   std::string_view name() const override { return "clouds"; }
   RenderStage stage() const override { return RenderStage::clouds; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
+  // By the layers of the weather that lie above the eye. Works them out.
+  Overcast overcast(const FrameInput& frame) override;
   // Only where skipReason() gave none. Throws core::DataError where a shader does not compile.
   void draw(FrameContext& context) override;
 

@@ -14,6 +14,8 @@ struct FrameFeatures {
   bool spotLight = false;   // no define: a SpotLight may be published in some frame
   bool flashLight = false;  // no define: a FlashLight may be published in some frame
 
+  bool overcast = false;  // OVERCAST: clouds of a weather may darken the air below them
+
   bool fallenWater = false;  // no define: a FallenWater may be published in some frame
 
   bool operator==(const FrameFeatures&) const = default;

@@ -40,6 +40,7 @@ struct FrameUniforms {
   glm::vec4 skyTable;  // of the shell: sines of the elevations at which the sea (x) and the air (y) end; zw:
                        // level unit vector (x, z) of skyGlow, 0 where it is vertical
   glm::vec4 skyGlow;   // of the shell, xyz: unit vector around which the sky is bright, to sun or moon
+  glm::vec4 overcast;  // Overcast: cover, left, base above the eye (m)
 };
 
 FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simulatedSeconds);

@@ -50,6 +50,8 @@ class Pass {
   virtual PixelBox extent(const FrameInput& frame) const {
     return {0, 0, frame.view.width, frame.view.height};
   }
+  // How it darkens the day around the eye, asked before the light of the frame is made; clouds of a weather.
+  virtual Overcast overcast(const FrameInput&) { return {}; }
   // Waits for what it makes beside the frames, so that this frame shows its settings as they are.
   virtual void settle(const FrameInput&) {}
   // Target, viewport, the frame's uniform block and the default state (gl::Context::setDefaultState) are set.

@@ -154,6 +154,7 @@ class Renderer {
     std::string_view others = {};  // why those that are left out are
     bool contains(RenderStage stage) const { return stage >= first && stage <= last; }
   };
+  Overcast overcastOf(const FrameInput& frame, Which which);
   bool isLit() const;  // some pass may ask for the light of the sky
   // False when it ended before the last pass.
   bool drawPasses(const FrameInput& input, Which which, const GoesOn& goesOn, const Stages& stages);

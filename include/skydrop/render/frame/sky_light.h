@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "skydrop/render/frame/overcast.h"
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/sky/atmosphere.h"
 
@@ -45,8 +46,9 @@ struct SkyLight : sky::SkyLight {
   // the rest is the same towards all azimuths. One of the two is 0, for the tables hold one direction: that
   // of the light of which the sky has more, and while one overtakes the other none.
   double sunGlow = 1, moonGlow = 0;
-  // What exposure follows: illuminance of level ground and of the horizon together, klx, no less than what
-  // the eye adapts to at most.
+  Overcast overcast{};  // that the day is darkened by
+  // What exposure follows: illuminance of level ground and of the horizon together below the clouds, klx, no
+  // less than what the eye adapts to at most.
   double level = 0;
   double adaptation = 1;  // the exposure that follows from the light alone
   double exposure = 1;    // with the stops of the settings: what all light is multiplied by before it meets a
@@ -59,11 +61,12 @@ struct SkyLight : sky::SkyLight {
 glm::dvec3 directionToSun(const SunSettings& sun, double simulatedSeconds = 0);
 sky::Atmosphere atmosphereOf(const AtmosphereSettings& settings);
 // eyeHeight in m above the sea, any finite value. adaptedLevel: what the eye is adapted to (EyeAdaptation),
-// as SkyLight::level; without it, or where it is no number above 0, that of this light. tables: null for
-// those of this place and light. moon: for others who ask in the same frame; may be null.
+// as SkyLight::level; without it, or where it is no number above 0, that of this light. overcast: the clouds
+// above the eye, which darken the day and are adapted to like an hour of it. tables: null for those of this
+// place and light. moon: for others who ask in the same frame; may be null.
 SkyLight skyLight(const RenderSettings& settings, double eyeHeight, double simulatedSeconds = 0,
-                  std::optional<double> adaptedLevel = std::nullopt, const SkyPlaces* tables = nullptr,
-                  MoonOfFrame* moon = nullptr);
+                  std::optional<double> adaptedLevel = std::nullopt, const Overcast& overcast = {},
+                  const SkyPlaces* tables = nullptr, MoonOfFrame* moon = nullptr);
 // As FrameInput::lightOverNight.
 double lightOverNight(const SkyLight& light);
 // Where the tables belong that skyLight() looks up without `tables`.
