@@ -62,6 +62,10 @@ FN LandSurface mownLand(LandSurface land, Vec2 local, Vec2 half_, Real footprint
   turf = mix(turf, Vec3(Real(0.150), Real(0.112), Real(0.070)), worn * Real(0.85));
 
   land.albedo = mix(land.albedo, turf, mownShare);
+  land.litter = land.litter * (Real(1.0) - mownShare);
+  land.scree = land.scree * (Real(1.0) - mownShare);
+  land.rock = land.rock * (Real(1.0) - mownShare);
+  land.sand = land.sand * (Real(1.0) - mownShare);
   land.roughness = mix(land.roughness, Real(0.18), mownShare);
   Real marks = stripMarks(local, half_, footprint);
   land.albedo = mix(land.albedo, Vec3(Real(0.74), Real(0.74), Real(0.70)), marks);

@@ -27,6 +27,12 @@ struct LandSurface {
   Real roughness;  // share of the detail's slope, [0, 1]
   Real wooded;     // share of the crowns' slope, [0, 1]
   Real open;       // share of the sky's light that reaches the surface, [0, 1]
+  // Shares of what it consists of below trees, each [0, 1] and 1 at most together; the rest is grass.
+  Real litter;
+  Real scree;
+  Real rock;
+  Real sand;
+  Real snow;
 };
 
 FN Real smoothRise(Real low, Real high, Real x) {
@@ -171,7 +177,8 @@ FN LandSurface landSurface(Real heightM, Real normalUp, Real curvature, LandNois
 
   Vec3 albedo = mix(meadow, heath, smoothRise(Real(480.0), Real(820.0), height));
   albedo = albedo * (Real(1.0) + Real(0.42) * noise.grain + Real(0.20) * noise.clod + Real(0.10) * noise.tuft);
-  albedo = mix(albedo, scree, max(stony * smoothRise(Real(60.0), Real(420.0), height), bare * Real(0.9)));
+  Real strewn = max(stony * smoothRise(Real(60.0), Real(420.0), height), bare * Real(0.9));
+  albedo = mix(albedo, scree, strewn);
   albedo = mix(albedo, Vec3(Real(0.020), Real(0.030), Real(0.012)), under * Real(0.75) * (Real(1.0) - cliff));
   albedo = mix(albedo, rock, cliff);
   albedo = mix(albedo, foliage, wooded * (Real(1.0) - cliff));
@@ -182,7 +189,8 @@ FN LandSurface landSurface(Real heightM, Real normalUp, Real curvature, LandNois
   Real wet = smoothRise(Real(1.1), Real(0.3), heightM + Real(0.35) * mixed);
   albedo = mix(albedo, sand * (Real(1.0) - Real(0.5) * wet), shore);
   // Below the water all turns to silt.
-  albedo = mix(albedo, Vec3(Real(0.190), Real(0.170), Real(0.120)), smoothRise(Real(-1.0), Real(-8.0), heightM));
+  Real silted = smoothRise(Real(-1.0), Real(-8.0), heightM);
+  albedo = mix(albedo, Vec3(Real(0.190), Real(0.170), Real(0.120)), silted);
 
   // Snow lies above a line, deep in hollows, thin on ridges and ledges, and slides from what is steep.
   Real line = (height - Real(960.0)) / Real(110.0) + Real(0.9) * hollow - Real(0.5) * ridge + Real(0.45) * noise.grove +
@@ -198,5 +206,14 @@ FN LandSurface landSurface(Real heightM, Real normalUp, Real curvature, LandNois
   land.open = (Real(1.0) - Real(0.45) * hollow) *
               (Real(1.0) - under * (Real(1.0) - cliff) * treeShare * Real(0.65) * saturate(Real(1.0) - crowns.height * Real(1.4)));
   land.albedo = albedo;
+  land.snow = snowed;
+  Real left = Real(1.0) - snowed;
+  land.sand = left * (Real(1.0) - (Real(1.0) - shore) * (Real(1.0) - silted));
+  left = left - land.sand;
+  land.rock = left * cliff;
+  left = left - land.rock;
+  land.litter = left * under;
+  left = left - land.litter;
+  land.scree = left * strewn;
   return land;
 }

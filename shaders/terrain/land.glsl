@@ -85,6 +85,7 @@ struct LandSight {
   float heightM;    // above the sea
   float footprint;  // what a pixel covers, metres
   float treeShare;  // how much of single trees is shown
+  float facing;     // cosine at which the land is seen
   vec3 normal;      // of the samples
   LandTexel texel;
 };
@@ -97,11 +98,11 @@ LandSight landSight(vec3 relative) {
   sight.texel = landTexel(sight.place, distanceM);
   sight.normal = sight.texel.metres > 0.0 ? normalAt(sight.texel, vec2(0.0)) : vec3(0.0, 1.0, 0.0);
   // Wider where the land is seen at a slant.
-  float facing = -dot(sight.normal, relative) / distanceM;
-  sight.footprint = distanceM * frame.depthToSea.w / sqrt(clamp(facing, 0.25, 1.0));
+  sight.facing = -dot(sight.normal, relative) / distanceM;
+  sight.footprint = distanceM * frame.depthToSea.w / sqrt(clamp(sight.facing, 0.25, 1.0));
   // Crowns are painted on the ground: close by and along it that shows, and woods are drawn as scrub.
   sight.treeShare = resolved(kTreeMetres, sight.footprint) * smoothstep(60.0, 200.0, distanceM) *
-                    smoothstep(0.08, 0.30, facing);
+                    smoothstep(0.08, 0.30, sight.facing);
   return sight;
 }
 
@@ -120,11 +121,16 @@ LandSurface belowTrees(LandSurface land, LandSight sight, LandNoise noise, float
   float density = forestDensity(growthHeight(sight.heightM), sight.normal.y, 0.0, noise) * stand;
   float leafy = saturate(0.45 + 0.7 * noise.region - beltHeight(growthHeight(sight.heightM), noise) * 0.0009);
   land.albedo = floorAlbedo(land.albedo, land.wooded * stand, leafy, noise);
+  land.litter += (1.0 - land.litter - land.scree - land.rock - land.sand - land.snow) * land.wooded * stand;
   land.wooded *= 1.0 - stand;
   lightShares.x *= sunPastTrees(sight.place, distanceM, density);
   lightShares.y *= 1.0 - 0.35 * density * standingReach.w;
   return land;
 }
+#endif
+
+#ifdef GROUND_DETAIL
+#include "terrain/ground_detail.glsl"
 #endif
 
 // All but the finest.
@@ -169,7 +175,12 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   vec2 inside;
   latticeOf(sight.place, int(kChunkMetres / kTreeMetres), cell, inside);
   Crowns crowns = crownsAt(cell, inside);
+#ifdef GROUND_DETAIL
+  RockLayers layers = rockLayers(sight.heightM, faultsAt(sight, noise.grove), noise, sight.footprint);
+  vec2 strata = vec2(layers.tone, 0.0);
+#else
   vec2 strata = rockStrata(sight.heightM, 22.0 * noise.grove + 9.0 * noise.tuft, sight.footprint);
+#endif
   vec3 normal = sight.normal;
 #ifdef STANDING_WOODS
   sight.treeShare *= 1.0 - standingShare(length(relative));
@@ -193,7 +204,17 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   // Detail as slope: of clods and grains, of ledges where the rock is bare, of the trees' crowns.
   vec3 slope = (clod.xyz * (0.10 * kClodMetres) + grain.xyz * (0.18 * kGrainMetres)) * land.roughness +
                vec3(0.0, strata.y * 3.0 * smoothstep(0.85, 0.6, normal.y), 0.0);
+#ifdef GROUND_DETAIL
+  slope.y += layers.ledge * land.rock;
+  land.scree += land.rock * layers.rubble;
+  land.rock *= 1.0 - layers.rubble;
+  Detail detail = groundDetailAt(sight, land, length(relative), sight.facing, 1.0);
+  land = withDetail(land, detail);
+#endif
   slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * sight.treeShare), land.wooded);
+#ifdef GROUND_DETAIL
+  slope += detail.slope;
+#endif
   vec3 bumped = normalize(normal - (slope - normal * dot(slope, normal)));
   vec3 light = litLand(land, bumped, relative, lightShares);
 #ifdef FALLEN_WATER
@@ -216,11 +237,20 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
 #ifdef GRASS_STRIP
   land = mown(land, sight, noise);
 #endif
+  vec3 normal = sight.normal;
+#ifdef GROUND_DETAIL
+  Detail fine = groundDetailAt(sight, land, length(relative), sight.facing, 1.0);
+  Detail wide = groundDetailAt(sight, land, length(relative), sight.facing, 8.0);
+  wide.tint *= 0.7;  // humps are gentler than tufts
+  land = withDetail(withDetail(land, fine), wide);
+  vec3 slope = fine.slope + 0.35 * wide.slope;
+  normal = normalize(normal - (slope - normal * dot(slope, normal)));
+#endif
 #ifdef FALLEN_WATER
   Fallen lying = fallenOn(land, sight.heightM, sight.normal, noise, -relative / length(relative));
-  return litLand(lying.land, sight.normal, relative, lightShares) + mirroredSky(lying, lightShares);
+  return litLand(lying.land, normal, relative, lightShares) + mirroredSky(lying, lightShares);
 #else
-  return litLand(land, sight.normal, relative, lightShares);
+  return litLand(land, normal, relative, lightShares);
 #endif
 }
 #endif

@@ -138,6 +138,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::StarsSettings;
   using render::SunSettings;
   using render::VegetationSettings;
+  using terrain::GroundDetailSettings;
   using terrain::GroundPictureSettings;
   using terrain::StripSettings;
   using terrain::TerrainSettings;
@@ -156,6 +157,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(GearSettings),
       SKYDROP_STRUCT(StripSettings),
       SKYDROP_STRUCT(WoodsSettings),
+      SKYDROP_STRUCT(GroundDetailSettings),
       SKYDROP_STRUCT(GameSettings),
       SKYDROP_STRUCT(AutopilotSettings),
       SKYDROP_STRUCT(TerrainSettings),

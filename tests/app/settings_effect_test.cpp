@@ -45,6 +45,7 @@ constexpr std::string_view kElsewhere[] = {
     "sky.",                    // tests/app/mood_test.cpp
     "woods.obstacles",         // tests/app/tree_flight_test.cpp
     "vegetation.",             // tests/gl/vegetation_test.cpp
+    "groundDetail.",           // tests/gl/ground_detail_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -107,10 +108,10 @@ constexpr const char* kGroups[] = {"gear.",      "strips.",      "woods.",     "
                                    "input.",     "quality",      "clouds.",    "render.",    "wind.",
                                    "weather.",   "weatherFile.", "lightning.", "live."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
-constexpr const char* kGroupsOfPictures[] = {"cloudPlanes.",    "cloudDome.",    "groundFog.", "stars.",
-                                             "landShadows.",    "halo.",         "rainbow.",   "lightShafts.",
-                                             "aircraftLights.", "landingLight.", "sky.",       "iceClouds.",
-                                             "precipitation.",  "vegetation."};
+constexpr const char* kGroupsOfPictures[] = {
+    "cloudPlanes.", "cloudDome.", "groundFog.",     "stars.",          "landShadows.",
+    "halo.",        "rainbow.",   "lightShafts.",   "aircraftLights.", "landingLight.",
+    "sky.",         "iceClouds.", "precipitation.", "vegetation.",     "groundDetail."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

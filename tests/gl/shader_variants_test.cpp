@@ -82,6 +82,9 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("woodland", {});
   draw("woodland", {"quality=low", "effects.clouds=false", "effects.landShadows=false"});
   draw("airstrip", {"effects.vegetation=true"});
+  draw("airstrip", {"effects.groundDetail=true"});
+  draw("airstrip", {"effects.groundDetail=true", "effects.vegetation=true", "quality=low"});
+  draw("afterRain", {"effects.groundDetail=true"});
   draw("cirrus", {"effects.vegetation=true"});
   draw("coldFront", {});
   draw("thunderstorm", {});

@@ -7,6 +7,7 @@
 
 #include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
+#include "skydrop/core/shared_ground_detail.h"
 #include "skydrop/core/shared_woods.h"
 #include "skydrop/render/gl/buffer.h"
 #include "skydrop/render/gl/shader.h"
@@ -35,6 +36,7 @@ class SharedGLTest : public test::GLTest {
 #include "shared/guards.glsl"
 #include "shared/hash.glsl"
 #include "shared/land_material.glsl"
+#include "shared/ground_detail.glsl"
 #include "shared/marker.glsl"
 #include "shared/tone_map.glsl"
 #include "shared/woods.glsl"
@@ -409,6 +411,64 @@ TEST_F(SharedGLTest, treesAgree) {
     ASSERT_NEAR(result_[i].y, exact.grove, 1e-4f);
     ASSERT_NEAR(result_[i].z, exact.tuft, 1e-4f);
     ASSERT_NEAR(result_[i].w, shared::treeStem(shared::treeBits(chunk)).x, 1e-6f);
+  }
+}
+
+TEST_F(SharedGLTest, groundDetailAgrees) {
+  // Pieces are those of C++ in every bit where none of two is as near as the other, their weights and the
+  // layers of rock within 1e-4 (Mesa's quotients), picks and planes within 1e-5.
+  const std::vector<glm::vec4> rows = randomRows(21);
+  run(rows,
+      "DetailPieces p = detailPieces(uvec2(uint(int(a.x * 2e6) - 1000000), uint(int(a.y * 2e6) - 1000000)), "
+      "a.zw, 3u);\n"
+      "r = vec4(p.weights, detailLevel(a.x * 2.0 + 1e-3, 0.03));\n"
+      "u = uvec4(p.first, p.second, p.third, 0u);");
+  const auto cellOf = [](const glm::vec4& a) {
+    return shared::Uvec2(static_cast<std::uint32_t>(static_cast<int>(a.x * 2e6f) - 1000000),
+                         static_cast<std::uint32_t>(static_cast<int>(a.y * 2e6f) - 1000000));
+  };
+  int apart = 0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const shared::DetailPieces exact = shared::detailPieces(cellOf(a), {a.z, a.w}, 3);
+    apart += bits_[i].x != exact.first || bits_[i].y != exact.second || bits_[i].z != exact.third;
+    for (int c = 0; c < 3; ++c) ASSERT_NEAR(result_[i][c], exact.weights[c], 1e-4f);
+    ASSERT_NEAR(result_[i].w, shared::detailLevel(a.x * 2 + 1e-3f, 0.03f), 1e-4f);
+  }
+  EXPECT_LE(apart, 2);
+  run(rows,
+      "DetailPick pick = detailPick(a.x, a.y, a.z, a.w, a.x * a.y, a.z * a.w);\n"
+      "DetailPlanes planes = detailPlanes(normalize(a.xyz - vec3(0.5, 0.0, 0.5)));\n"
+      "r = vec4(pick.share, planes.share, detailShare(a.x, 1.0), detailFootprint(a.y * 100.0, 3e-3, a.z));\n"
+      "u = uvec4(uint(pick.first), uint(pick.second), uint(planes.first), uint(planes.second));");
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const shared::DetailPick pick = shared::detailPick(a.x, a.y, a.z, a.w, a.x * a.y, a.z * a.w);
+    const shared::DetailPlanes planes =
+        shared::detailPlanes(glm::normalize(glm::vec3(a) - glm::vec3(0.5f, 0, 0.5f)));
+    ASSERT_EQ(bits_[i].x, static_cast<std::uint32_t>(pick.first));
+    ASSERT_EQ(bits_[i].y, static_cast<std::uint32_t>(pick.second));
+    ASSERT_EQ(bits_[i].z, static_cast<std::uint32_t>(planes.first));
+    ASSERT_NEAR(result_[i].x, pick.share, 1e-6f);
+    ASSERT_NEAR(result_[i].y, planes.share, 1e-4f);
+    ASSERT_NEAR(result_[i].z, shared::detailShare(a.x, 1), 1e-5f);
+    ASSERT_NEAR(result_[i].w, shared::detailFootprint(a.y * 100, 3e-3f, a.z), 1e-5f);
+  }
+  run(rows,
+      "LandNoise noise = LandNoise(a.w * 2.0 - 1.0, a.x - 0.5, a.y - 0.5, a.z - 0.5, 0.0);\n"
+      "vec2 faults = rockFaults(uvec2(uint(a.x * 1e6), uint(a.y * 1e6)), a.zw, a.x);\n"
+      "RockLayers rock = rockLayers(a.z * 900.0, faults, noise, 0.2);\n"
+      "r = vec4(faults.x, rock.tone, rock.ledge, rock.rubble);");
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glm::vec4& a = rows[i];
+    const shared::LandNoise noise{a.w * 2 - 1, a.x - 0.5f, a.y - 0.5f, a.z - 0.5f, 0};
+    const shared::Vec2 faults = shared::rockFaults(
+        {static_cast<std::uint32_t>(a.x * 1e6f), static_cast<std::uint32_t>(a.y * 1e6f)}, {a.z, a.w}, a.x);
+    const shared::RockLayers rock = shared::rockLayers(a.z * 900, faults, noise, 0.2f);
+    ASSERT_NEAR(result_[i].x, faults.x, 1e-4f);
+    ASSERT_NEAR(result_[i].y, rock.tone, 2e-3f);  // a float's step at 900 m turns the thinnest bed by that
+    ASSERT_NEAR(result_[i].z, rock.ledge, 2e-2f);
+    ASSERT_NEAR(result_[i].w, rock.rubble, 2e-3f);
   }
 }
 

@@ -74,6 +74,16 @@ std::vector<std::string> inMood(const std::string& mood) {
                      "render.camera.fovDegrees=48", "--set", "stars.twinkle=0"});
 }
 
+// The ground from so many metres above a place, with the nose down.
+std::vector<std::string> closeBy(const std::string& place, const std::string& heading,
+                                 const std::vector<std::string>& settings = {}) {
+  std::vector<std::string> words =
+      withoutHud({"--scene", "lowlevel", "--no-effect", "targets", "--no-effect", "aircraft",
+                  "--camera=" + place, "--above-ground", "--heading", heading, "--pitch=-12"});
+  for (const std::string& setting : settings) words.insert(words.end(), {"--set", setting});
+  return words;
+}
+
 // From a place to another, over elevation data, in the weather of a file at 13:00 UTC.
 std::vector<std::string> viewOfBern(const std::string& from, const std::string& to) {
   return withoutHud({"--scene", "bern", "--place", from, "--look-at", to, "--weather",
@@ -153,6 +163,14 @@ const std::vector<Golden>& goldens() {
       {"woodAt50", withoutHud({"--scene", "woodland", "--pose=-1600,268,-3300,200,-14,0"})},
       {"woodAt150", withoutHud({"--scene", "woodland", "--pose=500,620,-3900,120,-16,0"})},
       {"woodAt20", withoutHud({"--scene", "woodland", "--pose=1700,662,-3250,160,-14,0"})},
+      // The ground from 5 and 20 m: grass, rock in layers and blocks, rippled sand, and a meadow at quality
+      // low.
+      {"meadowAt5", closeBy("4420,5,-530", "320")},
+      {"rockAt5",
+       closeBy("3000,5,-3000", "330", {"render.sun.elevationDegrees=22", "render.sun.azimuthDegrees=240"})},
+      {"rockAt20", closeBy("3900,20,-2700", "330")},
+      {"shoreAt5", closeBy("2696,5,2597", "60")},
+      {"meadowAt20Low", closeBy("4420,20,-530", "320", {"quality=low"})},
       {"moonlitLake", withoutHud({"--pose=0,600,0,46,14,0", "--set", "sky.sun=clock", "--set",
                                   "sky.utc=2026-09-26T21:00Z", "--set", "stars.twinkle=0"})},
       {"starsOverTheRange", withoutHud({"--pose=0,600,0,-60,25,0", "--set", "sky.sun=clock", "--set",

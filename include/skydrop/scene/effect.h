@@ -36,16 +36,18 @@ enum class Effect {
   lightning,       // flashes of the weather, their light and their thunder
   groundHandling,  // the gear bears: taxi, take-off, landing, ditching
   vegetation,      // trees that stand on the land and in the way
+  groundDetail,    // the ground from a few metres: its materials and layers of rock
   count_           // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
-    {"sky",       "terrain",       "clouds",      "haze",           "aircraft",
-     "targets",   "sound",         "hud",         "cloudPlanes",    "cloudDome",
-     "groundFog", "moon",          "stars",       "landShadows",    "halo",
-     "rainbow",   "weather",       "lightShafts", "aircraftLights", "landingLight",
-     "iceClouds", "precipitation", "lightning",   "groundHandling", "vegetation"});
+    {"sky",         "terrain",       "clouds",      "haze",           "aircraft",
+     "targets",     "sound",         "hud",         "cloudPlanes",    "cloudDome",
+     "groundFog",   "moon",          "stars",       "landShadows",    "halo",
+     "rainbow",     "weather",       "lightShafts", "aircraftLights", "landingLight",
+     "iceClouds",   "precipitation", "lightning",   "groundHandling", "vegetation",
+     "groundDetail"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -73,6 +75,7 @@ inline constexpr std::array kEffectNeeds = {
     EffectNeed{Effect::precipitation, Effect::weather},    // that it falls in
     EffectNeed{Effect::groundHandling, Effect::aircraft},  // that stands on it
     EffectNeed{Effect::vegetation, Effect::terrain},       // that it grows on
+    EffectNeed{Effect::groundDetail, Effect::terrain},     // that it is the look of
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

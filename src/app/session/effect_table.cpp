@@ -4,6 +4,7 @@
 #include "app/session/cloud_dome_effect.h"
 #include "app/session/cloud_effect.h"
 #include "app/session/cloud_planes_effect.h"
+#include "app/session/ground_detail_effect.h"
 #include "app/session/ground_fog_effect.h"
 #include "app/session/ice_clouds_effect.h"
 #include "app/session/land_shadows_effect.h"
@@ -183,6 +184,11 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addPasses = addVegetation,
        .apply = applyVegetation,
        .menuSections = {{"vegetation", "Trees"}, {"woods", "Woods"}}},
+      {.effect = Effect::groundDetail,
+       .addPasses = addGroundDetail,
+       .apply = applyGroundDetail,
+       .prepare = prepareGroundDetail,
+       .menuSections = {{"groundDetail", "Ground detail"}}},
       {.effect = Effect::groundHandling, .menuSections = {{"gear", "Landing gear"}}},
       {.effect = Effect::sound, .menuSections = {{"audio", "Sound"}}},
       {.effect = Effect::hud},

@@ -61,6 +61,8 @@ std::string_view helpOf(Effect effect) {
     case Effect::vegetation:
       return "Trees that stand: spruces, broadleaves and dwarf pines where the land has woods, bent by the "
              "wind, and in the way of the aircraft.";
+    case Effect::groundDetail:
+      return "The ground from a few metres: grass, litter, stones, ripples, snow, and rock in layers.";
     case Effect::groundHandling:
       return "The gear bears: taxi, take off and land, ditch; only what is too hard breaks the aircraft. "
              "Without it every touch of the ground is a crash.";

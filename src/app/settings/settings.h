@@ -43,6 +43,7 @@
 #include "skydrop/render/vegetation/vegetation_settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/terrain/ground_picture.h"
+#include "skydrop/terrain/ground_relief.h"
 #include "skydrop/terrain/strips.h"
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
@@ -107,6 +108,7 @@ struct Settings {
   terrain::StripSettings strips;
   terrain::WoodsSettings woods;
   render::VegetationSettings vegetation;
+  terrain::GroundDetailSettings groundDetail;
   flight::GearSettings gear;
   elevation::ElevationSettings elevation;      // of elevation files, where there are some
   terrain::GroundPictureSettings aerialImage;  // of aerial images, where there are some

@@ -14,6 +14,7 @@
 #include "skydrop/render/clouds/ice_shade.h"
 #include "skydrop/render/frame/fallen_water.h"
 #include "skydrop/render/frame/flash_light.h"
+#include "skydrop/render/frame/ground_detail.h"
 #include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/frame/standing_woods.h"
 #include "skydrop/render/shadows/cast_shadows.h"
@@ -298,6 +299,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
                                   1);
   const FrameFeatures& features = context.frame.features;
   const auto* woods = context.resources.find<StandingWoods>();  // in all frames, or in none
+  const auto* detail = context.resources.find<GroundDetail>();  // likewise
   const auto* fallen = context.resources.find<FallenWater>();
   const auto* spot = context.resources.find<SpotLight>();
   const auto* flash = context.resources.find<FlashLight>();
@@ -319,6 +321,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
   if (hasAlpineBelts_) always.emplace_back("ALPINE_BELTS");
   if (ground_) always.emplace_back(GroundTexture::kDefine);
   if (woods) always.emplace_back(StandingWoods::kDefine);
+  if (detail) always.emplace_back(GroundDetail::kDefine);
   for (unsigned variant = 0; variant < 1u << parts.size(); ++variant) {
     const auto has = [variant](std::size_t part) { return (variant >> part & 1) != 0; };
     bool isAsked = true, isThis = true, isPossible = true;
@@ -334,6 +337,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
     gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
     if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
     if (woods) woods->set(shader);
+    if (detail) detail->set(shader);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (has(i)) parts[i].set(shader);
     drawLand(shader, view);
