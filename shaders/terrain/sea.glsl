@@ -28,11 +28,18 @@ struct Waves {
 
 // Three sizes of waves, which together have most of the slope; gusts over kilometres and hundreds of metres roughen
 // the sea by a fifth and leave slicks between them, so that the sun's glitter is not one even sheet from high above.
-Waves wavesAt(vec2 place, float footprint) {
-  vec2 drift = vec2(1.1, 0.7) * frame.eye.w;
-  float swell = resolved(40.0, footprint), wave = resolved(10.0, footprint), ripple = resolved(2.4, footprint);
+vec2 seaDrift() { return vec2(1.1, 0.7) * frame.eye.w; }
+
+float gustiness(vec2 place, float footprint) {
+  vec2 drift = seaDrift();
   vec2 gusts = noiseAt(place + drift * 3.0, 1) * 0.7 + turnedNoiseAt(place + drift * 3.0, 1) * resolved(192.0, footprint);
-  float rough = kSeaSlope * clamp(1.0 + 0.28 * gusts.x, 0.75, 1.35);
+  return clamp(1.0 + 0.28 * gusts.x, 0.75, 1.35);
+}
+
+Waves wavesAt(vec2 place, float footprint) {
+  vec2 drift = seaDrift();
+  float swell = resolved(40.0, footprint), wave = resolved(10.0, footprint), ripple = resolved(2.4, footprint);
+  float rough = kSeaSlope * gustiness(place, footprint);
   Waves waves;
   waves.slope = (noiseAt(place + drift * 2.0, 24) * (kSwellShare * swell) +
                  noiseAt(place + drift, 96) * (kWaveShare * wave) +
@@ -47,6 +54,9 @@ struct SeaLight {
   vec3 passed;  // share of the floor's light that comes through
 };
 
+#ifdef WATER_DETAIL
+#include "terrain/near_sea.glsl"
+#else
 // At a place of the surface `relative` to the eye, over a floor at a depth; `shares` of the light reach it.
 SeaLight seaLight(vec3 relative, float depthM, vec3 shares) {
   float distanceM = length(relative);
@@ -79,6 +89,7 @@ SeaLight seaLight(vec3 relative, float depthM, vec3 shares) {
   light.passed = through * (1.0 - reflectance);
   return light;
 }
+#endif
 
 // What a pixel of the surface sees: where it is relative to the eye, and how much farther along the ray the floor is
 // (a factor; 0: no floor is drawn there).

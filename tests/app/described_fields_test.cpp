@@ -138,6 +138,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::StarsSettings;
   using render::SunSettings;
   using render::VegetationSettings;
+  using render::WaterDetailSettings;
   using terrain::GroundDetailSettings;
   using terrain::GroundPictureSettings;
   using terrain::StripSettings;
@@ -212,6 +213,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(IceCloudSettings),
       SKYDROP_STRUCT(PrecipitationSettings),
       SKYDROP_STRUCT(VegetationSettings),
+      SKYDROP_STRUCT(WaterDetailSettings),
       SKYDROP_STRUCT(LightningSettings),
       SKYDROP_STRUCT(ElevationSettings),
       SKYDROP_STRUCT(GroundPictureSettings),

@@ -46,6 +46,7 @@ constexpr std::string_view kElsewhere[] = {
     "woods.obstacles",         // tests/app/tree_flight_test.cpp
     "vegetation.",             // tests/gl/vegetation_test.cpp
     "groundDetail.",           // tests/gl/ground_detail_test.cpp
+    "waterDetail.",            // tests/gl/water_detail_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -109,9 +110,9 @@ constexpr const char* kGroups[] = {"gear.",      "strips.",      "woods.",     "
                                    "weather.",   "weatherFile.", "lightning.", "live."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {
-    "cloudPlanes.", "cloudDome.", "groundFog.",     "stars.",          "landShadows.",
-    "halo.",        "rainbow.",   "lightShafts.",   "aircraftLights.", "landingLight.",
-    "sky.",         "iceClouds.", "precipitation.", "vegetation.",     "groundDetail."};
+    "cloudPlanes.",   "cloudDome.",   "groundFog.",      "stars.",        "landShadows.", "halo.",
+    "rainbow.",       "lightShafts.", "aircraftLights.", "landingLight.", "sky.",         "iceClouds.",
+    "precipitation.", "vegetation.",  "groundDetail.",   "waterDetail."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -86,6 +86,8 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("airstrip", {"effects.groundDetail=true", "effects.vegetation=true", "quality=low"});
   draw("afterRain", {"effects.groundDetail=true"});
   draw("cirrus", {"effects.vegetation=true"});
+  draw("lagoon", {"effects.vegetation=true"});
+  draw("thunderstorm", {"effects.waterDetail=true"});
   draw("coldFront", {});
   draw("thunderstorm", {});
   draw("fair", {"clouds.march.history=quarter"});

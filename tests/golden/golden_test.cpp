@@ -171,6 +171,12 @@ const std::vector<Golden>& goldens() {
       {"rockAt20", closeBy("3900,20,-2700", "330")},
       {"shoreAt5", closeBy("2696,5,2597", "60")},
       {"meadowAt20Low", closeBy("4420,20,-530", "320", {"quality=low"})},
+      // Water close by: a beach from 5 m, a shore from 20, open water under a low sun.
+      {"waterAtTheBeach", withoutHud({"--scene", "lagoon", "--time", "40", "--pose=3960,5,6735,75,-12,0"})},
+      {"shoreAt20", withoutHud({"--scene", "lagoon", "--time", "40", "--pose=3930,20,6690,110,-10,0"})},
+      {"lowSunOverWater",
+       withoutHud({"--scene", "lagoon", "--time", "40", "--pose=4400,12,4300,20,-5,0", "--set",
+                   "render.sun.elevationDegrees=6", "--set", "render.sun.azimuthDegrees=110"})},
       {"moonlitLake", withoutHud({"--pose=0,600,0,46,14,0", "--set", "sky.sun=clock", "--set",
                                   "sky.utc=2026-09-26T21:00Z", "--set", "stars.twinkle=0"})},
       {"starsOverTheRange", withoutHud({"--pose=0,600,0,-60,25,0", "--set", "sky.sun=clock", "--set",

@@ -142,6 +142,25 @@ HUNTED(sunGlitter, (direction(), in(-1, 1), in(-1, 1), direction(), in(-1, 1), i
        r[0] = sunGlitter(Vec3(a[0], abs(a[1]), a[2]), Vec3(a[3], a[4], a[5]), a[6], Vec2(Real(0.0), Real(0.0)),
                          a[7] * Real(0.8), a[7]))
 
+// sea_waves.glsl, mirror_ray.glsl
+HUNTED(octaveVariance, (in(1e-3, 1e4), in(-10, 100)), (out(0, 1, 2e-5, 1e-12)), r[0] = octaveVariance(a[0], a[1]))
+HUNTED(whitecapShare, (in(-10, 1e4)), (out(0, 0.33, 2e-5)), r[0] = whitecapShare(a[0]))
+HUNTED(waveProfile, (in(-100, 100)), (out(-1, 1, 0, 2e-4), out(-1, 1, 0, 2e-4)),
+       Vec2 p = waveProfile(a[0]); r[0] = p.x; r[1] = p.y)
+HUNTED(waveLeftAt, (in(-1e30, 1e30), in(1e-3, 1e3)), (share()), r[0] = waveLeftAt(a[0], a[1]))
+HUNTED(normalShare, (in(-1e30, 1e30, {6.0f, -6.0f})), (out(0, 1, 5e-5)), r[0] = normalShare(a[0]))
+HUNTED(whitecaps, (in(-6, 6), in(0, 1), in(-3, 3), unit(), in(-8, 0)), (out(0, 1, 2e-4, 1e-9)),
+       r[0] = whitecaps(a[0], a[1], a[2], a[3], a[4]))
+HUNTED(surfFoam, (in(0, 100), in(0, 1e3), unit()), (out(0, 1, 0, 5e-3)), r[0] = surfFoam(a[0], a[1], a[2]))
+HUNTED(waterSlant, (signedUnit()), (out(1, 1.6, 1e-5)), r[0] = waterSlant(a[0]))
+HUNTED(intoWater, (direction(), in(-1, 1), in(-1, 1)), (out(-1, 1, 1e-5), out(-1, 0, 1e-5), out(-1, 1, 1e-5)),
+       Vec3 d = intoWater(Vec3(a[0], -abs(a[1]), a[2]), Vec3(Real(0.0), Real(1.0), Real(0.0))); r[0] = d.x;
+       r[1] = d.y; r[2] = d.z)
+HUNTED(caustic, (in(-1e3, 1e3), in(0, 1e3), in(-1e30, 1e30, {0.0f, 3.0f}), unit()), (out(0, 3, 1e-4)),
+       r[0] = caustic(a[0], a[1], a[2], a[3]))
+HUNTED(mirrorShare, (in(-1e4, 1e4), in(0, 1e4), in(-1, 2), in(-1, 2)), (share(1e-4)),
+       r[0] = mirrorShare(a[0], a[1], a[2], a[3]))
+
 // marker.glsl
 HUNTED(ringCoverage, (in(0, 1e30), in(1, 1e4), in(0, 1e30)), (share(1e-4)), r[0] = ringCoverage(a[0], a[1], a[2]))
 HUNTED(ringFade, (in(-1e30, 1e30), in(0, 1e4)), (share()), r[0] = ringFade(a[0], a[1]))

@@ -130,7 +130,7 @@ TEST(Scene, unknownNamesListWhatThereIs) {
     EXPECT_EQ(std::string(error.what()),
               "nowhere: scene: there is none of this name; "
               "there are: afterRain, airstrip, bern, breeze, cirrus, clear, coldFront, dome, duskPlanes, "
-              "empty, fair, lesson, lowlevel, "
+              "empty, fair, lagoon, lesson, lowlevel, "
               "night-approach, night-range, overcast, plane1, plane3, shafts, snowfall, stress, terrain, "
               "thunderstorm, valleyFog, warmFront, woodland");
   }

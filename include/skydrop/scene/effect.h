@@ -37,17 +37,18 @@ enum class Effect {
   groundHandling,  // the gear bears: taxi, take-off, landing, ditching
   vegetation,      // trees that stand on the land and in the way
   groundDetail,    // the ground from a few metres: its materials and layers of rock
+  waterDetail,     // water close by: waves of the wind, foam, the ground below, mirrored land
   count_           // how many there are; no effect itself, and always the last
 };
 
 // As scene files write them; kEffectNames[i] belongs to static_cast<Effect>(i).
 inline constexpr auto kEffectNames = std::to_array<std::string_view>(
-    {"sky",         "terrain",       "clouds",      "haze",           "aircraft",
-     "targets",     "sound",         "hud",         "cloudPlanes",    "cloudDome",
-     "groundFog",   "moon",          "stars",       "landShadows",    "halo",
-     "rainbow",     "weather",       "lightShafts", "aircraftLights", "landingLight",
-     "iceClouds",   "precipitation", "lightning",   "groundHandling", "vegetation",
-     "groundDetail"});
+    {"sky",          "terrain",       "clouds",      "haze",           "aircraft",
+     "targets",      "sound",         "hud",         "cloudPlanes",    "cloudDome",
+     "groundFog",    "moon",          "stars",       "landShadows",    "halo",
+     "rainbow",      "weather",       "lightShafts", "aircraftLights", "landingLight",
+     "iceClouds",    "precipitation", "lightning",   "groundHandling", "vegetation",
+     "groundDetail", "waterDetail"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -76,6 +77,7 @@ inline constexpr std::array kEffectNeeds = {
     EffectNeed{Effect::groundHandling, Effect::aircraft},  // that stands on it
     EffectNeed{Effect::vegetation, Effect::terrain},       // that it grows on
     EffectNeed{Effect::groundDetail, Effect::terrain},     // that it is the look of
+    EffectNeed{Effect::waterDetail, Effect::terrain},      // that has the sea
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

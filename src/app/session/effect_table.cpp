@@ -16,6 +16,7 @@
 #include "app/session/precipitation_effect.h"
 #include "app/session/scene_renderer.h"
 #include "app/session/vegetation_effect.h"
+#include "app/session/water_detail_effect.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/render/models/aircraft_pass.h"
 #include "skydrop/render/models/marker_pass.h"
@@ -91,6 +92,11 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addPasses = addTargets,
        .joints = {{Effect::terrain, castPackageShadows}},
        .menuSections = {{"game", "Game"}, {"package", "Package"}, {"delivery", "Deliveries"}}},
+      // Before clouds, which lie before what water mirrors.
+      {.effect = Effect::waterDetail,
+       .addPasses = addWaterDetail,
+       .apply = applyWaterDetail,
+       .menuSections = {{"waterDetail", "Water close by", false, {"wind"}}}},
       {.effect = Effect::clouds,
        .addPasses = addClouds,
        .joints = {{Effect::terrain, addCloudShadows, removeCloudShadows}, {Effect::aircraft, addCloudShade}},

@@ -63,6 +63,9 @@ std::string_view helpOf(Effect effect) {
              "wind, and in the way of the aircraft.";
     case Effect::groundDetail:
       return "The ground from a few metres: grass, litter, stones, ripples, snow, and rock in layers.";
+    case Effect::waterDetail:
+      return "Water close by: waves of the wind, whitecaps and surf, the ground below it, and what it "
+             "mirrors.";
     case Effect::groundHandling:
       return "The gear bears: taxi, take off and land, ditch; only what is too hard breaks the aircraft. "
              "Without it every touch of the ground is a crash.";

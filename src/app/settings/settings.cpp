@@ -111,6 +111,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("woods", settings.woods, "The trees of the land.");
   visitor.group("vegetation", settings.vegetation, "How trees are drawn.");
   visitor.group("groundDetail", settings.groundDetail, "What the ground looks like close by.");
+  visitor.group("waterDetail", settings.waterDetail, "How water close by is drawn.");
   visitor.group("gear", settings.gear, "The landing gear: what it bears, and what it stands.");
   visitor.group("elevation", settings.elevation, "Where elevation data lie, and how they end.");
   visitor.group("aerialImage", settings.aerialImage, "How the land wears aerial images.");

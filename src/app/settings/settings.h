@@ -41,6 +41,7 @@
 #include "skydrop/render/sky/rainbow_settings.h"
 #include "skydrop/render/sky/stars_settings.h"
 #include "skydrop/render/vegetation/vegetation_settings.h"
+#include "skydrop/render/water/water_detail_settings.h"
 #include "skydrop/scene/scene.h"
 #include "skydrop/terrain/ground_picture.h"
 #include "skydrop/terrain/ground_relief.h"
@@ -109,6 +110,7 @@ struct Settings {
   terrain::WoodsSettings woods;
   render::VegetationSettings vegetation;
   terrain::GroundDetailSettings groundDetail;
+  render::WaterDetailSettings waterDetail;
   flight::GearSettings gear;
   elevation::ElevationSettings elevation;      // of elevation files, where there are some
   terrain::GroundPictureSettings aerialImage;  // of aerial images, where there are some

@@ -15,6 +15,7 @@
 #include "skydrop/render/frame/fallen_water.h"
 #include "skydrop/render/frame/flash_light.h"
 #include "skydrop/render/frame/ground_detail.h"
+#include "skydrop/render/frame/sea_waves.h"
 #include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/frame/standing_woods.h"
 #include "skydrop/render/shadows/cast_shadows.h"
@@ -151,8 +152,7 @@ void TerrainPass::drawPatches(gl::Shader& shader, const View& view, GLenum mode)
   if (instanceCount_ == 0) return;
   shader.use();
   setEye(shader, view);
-  shader.setVec2("heightRange", glm::vec2(heightRange_.lowest, heightRange_.step()));
-  shader.setFloats("lodMorph", inFloat(lod_.morph));
+  setHeights(shader);
   textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
   patches_.bind();
   const GLsizei indices = mode == GL_POINTS ? kPatchSide * kPatchSide : kPatchIndices;
@@ -274,6 +274,16 @@ void TerrainPass::setLand(gl::ShaderProgram& shader, const View& view) const {
 
 void TerrainPass::setGround(gl::ShaderProgram& shader, const View& view) const {
   setLand(shader, view);
+  setHeights(shader);
+}
+
+void TerrainPass::setSea(gl::ShaderProgram& shader, const View& view) const {
+  setSurface(shader, view);
+  setHeights(shader);
+  shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
+}
+
+void TerrainPass::setHeights(gl::ShaderProgram& shader) const {
   shader.setVec2("heightRange", glm::vec2(heightRange_.lowest, heightRange_.step()));
   shader.setFloats("lodMorph", inFloat(lod_.morph));
 }
@@ -300,6 +310,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
   const FrameFeatures& features = context.frame.features;
   const auto* woods = context.resources.find<StandingWoods>();  // in all frames, or in none
   const auto* detail = context.resources.find<GroundDetail>();  // likewise
+  const auto* waves = context.resources.find<SeaWaves>();       // the same
   const auto* fallen = context.resources.find<FallenWater>();
   const auto* spot = context.resources.find<SpotLight>();
   const auto* flash = context.resources.find<FlashLight>();
@@ -322,6 +333,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
   if (ground_) always.emplace_back(GroundTexture::kDefine);
   if (woods) always.emplace_back(StandingWoods::kDefine);
   if (detail) always.emplace_back(GroundDetail::kDefine);
+  if (waves) always.emplace_back(SeaWaves::kDefine);
   for (unsigned variant = 0; variant < 1u << parts.size(); ++variant) {
     const auto has = [variant](std::size_t part) { return (variant >> part & 1) != 0; };
     bool isAsked = true, isThis = true, isPossible = true;
@@ -338,6 +350,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
     if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
     if (woods) woods->set(shader);
     if (detail) detail->set(shader);
+    if (waves) waves->set(shader);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (has(i)) parts[i].set(shader);
     drawLand(shader, view);
@@ -361,17 +374,24 @@ void TerrainPass::setStrip(gl::Shader& shader) const {
 // of a branch, but skips what the depth test rejects.
 void TerrainPass::drawSea(FrameContext& context) {
   const auto* flash = context.resources.find<FlashLight>();
+  const auto* waves = context.resources.find<SeaWaves>();
   for (const bool hasFlash : {false, true}) {
     if (hasFlash && !flash && !context.frame.features.flashLight) continue;
     std::vector<std::string> defines(context.defines.begin(), context.defines.end());
     if (hasFlash) defines.emplace_back(FlashLight::kDefine);
+    if (waves) defines.emplace_back(SeaWaves::kDefine);
     gl::Shader& shader = context.shaders.shader("terrain/sea.vert", "terrain/sea.frag", defines);
     const bool isThis = hasFlash == (flash != nullptr);
     if ((hasFlash && !flash) || !(isThis || context.frame.warmsUp)) continue;
     if (hasFlash) flash->set(shader);
     shader.use();
-    setSurface(shader, context.frame.view);
-    shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
+    if (waves) {
+      waves->set(shader);
+      setSea(shader, context.frame.view);
+    } else {
+      setSurface(shader, context.frame.view);
+      shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
+    }
     context_.api().Enable(GL_BLEND);
     context_.api().BlendFunc(GL_ONE, GL_SRC1_COLOR);
     seaPlane_.bind();

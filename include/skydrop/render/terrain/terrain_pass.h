@@ -65,6 +65,8 @@ class TerrainPass final : public Pass, public LandGround {
 
   // For what stands on it: published in each frame in which it is drawn.
   void setGround(gl::ShaderProgram& shader, const View& view) const override;
+  void setSurface(gl::ShaderProgram& shader, const View& view) const override;
+  void setSea(gl::ShaderProgram& shader, const View& view) const override;
   glm::dvec2 base() const override { return base_; }
   bool hasAlpineBelts() const override { return hasAlpineBelts_; }
 
@@ -74,7 +76,7 @@ class TerrainPass final : public Pass, public LandGround {
   };
 
   void setEye(gl::ShaderProgram& shader, const View& view) const;
-  void setSurface(gl::ShaderProgram& shader, const View& view) const;
+  void setHeights(gl::ShaderProgram& shader) const;
   void setLand(gl::ShaderProgram& shader, const View& view) const;
   bool isStripSeen(const View& view) const;
   void setStrip(gl::Shader& shader) const;

@@ -1,0 +1,27 @@
+// Puts what the sea mirrors of the scene in place of the sky that its light has.
+#include "terrain/sea.glsl"
+#include "water/sea_pixel.glsl"
+
+layout(binding = 6) uniform sampler2D mirrored;
+uniform int spacing;
+
+// Four looks a texel apart: neighbours follow other slopes, and this is the mean of four of them everywhere.
+vec4 mirroredAt(ivec2 pixel) {
+  vec2 at = (vec2(pixel) - float(spacing / 2)) / float(spacing) + 0.5;
+  vec2 perTexel = 1.0 / vec2(textureSize(mirrored, 0));
+  vec4 aside = vec4(-0.5, 0.5, -0.5, 0.5);
+  return 0.25 * (texture(mirrored, (at + aside.xz) * perTexel) + texture(mirrored, (at + aside.yz) * perTexel) +
+                 texture(mirrored, (at + aside.xw) * perTexel) + texture(mirrored, (at + aside.yw) * perTexel));
+}
+
+bool mirrorsAt(ivec2 pixel) { return mirroredAt(pixel).a > 0.0 && isSeaAt(pixel, sceneViewZ(pixel), rayOf(pixel)); }
+
+// To be added to the light of a pixel. What is mirrored has come about as far through the air as the scene has.
+vec3 mirroredLight(ivec2 pixel) {
+  SeaSight sight = seaSightOf(vec3(vec2(pixel) + 0.5, 0.0));
+  float depthM = sight.floorShare > 0.0 ? eyeFromBase.y * (sight.floorShare - 1.0) : seaFloorM;
+  NearSea sea = nearSeaAt(sight.relative, depthM);
+  vec4 scene = mirroredAt(pixel);
+  vec3 sky = endingLandThroughAir(skyMirroredBy(sea, sight.shares), sight.relative, leftOfLight(sight.relative));
+  return mirrorOf(sea) * (scene.rgb - sky * scene.a);
+}

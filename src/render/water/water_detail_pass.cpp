@@ -1,0 +1,97 @@
+#include "skydrop/render/water/water_detail_pass.h"
+
+#include <string>
+#include <vector>
+
+#include "render/frame/visibility.h"
+#include "render/water/wave_set.h"
+#include "skydrop/game/snapshot.h"
+#include "skydrop/render/frame/land_ground.h"
+#include "skydrop/weather/wind_profile.h"
+
+namespace skydrop::render {
+namespace {
+
+constexpr GLuint kDepthUnit = 5, kColorUnit = 6;  // as in shaders/water
+constexpr double kWindHeightM = 10;
+
+GLuint groups(int texels) { return static_cast<GLuint>(texels + 7) / 8; }
+
+// Over the sea at the eye.
+glm::dvec2 windOverSea(const FrameInput& frame, const core::WindSettings& wind) {
+  const glm::dvec2 eye(frame.view.position.x, frame.view.position.z);
+  if (frame.game && frame.game->weather) {
+    const weather::State state = frame.game->weather.at(eye);
+    const glm::dvec3 air = weather::WindProfile(state.wind).at(kWindHeightM, kWindHeightM);
+    return {air.x, air.z};
+  }
+  return weather::windVelocity(wind.speed, wind.direction);
+}
+
+}  // namespace
+
+void SeaWavesPass::draw(FrameContext& context) {
+  const FrameInput& frame = context.frame;
+  waves_ = seaWaves(settings_, {frame.view.position.x, frame.view.position.z}, frame.simulatedSeconds,
+                    windOverSea(frame, wind_));
+  context.resources.publish(waves_);
+}
+
+std::optional<std::string> WaterReflectionPass::skipReason(const FrameInput& frame) const {
+  if (settings_.reflection == WaterReflection::off) return "water mirrors the sky alone";
+  if (frame.warmsUp) return std::nullopt;
+  if (frame.view.position.y <= 0) return "the view is below the sea";
+  if (frame.view.position.y > settings_.reflectionM) return "the view is too high for what water mirrors";
+  if (leastRise(frame.view) > 0) return "the view shows no water";
+  return std::nullopt;
+}
+
+std::optional<std::string> WaterReflectionPass::skipReasonAfter(const FrameInput&,
+                                                                const FrameResources& resources) const {
+  if (!resources.find<LandGround>() || !resources.find<SeaWaves>()) return "no sea has been drawn";
+  return std::nullopt;
+}
+
+void WaterReflectionPass::resize(FrameContext& context) {
+  const View& view = context.frame.view;
+  const int spacing = spacingOf(settings_);
+  const int width = (view.width + spacing - 1) / spacing, height = (view.height + spacing - 1) / spacing;
+  if (mirrored_ && mirrored_.width() == width && mirrored_.height() == height) return;
+  mirrored_ = {};
+  mirrored_ = gl::Texture::make2D(context.gl, GL_RGBA16F, width, height, "mirrored scene");
+  mirrored_.setFilter(GL_LINEAR, GL_LINEAR);
+  mirrored_.setWrap(GL_CLAMP_TO_EDGE);
+}
+
+void WaterReflectionPass::draw(FrameContext& context) {
+  resize(context);
+  const gl::Functions& api = context.gl.api();
+  const View& view = context.frame.view;
+  const LandGround& land = context.resources.get<LandGround>();
+  std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+  defines.emplace_back(SeaWaves::kDefine);
+  gl::ComputeShader& mirror = context.shaders.computeShader("water/mirror.comp", defines);
+  land.setSurface(mirror, view);
+  context.resources.get<SeaWaves>().set(mirror);
+  mirror.setInt("spacing", spacingOf(settings_));
+  mirror.setInt("mirrorSteps", static_cast<int>(settings_.reflectionSteps));
+  mirror.setInt("mirrorRays", static_cast<int>(settings_.reflectionRays));
+  mirror.setFloat("mirrorM", static_cast<float>(settings_.reflectionM));
+  context.sceneDepth.bind(kDepthUnit);
+  context.sceneColor.bind(kColorUnit);
+  mirrored_.bindImage(0, GL_WRITE_ONLY);
+  mirror.dispatch(groups(mirrored_.width()), groups(mirrored_.height()));
+  api.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+
+  gl::ComputeShader& compose = context.shaders.computeShader("water/compose.comp", defines);
+  land.setSea(compose, view);
+  context.resources.get<SeaWaves>().set(compose);
+  compose.setInt("spacing", spacingOf(settings_));
+  context.sceneDepth.bind(kDepthUnit);
+  mirrored_.bind(kColorUnit);
+  context.sceneColor.bindImage(0, GL_READ_WRITE);
+  compose.dispatch(groups(view.width), groups(view.height));
+  api.MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+}  // namespace skydrop::render
