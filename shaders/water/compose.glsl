@@ -14,7 +14,7 @@ vec4 mirroredAt(ivec2 pixel) {
                  texture(mirrored, (at + aside.xw) * perTexel) + texture(mirrored, (at + aside.yw) * perTexel));
 }
 
-bool mirrorsAt(ivec2 pixel) { return mirroredAt(pixel).a > 0.0 && isSeaAt(pixel, sceneViewZ(pixel), rayOf(pixel)); }
+bool mirrorsAt(ivec2 pixel) { return mirroredAt(pixel).a > 0.004 && isSeaAt(pixel, sceneViewZ(pixel), rayOf(pixel)); }
 
 // To be added to the light of a pixel. What is mirrored has come about as far through the air as the scene has.
 vec3 mirroredLight(ivec2 pixel) {
