@@ -46,6 +46,7 @@ class HuntGLTest : public test::GLTest {
 #include "shared/flash.glsl"
 #include "shared/gradient_noise.glsl"
 #include "shared/grass_strip.glsl"
+#include "shared/ground_detail.glsl"
 #include "shared/ground_fog.glsl"
 #include "shared/ground_picture.glsl"
 #include "shared/guard_marks.glsl"

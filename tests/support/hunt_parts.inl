@@ -144,6 +144,28 @@ HUNTED(treeOf, (whole(0, 16777216), in(-1e4, 1e30), unit(), signedUnit(), signed
 HUNTED(treeWidthAt, (whole(0, 2), in(0, 26), in(0, 5.4), in(-1e30, 1e30)), (out(0, 5.4, 1e-4, 1e-3)),
        Tree t; t.kind = int(a[0]); t.heightM = a[1]; t.radiusM = a[2]; r[0] = treeWidthAt(t, a[3]))
 
+// ground_detail.glsl
+HUNTED(detailShare, (in(0, 1e30), in(0, 10)), (share(1e-4)), r[0] = detailShare(a[0], a[1]))
+HUNTED(detailFootprint, (in(0, 1e9), in(1e-6, 1), signedUnit()), (out(0, 1e11, 1e-5)), r[0] = detailFootprint(a[0], a[1], a[2]))
+HUNTED(detailPick, (unit(), unit(), unit(), unit(), unit(), unit()), (out(0, 0.5, 1e-5, 1e-6)),
+       r[0] = detailPick(a[0], a[1], a[2], a[3], a[4], a[5]).share)
+HUNTED(detailPlanes, (direction(), in(-1, 1), in(-1, 1)), (out(0, 0.5, 1e-3, 1e-4)),
+       r[0] = detailPlanes(Vec3(a[0], a[1], a[2])).share)
+HUNTED(detailPieces, (whole(0, 16777216), whole(0, 16777216), unit(), unit(), whole(0, 16777216)),
+       (share(1e-4), share(1e-4), share(1e-4)),
+       DetailPieces p = detailPieces(Uvec2(Uint(a[0]), Uint(a[1])), Vec2(a[2], a[3]), Uint(a[4])); r[0] = p.weights.x;
+       r[1] = p.weights.y; r[2] = p.weights.z)
+HUNTED(detailLevel, (in(0, 1e30), in(1e-3, 10)), (out(0, 120, 1e-5, 2e-6)), r[0] = detailLevel(a[0], a[1]))
+HUNTED(rockBeds, (in(-1e4, 1e4), in(1, 100), whole(0, 16777216), in(0, 1e30)), (out(-1, 1, 0, 2e-3), out(-31, 31, 1e-2, 2e-2)),
+       Vec2 b = rockBeds(a[0], a[1], Uint(a[2]), a[3]); r[0] = b.x; r[1] = b.y)
+// How far a block is moved changes at once where the next begins.
+HUNTED(rockFaults, (whole(0, 16777216), whole(0, 16777216), unit(), unit(), signedUnit()), (out(0, 96, 1e-4, 1e-3)),
+       r[0] = rockFaults(Uvec2(Uint(a[0]), Uint(a[1])), Vec2(a[2], a[3]), a[4]).y)
+HUNTED(rockLayers, (in(-1e4, 1e4), in(-16, 16), in(0, 96), signedUnit(), signedUnit(), signedUnit(), signedUnit(), in(0, 1e30)),
+       (out(-1, 1, 0, 2e-2), out(-6, 6, 1e-2, 0.15), out(0, 0.8, 0, 5e-3)),
+       LandNoise n; n.region = a[3]; n.grove = a[4]; n.tuft = a[5]; n.clod = a[6]; n.grain = Real(0.0);
+       RockLayers l = rockLayers(a[0], Vec2(a[1], a[2]), n, a[7]); r[0] = l.tone; r[1] = l.ledge; r[2] = l.rubble)
+
 // lab
 HUNTED(blendOf, (in(-1e18, 1e18), in(-1e18, 1e18), unit()), (out(-1e18, 1e18, 1e-5)), r[0] = blendOf(a[0], a[1], a[2]))
 HUNTED(planeDistance, (in(-1e18, 1e18), in(-1e18, 1e18), in(-1e18, 1e18), direction(), in(-1, 1), in(-1, 1), in(-1e3, 1e3)),
