@@ -113,8 +113,10 @@ TEST_P(AnySceneRendererGLTest, cloudSheetsCostNothingWhereNoSceneCallsForThem) {
   setup.effects.insert(scene::Effect::cloudPlanes);
   setup.effects.insert(scene::Effect::cloudDome);
   const auto with = frame(setup, true);
-  EXPECT_EQ(with.programs, without.programs + 2);
-  EXPECT_EQ(with.textures, without.textures + 4);
+  // With shadows of mountains each has a program with and one without them, and the plane their heights.
+  ASSERT_TRUE(setup.effects.contains(scene::Effect::landShadows));
+  EXPECT_EQ(with.programs, without.programs + 4);
+  EXPECT_EQ(with.textures, without.textures + 5);
 }
 
 TEST_F(SceneRendererGLTest, whatComesIsCompiledElsewhereFirst) {

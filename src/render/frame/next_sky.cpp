@@ -1,7 +1,11 @@
 #include "skydrop/render/frame/next_sky.h"
 
+#include <glm/geometric.hpp>
+
 namespace skydrop::render {
 namespace {
+
+constexpr double kLeapM = 500;  // from frame to frame: a cut
 
 int missingRows(sky::SkyViews& views, const SkyPlaces& places) {
   return views.missingRows(places.sun) + (places.moon ? views.missingRows(*places.moon) : 0);
@@ -18,7 +22,9 @@ std::optional<SkyPlaces> NextSky::of(const RenderSettings& settings, const Frame
                                      MoonOfFrame* moon) {
   if (settings.sky.model != sky::SkyModel::shell) return std::nullopt;
   const SkyPlaces wanted = skyPlaces(settings, frame.view.position.y, frame.simulatedSeconds, moon);
-  if (!frame.followsLast || !drawn_) {
+  const bool leapt = glm::distance(eye_, frame.view.position) > kLeapM;
+  eye_ = frame.view.position;
+  if (!frame.followsLast || !drawn_ || leapt) {
     drawn_ = wanted;
     next_.reset();
     return std::nullopt;

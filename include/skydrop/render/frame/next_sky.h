@@ -2,6 +2,7 @@
 // that jumps stops no frame.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <optional>
 
 #include "skydrop/render/frame/frame_input.h"
@@ -19,13 +20,14 @@ class NextSky {
 
   // Where the tables of a frame with these settings are seen from: in a frame that follows another
   // (FrameInput::followsLast) the newest whose tables are done or need no more than a slice, and a slice of
-  // the others is made. In any other, and with the closed form, which has no tables: nothing, which is its
-  // own.
+  // the others is made. In any other, after a leap of the eye, and with the closed form, which has no tables:
+  // nothing, which is its own.
   std::optional<SkyPlaces> of(const RenderSettings& settings, const FrameInput& frame, MoonOfFrame* moon);
   // The next frame waits for its own, whatever it follows.
   void settle() { drawn_.reset(); }
 
  private:
+  glm::dvec3 eye_{0};  // of the frame before
   std::optional<SkyPlaces> drawn_;
   std::optional<SkyPlaces> next_;  // that is being made; frames may want another one by now
 };
