@@ -197,6 +197,12 @@ void describe(core::SettingsVisitor& visitor, MarchSettings& s) {
          "them; more leaves edges softer.",
          "edge threshold, tolerance, far field", between(MarchResolution::half));
   visitor.choice(
+      "lightCells", s.lightCells, kLightCellsNames,
+      {.help = "Cells of the light volume: 128 or 256 across a period of the weather. Coarse cells mix lit "
+               "cloud with shade; fine ones take four times as long to solve and four times the memory.",
+       .takesEffect = core::TakesEffect::liveRebuild,
+       .aliases = "light volume, multiple scattering, resolution"});
+  visitor.choice(
       "history", s.history, kMarchHistoryNames,
       {.help = "In flight, the share of the rays that is marched in each frame; the rest is what the last "
                "frame saw of the same cloud. Single pictures are always marched whole.",

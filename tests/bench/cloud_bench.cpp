@@ -216,6 +216,50 @@ void lightOfClouds(benchmark::State& state) {
 }
 BENCHMARK(lightOfClouds)->DenseRange(0, 3)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
 
+// Flight under a sun that moves by a degree every 20 frames, so that a volume is solved nearly all the time,
+// against the same with octaves: frames take turns. A whole new weather now and then is solved in a sketch
+// first.
+void solvingLight(benchmark::State& state) {
+  constexpr int kFrames = 600, kPeriod = 20;
+  const std::string quality = state.range(0) == 0 ? "low" : "high";
+  const auto setup = [&](const std::string& light) {
+    return BenchGame::Setup{.scene = "fair", .set = {"quality=" + quality, "clouds.light=" + light}};
+  };
+  BenchGame volume(setup("volume")), octaves(setup("octaves"));
+  app::Pose pose;
+  pose.position = {0, 600, 0};
+  pose.pitchDegrees = 12;
+  volume.settle(pose);
+  octaves.settle(pose);
+  for (BenchGame* game : {&volume, &octaves}) game->sceneRenderer().setFramesFollow(true);
+  for (auto _ : state) {
+    app::FrameTimes ofVolume, ofOctaves;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      if (frame % kPeriod == 0) {
+        const std::string sun = "render.sun.elevationDegrees=" + std::to_string(20 + frame / kPeriod);
+        volume.set(sun);
+        octaves.set(sun);
+      }
+      pose.position.x += 2;
+      ofVolume.add(volume.draw(pose));
+      ofOctaves.add(octaves.draw(pose));
+    }
+    const auto relative = [](const app::FrameTimes& times) {
+      return times.quantile(0.99) / times.quantile(0.5);
+    };
+    state.counters["volumeMs"] = ofVolume.quantile(0.5);
+    state.counters["octavesMs"] = ofOctaves.quantile(0.5);
+    state.counters["volumeP99"] = relative(ofVolume);
+    state.counters["octavesP99"] = relative(ofOctaves);
+    const double ratio = ofVolume.quantile(0.99) / ofOctaves.quantile(0.99);
+    state.counters["ratio"] = ratio;
+    expect(ratio <= 1.25,
+           "p99 of frame times while a light volume is solved is more than 1.25 times that without");
+  }
+  state.SetLabel(quality + ", " + volume.renderer());
+}
+BENCHMARK(solvingLight)->DenseRange(0, 1)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
+
 void memoryOfClouds(benchmark::State& state) {
   constexpr double kMiB = 1024 * 1024;
   for (auto _ : state) {

@@ -86,6 +86,7 @@ clouds::CloudSettings settingsOf(clouds::CloudTier tier) {
   app::Settings settings;
   const core::SettingsTable table(settings);
   app::applyCloudTier(table, app::readCloudTier(app::cloudTierPath(tier)));
+  settings.clouds.light = clouds::CloudLight::octaves;  // what the march alone takes
   return settings.clouds;
 }
 

@@ -22,6 +22,7 @@ class CloudSystemGLTest : public test::FrameTest {
     auto pass = std::make_unique<CloudSystem>(context(), test::sharedNoise(), clouds_, wind_);
     system_ = pass.get();
     renderer().add(std::move(pass));
+    clouds_.light = clouds::CloudLight::octaves;
     renderer().add(std::make_unique<test::LightProbe>(light_));
   }
 

@@ -10,6 +10,7 @@
 #include "skydrop/clouds/light_volume.h"
 #include "skydrop/clouds/path_tracer.h"
 #include "skydrop/clouds/reference_march.h"
+#include "skydrop/core/hash.h"
 #include "skydrop/core/shared.h"
 #include "support/cloud_noise.h"
 #include "support/instrumented.h"
@@ -107,11 +108,75 @@ TEST(LightVolume, itIsNearerToTracedPathsThanOctaves) {
   EXPECT_LT(ratio.z, 0.34);
 }
 
+TEST(LightVolume, aPartHasTheLightOfTheWholeButForItsEdge) {
+  // A quarter of a period across, over the period's border: light of sun and sky more than 8 cells from its
+  // edge within 3 % RMS of the whole's.
+  const CloudField field = quickField();
+  const LightVolume whole(field, sunAt(35));
+  constexpr int kCells = 64, kEdge = 8;
+  const glm::ivec2 first(LightVolume::kSide - 20, 100);
+  const std::vector<LightVolume::Texel> part =
+      LightVolume::part(field, sunAt(35), LightVolume::kSide, first, kCells);
+  ASSERT_EQ(part.size(), std::size_t{kCells} * kCells * LightVolume::kRows);
+  glm::dvec2 off(0), sum(0);
+  for (int z = kEdge; z < kCells - kEdge; ++z) {
+    for (int row = 0; row < LightVolume::kRows; ++row) {
+      for (int x = kEdge; x < kCells - kEdge; ++x) {
+        const auto index = [row](int cellX, int cellZ, int side) {
+          return static_cast<std::size_t>((cellZ * LightVolume::kRows + row) * side + cellX);
+        };
+        const LightVolume::Texel
+            &a = part[index(x, z, kCells)],
+            &b = whole.texels()[index((first.x + x) % LightVolume::kSide, first.y + z, LightVolume::kSide)];
+        const glm::dvec2 of(b.sun, b.sky), by = glm::dvec2(a.sun, a.sky) - of;
+        off += by * by;
+        sum += of * of;
+      }
+    }
+  }
+  const glm::dvec2 error = glm::sqrt(off / sum);
+  RecordProperty("sun", std::to_string(error.x));
+  RecordProperty("sky", std::to_string(error.y));
+  EXPECT_LT(error.x, 0.05);
+  EXPECT_LT(error.y, 0.01);
+}
+
+TEST(LightVolume, cellsOfOtherWidthsHaveTheSameLightInTheMean) {
+  // In cloud: of the sun within 2 %, of the sky within 1 %, with half as many cells a side and with a
+  // quarter.
+  const CloudField field = quickField();
+  const double period = weatherPeriod(field.medium());
+  const auto means = [&](int side) {
+    const LightVolume volume(field, sunAt(35), side);
+    EXPECT_EQ(volume.side(), side);
+    glm::dvec2 sum(0);
+    int count = 0;
+    core::RandomStream random{5, 0};
+    while (count < 3000) {
+      const glm::dvec3 place(random.nextUnit() * period,
+                             field.layer().cloudHeight + random.nextUnit() * field.layer().thickness,
+                             random.nextUnit() * period);
+      if (field.density(place) <= 0) continue;
+      const LightVolume::Texel texel = volume.at(place);
+      sum += glm::dvec2(texel.sun, texel.sky);
+      ++count;
+    }
+    return sum / 3000.0;
+  };
+  const glm::dvec2 usual = means(256);
+  for (const int side : {128, 64}) {
+    const glm::dvec2 ratio = means(side) / usual;
+    RecordProperty("sun" + std::to_string(side), std::to_string(ratio.x));
+    EXPECT_NEAR(ratio.x, 1, 0.02) << side;
+    EXPECT_NEAR(ratio.y, 1, 0.01) << side;
+  }
+}
+
 TEST(LightVolume, aStopLeavesItUnsolved) {
   std::stop_source stop;
   stop.request_stop();
   const CloudField field = quickField();
-  EXPECT_FALSE(LightVolume(field, sunAt(40), stop.get_token()).isSolved());
+  EXPECT_FALSE(LightVolume(field, sunAt(40), LightVolume::kSide, stop.get_token()).isSolved());
 }
 
 TEST(Stability, C86_volumesOfExtinction0And10AndOfAThinLayer) {
@@ -163,6 +228,38 @@ TEST(Stability, C88_volumesRepeatWithoutASeamToFarAway) {
     inside += std::abs(static_cast<double>(at(19.5 * cell).sun - at(20.5 * cell).sun));
   }
   EXPECT_TRUE(test::holds("C88", atBorder, test::below(3 * inside + 1e-3), "light"));
+}
+
+TEST(Stability, C90_aVolumeOfOneCloudOfOneCell) {
+  // A cloud that is no wider than a cell or two, in cells of any size: light of the sun in it, finite, no
+  // brighter than what came in; and a quarter of a period away neither light of the sun nor less of the sky.
+  test::noFaults("C90", "violations");
+  PackedCloudNoise noise;
+  noise.shapeSide = noise.detailSide = 32;
+  noise.weatherSide = 64;
+  noise.base.assign(32 * 32 * 32, 1.0f);
+  noise.detail.assign(32 * 32 * 32, 0.5f);
+  noise.weather.assign(64 * 64, glm::vec3(0));
+  constexpr int kTexel = 20;
+  noise.weather[kTexel * 64 + kTexel] = glm::vec3(1);
+  CloudSettings settings;
+  settings.layers[0].coverage = 0.9;
+  settings.layers[0].erosion = 0;
+  const CloudField field(std::make_shared<const PackedCloudNoise>(std::move(noise)), settings);
+  const double period = weatherPeriod(field.medium()), middle = (kTexel + 0.5) / 64 * period;
+  for (const int side : {32, 64, 128, 256}) {
+    const LightVolume volume(field, sunAt(40), side);
+    float most = 0;
+    for (const LightVolume::Texel& texel : volume.texels()) {
+      ASSERT_TRUE(isFinite(texel)) << side;
+      most = std::max(most, texel.sun);
+    }
+    EXPECT_GT(most, 1e-4f) << side;
+    EXPECT_LT(most, 1 / glm::pi<float>()) << side;
+    const LightVolume::Texel away = volume.at({middle + 0.25 * period, 2400, middle + 0.25 * period});
+    EXPECT_LT(away.sun, 1e-3f * most) << side;
+    EXPECT_NEAR(away.sky * glm::pi<float>(), 0.5f, 1e-3f) << side;
+  }
 }
 
 }  // namespace

@@ -29,6 +29,11 @@ inline constexpr std::array<std::string_view, 3> kMarchHistoryNames = {"off", "q
 enum class CloudLight { octaves, volume };
 inline constexpr std::array<std::string_view, 2> kCloudLightNames = {"octaves", "volume"};
 
+// Into how many cells the volume cuts a period of the weather, east and south: 128 or 256. Time and memory go
+// with the square.
+enum class LightCells { coarse, fine };
+inline constexpr std::array<std::string_view, 2> kLightCellsNames = {"coarse", "fine"};
+
 // How layers are marched through: all that trades accuracy for time. Defaults are those of the tier high.
 // describe() enforces the ranges of these and of all below. docs/clouds.md tells what each is for.
 struct MarchSettings {
@@ -52,6 +57,7 @@ struct MarchSettings {
   // `farStep` times as long (1 .. 16), and rays may bend by so many times the tolerances (0.5 .. 8), over
   // what the air leaves of their light, before there are more of them. The exact march has none.
   double farStartM = 20000, farStep = 3, farTolerance = 1.5;
+  LightCells lightCells = LightCells::fine;  // of the light volume, where `light` is one
   // Only of frames that follow others (render::FrameInput::followsLast): what share of the rays is marched,
   // in turns; the rest is what the last frame saw of the same cloud.
   MarchHistory history = MarchHistory::off;
@@ -93,7 +99,7 @@ struct CloudSettings {
   std::array<CloudLayerSettings, kCloudLayers> layers;
   double fadeDistance = 60000;  // m from the eye, 1e3 .. 60e3: no layer is seen beyond it
   CloudTier tier = CloudTier::high;
-  CloudLight light = CloudLight::octaves;
+  CloudLight light = CloudLight::volume;
   MarchSettings march;
 
   bool operator==(const CloudSettings&) const = default;

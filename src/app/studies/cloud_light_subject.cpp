@@ -20,9 +20,9 @@ namespace {
 
 namespace f64 = core::shared::f64;
 
-enum class LightModel { judge, judgeDoubled, octaves, refitted, once, stopgap, volume };
-constexpr std::array<std::string_view, 7> kModelNames = {"judge", "judgeDoubled", "octaves", "refitted",
-                                                         "once",  "stopgap",      "volume"};
+enum class LightModel { judge, judgeDoubled, octaves, refitted, once, stopgap, coarseVolume, volume };
+constexpr std::array<std::string_view, 8> kModelNames = {"judge", "judgeDoubled", "octaves",      "refitted",
+                                                         "once",  "stopgap",      "coarseVolume", "volume"};
 enum class LightSource { sun, sky, ground };
 constexpr std::array<std::string_view, 3> kSourceNames = {"sun", "sky", "ground"};
 constexpr std::array<double clouds::TracedLight::*, 3> kTraced = {
@@ -77,9 +77,10 @@ struct Prepared {
     medium.isShell = false;  // as the judge has it
   }
 
-  const clouds::LightVolume& volume() {
-    if (!solved) solved = std::make_unique<clouds::LightVolume>(field, scene.toSun());
-    return *solved;
+  const clouds::LightVolume& volume(int side) {
+    std::unique_ptr<clouds::LightVolume>& one = solved[side];
+    if (!one) one = std::make_unique<clouds::LightVolume>(field, scene.toSun(), side);
+    return *one;
   }
 
   const LightScene& scene;
@@ -87,7 +88,7 @@ struct Prepared {
   JudgedLight judged;
   clouds::CloudField field;
   clouds::MarchMedium medium;
-  std::unique_ptr<clouds::LightVolume> solved;  // null until it is asked for
+  std::map<int, std::unique_ptr<clouds::LightVolume>> solved;  // by cells across, once asked for
   std::map<LightModel, std::vector<std::vector<clouds::MarchResult>>>
       marched;  // by view and pixel, once asked for
 };
@@ -130,8 +131,9 @@ class CloudLightSubject final : public TableSubject<CloudLightParameters> {
               (0.69 * std::exp(-0.05 * down) + 0.08 * std::exp(-0.15 * down) + 0.74 * std::exp(-0.5 * down)) /
                   half);
         };
+      case LightModel::coarseVolume:
       case LightModel::volume:
-        return [&volume = of.volume(), &layer = of.scene.medium.layer,
+        return [&volume = of.volume(sideOf(model)), &layer = of.scene.medium.layer,
                 rowM = of.scene.medium.layer.thickness / clouds::LightVolume::kRows](const LitPlace& at) {
           const clouds::LightVolume::Texel texel = volume.at(at.place);
           return glm::dvec3(
@@ -142,6 +144,11 @@ class CloudLightSubject final : public TableSubject<CloudLightParameters> {
       default:
         return clouds::octavesOfLight;
     }
+  }
+
+  // As clouds.march.lightCells has them.
+  static int sideOf(LightModel model) {
+    return model == LightModel::coarseVolume ? clouds::LightVolume::kSide / 2 : clouds::LightVolume::kSide;
   }
 
   static double depthBelow(const Prepared& of, const glm::dvec3& place) {

@@ -117,22 +117,23 @@ std::vector<std::string> CloudSystem::definesOf(const FrameContext& context) con
   std::vector<std::string> defines = marchDefines(context.defines, settings_, flatLoops_);
   if (weather_) defines.push_back("LAYERS " + std::to_string(weather_->layers().size()));
   if (weather_ && weather_->mayOverlap()) defines.emplace_back("OVERLAPS");
-  if (hasVolumes_) defines.emplace_back("LIGHT_VOLUME");
+  if (volumes_) defines.emplace_back("LIGHT_VOLUME");
   return defines;
 }
 
 void CloudSystem::takeVolumes(const FrameInput& frame) {
-  const bool hadVolumes = std::exchange(hasVolumes_, false);
-  if (settings_.light == clouds::CloudLight::volume) {
-    if (!volumes_) volumes_ = std::make_unique<LightVolumes>(context_, noise_);
-    const LightVolumesKey key =
-        weather_ ? lightVolumesKey(weather_->layers(), frame.toSun)
-                 : lightVolumesKey(clouds::mediumOf(settings_, kMarchedLayer), frame.toSun);
-    hasVolumes_ = volumes_->update(key, !frame.followsLast);
-  } else {
+  if ((settings_.light == clouds::CloudLight::volume) != (volumes_ != nullptr)) {
     volumes_.reset();
+    if (settings_.light == clouds::CloudLight::volume)
+      volumes_ = std::make_unique<LightVolumes>(context_, noise_);
+    history_.reset();  // it is of another light
   }
-  if (hasVolumes_ != hadVolumes) history_.reset();  // it is of another light
+  if (!volumes_) return;
+  const clouds::LightCells cells = settings_.march.lightCells;
+  const glm::dvec3 eye = eyeInField(frame);
+  volumes_->update(weather_ ? lightVolumesKey(weather_->layers(), frame.toSun, cells)
+                            : lightVolumesKey(clouds::mediumOf(settings_, kMarchedLayer), frame.toSun, cells),
+                   {eye.x, eye.z}, !frame.followsLast);
 }
 
 glm::dvec3 CloudSystem::inField(const glm::dvec3& place, const FrameInput& frame) const {
@@ -274,7 +275,7 @@ void CloudSystem::setUniforms(FrameContext& context) {
   const View& view = context.frame.view;
   textures_->bind(kMarchedLayer);
   context.sceneDepth.bind(kSceneDepthUnit);
-  if (hasVolumes_) volumes_->bind(kLightVolumesUnit);
+  if (volumes_) volumes_->bind(kLightVolumesUnit);
   if (weather_) {
     constexpr GLuint kOccupancyUnit = 3;
     weather_->distances().bind(kOccupancyUnit);
@@ -295,7 +296,7 @@ void CloudSystem::setUniforms(FrameContext& context) {
   }
   CloudUniforms uniforms =
       fieldUniforms(layer(), settings_.fadeDistance, eyeInField(context.frame), textures_->meanDetail());
-  addLight(uniforms, layer(), context.light);
+  addLight(uniforms, layer(), textures_->skyCover(kMarchedLayer).meanShare(), context.light);
   if (const auto* ice = context.resources.find<IceShade>())
     addIceShade(uniforms, layer(), *ice, view.position);
   addMarch(uniforms, settings_, textures_->clearAir(kMarchedLayer), view, tileSideOf(settings_));

@@ -152,12 +152,13 @@ void addMarch(CloudUnionUniforms& u, std::span<const DrawnLayer> layers,
   }
 }
 
-void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const SkyLight& light) {
+void addLight(CloudUniforms& u, const clouds::CloudLayerSettings& layer, double skyMean,
+              const SkyLight& light) {
   u.toSun = packed(clouds::raisedSun(light.direct.toSun), 0);
   const double middle = layer.cloudHeight + 0.5 * layer.thickness;
   u.sunLight = packed(sky::sunIlluminance(light.direct, middle) * light.exposure, 0);
   u.skyLight = packed(light.sky * light.exposure, 0);
-  u.groundLight = packed(light.ground * light.exposure, 0);
+  u.groundLight = packed(light.ground * (skyMean * light.exposure), 0);
 }
 
 void addIceShade(CloudUniforms& u, const clouds::CloudLayerSettings& layer, const IceShade& ice,

@@ -64,8 +64,10 @@ clouds::CloudLayerSettings hullOf(std::span<const DrawnLayer> layers);
 CloudUniforms fieldUniforms(const clouds::CloudLayerSettings& layer, double fadeDistance,
                             const glm::dvec3& placeInField, double meanDetail);
 
-// Light, direction and steps of a frame. Tiles are of so many pixels a side.
-void addLight(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer, const SkyLight& light);
+// Light, direction and steps of a frame. Tiles are of so many pixels a side. skyMean: of the light above,
+// what the layer leaves in the mean to the ground, which sends back as much less, (0, 1].
+void addLight(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer, double skyMean,
+              const SkyLight& light);
 // What ice above leaves of it over the eye's place, after addLight().
 void addIceShade(CloudUniforms& uniforms, const clouds::CloudLayerSettings& layer, const IceShade& ice,
                  const glm::dvec3& eye);

@@ -203,6 +203,15 @@ void Texture::uploadLayer(GLint layer, GLenum format, GLenum type, std::span<con
                                     std::max(height_ >> level, 1), 1, format, type, texels.data());
 }
 
+void Texture::uploadSlices(GLint first, GLsizei count, GLenum format, GLenum type,
+                           std::span<const std::byte> texels) {
+  assert(target_ == GL_TEXTURE_3D && first >= 0 && count > 0 && first + count <= depth_);
+  assert(texels.size() == static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+                              static_cast<std::size_t>(count) * transferBytes(format, type));
+  context().api().TextureSubImage3D(id(), 0, 0, 0, first, width_, height_, count, format, type,
+                                    texels.data());
+}
+
 void Texture::generateMipmaps() { context().api().GenerateTextureMipmap(id()); }
 
 void Texture::read(GLenum format, GLenum type, std::span<std::byte> texels, GLint level) const {

@@ -137,7 +137,6 @@ class CloudSystem final : public Pass {
   std::shared_ptr<const clouds::PackedCloudNoise> noise_;
   std::unique_ptr<WeatherLayers> weather_;         // null until a frame has weather
   std::unique_ptr<LightVolumes> volumes_;          // null while they are not asked for
-  bool hasVolumes_ = false;                        // for this frame
   std::vector<clouds::LayerMedium> shadowLayers_;  // that the shadow maps are of; none without weather
   std::unique_ptr<CloudHistory> history_;          // null in frames that use none
   std::shared_ptr<const weather::WeatherSettings> historyWeather_;  // that it is of

@@ -47,6 +47,9 @@ class Texture : public Object {
   void upload(GLenum format, GLenum type, std::span<const std::byte> texels, GLint level = 0);
   void uploadLayer(GLint layer, GLenum format, GLenum type, std::span<const std::byte> texels,
                    GLint level = 0);
+  // Replaces so many slices of the first level of a 3D texture.
+  void uploadSlices(GLint first, GLsizei count, GLenum format, GLenum type,
+                    std::span<const std::byte> texels);
   void generateMipmaps();  // of all levels below the first
   // Reads a whole level back, tightly packed, first row at v = 0. Waits for the GPU: for tests and pictures.
   void read(GLenum format, GLenum type, std::span<std::byte> texels, GLint level = 0) const;
