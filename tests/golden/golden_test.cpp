@@ -266,7 +266,7 @@ const std::vector<Golden>& goldens() {
       {"rainUnderADarkSky", withoutHud({"--scene", "coldFront", "--pose=6000,600,2000,130,-4,0", "--set",
                                         "weather.secondSite=false", "--set", "weather.sites.0.rain=8",
                                         "--set", "render.picture.exposureStops=0.5"})},
-      {"snowOverHills", withoutHud({"--scene", "snowfall", "--pose=3600,460,-5300,100,3,0", "--set",
+      {"snowOverHills", withoutHud({"--scene", "snowfall", "--pose=1700,662,-3250,160,-14,0", "--set",
                                     "render.picture.exposureStops=0"})},
       {"eveningShower", clouded("coldFront", "5000,500,6000,300,5,0", "6", "200",
                                 {"weather.secondSite=false", "weather.sites.0.rain=6",

@@ -22,7 +22,8 @@ TEST(Scene, shippedScenesLoadAndAreListed) {
 TEST(Scene, theEmptySceneCallsForNothing) { EXPECT_EQ(requiredEffects(loadScene("empty")), EffectSet()); }
 
 TEST(Scene, theScenesWithWeatherAreTheLandWithClouds) {
-  // Same land, same start, same targets: only the clouds come on top, and in fair what a night flight needs.
+  // Same land, same start, same targets: only the clouds come on top, and in fair what a night flight needs and
+  // what is seen of the land from low.
   const Scene land = loadScene("terrain");
   EffectSet effects = land.effects;
   EXPECT_FALSE(effects.contains(Effect::clouds)) << "what it does not name costs nothing";
@@ -30,9 +31,10 @@ TEST(Scene, theScenesWithWeatherAreTheLandWithClouds) {
   for (const char* name : {"clear", "fair", "overcast"}) {
     const Scene scene = loadScene(name);
     EffectSet required = requiredEffects(scene);
-    for (const Effect ofNight : {Effect::aircraftLights, Effect::landingLight}) {
-      EXPECT_EQ(required.contains(ofNight), scene.name == "fair") << name;
-      required.erase(ofNight);
+    for (const Effect ofFair : {Effect::aircraftLights, Effect::landingLight, Effect::vegetation,
+                                Effect::groundDetail, Effect::waterDetail}) {
+      EXPECT_EQ(required.contains(ofFair), scene.name == "fair") << name;
+      required.erase(ofFair);
     }
     EXPECT_EQ(required, effects) << name;
     EXPECT_EQ(scene.seed, land.seed);
