@@ -7,6 +7,7 @@
 #include "shared/guards.glsl"
 #include "shared/lattice_noise.glsl"
 #include "shared/land_material.glsl"
+#include "shared/ground_picture.glsl"
 #endif
 
 CONST Real kDetailSeam = Real(0.22);        // width of the seams between pieces, in shares of a piece
@@ -139,8 +140,12 @@ FN Vec2 pieceOffset(Uint bits) {
   return Vec2(Real(bits & Uint(0xffffu)), Real(bits >> Uint(16u))) * Real(1.52587890625e-5);
 }
 
-// The mip level whose texels are as large as what a pixel covers.
-FN Real detailLevel(Real footprintM, Real texelM) { return log(max(footprintM / texelM, Real(1.0))) * Real(1.442695); }
+// The level of detail to fetch with, by one as of groundPictureLevel, >= 0: whole but for the middle third between two, so
+// that a software renderer, which fetches a second level where any pixel at hand is between two, mostly fetches one.
+FN Real detailMip(Real level) {
+  Real whole = floor(level);
+  return whole + smoothRise(Real(0.3333333), Real(0.6666667), level - whole);
+}
 
 // Beds of about thickM at a height in the rock: hard and soft in [-1, 1] (x) and how that changes with the height, 1/m
 // (y). Each bed has a thickness (0.3 to 1.7 times that) and a hardness of its own, by its number; 0 where a pixel covers

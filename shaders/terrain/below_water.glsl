@@ -10,7 +10,7 @@ struct SeenGround {
   float gather;  // of the sun's light
 };
 
-// Of the ground that a ray meets at `straight`. The loop ends at once where no pixel at hand shows shallow water.
+// Of the ground that a ray meets at `straight`. The sum of waves ends at the first where no pixel at hand shows shallow water.
 SeenGround groundThroughWater(vec3 straight) {
   float depthM = -(straight.y + eyeFromBase.y);
   bool bends = depthM > 0.0 && depthM < kBentToM && eyeFromBase.y > 0.0;

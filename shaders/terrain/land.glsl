@@ -1,6 +1,7 @@
 // Normals and colours of the land at any place.
 #include "terrain/noise.glsl"
 #include "shared/land_material.glsl"
+#include "shared/ground_picture.glsl"  // before what is conditional: a file is included once
 #include "shared/terrain_grid.glsl"
 #include "terrain/spot.glsl"
 #include "terrain/fallen.glsl"
@@ -208,7 +209,7 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   slope.y += layers.ledge * land.rock;
   land.scree += land.rock * layers.rubble;
   land.rock *= 1.0 - layers.rubble;
-  Detail detail = groundDetailAt(sight, land, length(relative), sight.facing, 1.0);
+  Detail detail = groundDetailAt(sight, land, length(relative));
   land = withDetail(land, detail);
 #endif
   slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * sight.treeShare), land.wooded);
@@ -239,11 +240,10 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
 #endif
   vec3 normal = sight.normal;
 #ifdef GROUND_DETAIL
-  Detail fine = groundDetailAt(sight, land, length(relative), sight.facing, 1.0);
-  Detail wide = groundDetailAt(sight, land, length(relative), sight.facing, 8.0);
-  wide.tint *= 0.7;  // humps are gentler than tufts
-  land = withDetail(withDetail(land, fine), wide);
-  vec3 slope = fine.slope + 0.35 * wide.slope;
+  PlainDetail detail = groundDetailAt(sight, land, length(relative));
+  detail.wide.tint *= 0.7;  // humps are gentler than tufts
+  land = withDetail(withDetail(land, detail.fine), detail.wide);
+  vec3 slope = detail.fine.slope + 0.35 * detail.wide.slope;
   normal = normalize(normal - (slope - normal * dot(slope, normal)));
 #endif
 #ifdef FALLEN_WATER

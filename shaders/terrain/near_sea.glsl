@@ -20,14 +20,9 @@ Waves wavesOf(SeaWaveSum sum, float gust) {
 
 // The ground below, asked for near the eye alone.
 SeaFloor nearSeaFloor(vec2 place, float distanceM, float straightM) {
-  SeaFloor ground = SeaFloor(straightM, vec2(0.0));
-  int asks = distanceM < kShoreM ? 1 : 0;
-  for (int i = 0; i < asks; ++i) {
-    SeaFloor asked = seaFloorAt(place, distanceM);
-    float known = smoothstep(kShoreM, 0.75 * kShoreM, distanceM);
-    ground = SeaFloor(mix(straightM, asked.depthM, known), asked.fall * known);
-  }
-  ground.depthM = max(ground.depthM, 0.0);
+  SeaFloor asked = seaFloorAt(place, distanceM);
+  float known = smoothstep(kShoreM, 0.75 * kShoreM, distanceM);
+  SeaFloor ground = SeaFloor(max(mix(straightM, asked.depthM, known), 0.0), asked.fall * known);
   return ground;
 }
 
@@ -119,11 +114,15 @@ SeaLight seaLight(vec3 relative, float straightM, vec3 shares) {
   vec3 through = exp(-waterExtinction(seaWater.x) *
                      (sea.depthM * (waterSlant(sea.toEye.y) + waterSlant(max(frame.toSun.y, 0.0)))));
   vec3 body = seaBodyAlbedo() * onTop * (1.0 - through);
-  vec3 water = skyMirroredBy(sea, shares) * sea.reflectance + glitter + body * (1.0 - sea.reflectance);
+  vec3 sky = skyMirroredBy(sea, shares);
+  vec3 water = sky * sea.reflectance + glitter + body * (1.0 - sea.reflectance);
 
   SeaLight light;
   light.own = min(mix(water, kFoamAlbedo * onTop, sea.foam) * sea.film, vec3(kBrightest));
   // Sand that the film has left is wet.
   light.passed = mix(vec3(0.72), through * ((1.0 - sea.reflectance) * (1.0 - sea.foam)), sea.film);
+#ifdef KEEPS_MIRROR
+  light.mirror = vec4(sky, mirrorOf(sea));
+#endif
   return light;
 }

@@ -52,6 +52,9 @@ Waves wavesAt(vec2 place, float footprint) {
 struct SeaLight {
   vec3 own;     // reflected and sent back
   vec3 passed;  // share of the floor's light that comes through
+#ifdef KEEPS_MIRROR
+  vec4 mirror;  // the sky's light that is mirrored; share of what comes along the mirrored ray
+#endif
 };
 
 #ifdef WATER_DETAIL
@@ -122,5 +125,8 @@ SeaLight seaAsSeen(SeaSight sight) {
   vec3 hazeAlone = endingLandThroughAir(vec3(0.0), relative, left);
   vec3 withLight = endingLandThroughAir(light.own, relative, left);
   light.own = withLight - hazeAlone * light.passed;
+#ifdef KEEPS_MIRROR
+  light.mirror.rgb = endingLandThroughAir(light.mirror.rgb, relative, left);
+#endif
   return light;
 }

@@ -16,15 +16,10 @@ struct SeaFloor {
 // On the mesh at the place's level of detail, without the morph to the next (a few centimetres near the shore).
 SeaFloor seaFloorAt(vec2 place, float distanceM) {
   int level = int(lodLambda(distanceM, lodMorph));
-  vec2 samples = place / kCellMetres;
-  ivec2 number = baseChunk * kChunkCells + ivec2(floor(samples));
-  int stride = 1 << level;
-  ivec2 corner = (number >> level) << level;
-  vec2 inside = (vec2(number - corner) + samples - floor(samples)) / float(stride);
-  float nw = storedHeightAt(corner, level), ne = storedHeightAt(corner + ivec2(stride, 0), level);
-  float sw = storedHeightAt(corner + ivec2(0, stride), level), se = storedHeightAt(corner + ivec2(stride), level);
+  MeshCell cell = meshCellAt(place, level);
   SeaFloor ground;
-  ground.depthM = min(-meshHeight(nw, ne, sw, se, inside.x, inside.y), kUnknownFloorM);
-  ground.fall = -vec2(mix(ne - nw, se - sw, inside.y), mix(sw - nw, se - ne, inside.x)) / (kCellMetres * float(stride));
+  ground.depthM = min(-meshHeight(cell.nw, cell.ne, cell.sw, cell.se, cell.inside.x, cell.inside.y), kUnknownFloorM);
+  ground.fall = -vec2(mix(cell.ne - cell.nw, cell.se - cell.sw, cell.inside.y),
+                      mix(cell.sw - cell.nw, cell.se - cell.ne, cell.inside.x)) / cell.cellM;
   return ground;
 }

@@ -13,15 +13,16 @@ vec3 floorAlbedo(vec3 albedo, float wooded, float leafy, LandNoise noise) {
 }
 
 // What trees leave of the sun at a place, [0, 1], by the lattice on which they stand: their crowns at three heights, moved
-// along the sun's rays. Beyond the reach of single shadows, what they leave in the mean. The loop ends at once where no
-// pixel at hand is near (a software renderer runs both sides of a branch).
+// along the sun's rays. Beyond the reach of single shadows, what they leave in the mean. The loop is asked at
+// its end: a software renderer goes through one that has ended for all pixels at hand once more.
 float sunPastTrees(vec2 place, float distanceM, float density) {
   const float kSlices = 3.0, kCrownM = 15.0;
   vec2 aside = frame.toSun.xz / max(frame.toSun.y, 0.18);
   float single = 1.0 - smoothstep(0.6 * standingReach.z, standingReach.z, distanceM);
-  int slices = single > 0.0 && density > 0.05 ? 3 : 0;
+  int slices = single > 0.0 && density > 0.05 ? 3 : 1;
   float hidden = 0.0;
-  for (int i = 0; i < slices; ++i) {
+  int i = 0;
+  do {
     float up = (float(i) + 0.6) / kSlices;
     uvec2 cell;
     vec2 inside;
@@ -29,6 +30,7 @@ float sunPastTrees(vec2 place, float distanceM, float density) {
     Crowns crowns = crownsAt(cell, inside);
     float stands = smoothRise(-0.05, 0.05, density * 1.1 - 0.05 - crowns.tree);
     hidden = max(hidden, stands * smoothstep(0.30 + 0.45 * up, 0.50 + 0.45 * up, crowns.height));
-  }
+    ++i;
+  } while (i < slices);
   return 1.0 - standingReach.w * standingDensity * mix(0.45 * density, 0.75 * hidden, single);
 }

@@ -1,10 +1,12 @@
-// Trees far away: a square each that faces the eye, with the nearest views of the atlas.
+// Trees far away: a rectangle each that faces the eye, with the nearest views of the atlas.
 #include "frame.glsl"
 #include "shared/impostor.glsl"
 #include "vegetation/tree_attributes.glsl"
 
 uniform vec4 impostorShapes[3];  // of each kind: radius over height, half the view's side over height
 uniform float impostorViews;     // along a side of the atlas
+
+const float kCrownMargin = 1.12;  // over the crown's radius: lumps reach 1.08, and texels are filtered
 
 struct ImpostorCorner {
   vec3 relative;
@@ -14,9 +16,11 @@ struct ImpostorCorner {
 };
 
 ImpostorCorner impostorCorner(int vertex) {
-  vec2 corner = vec2((vertex & 1) == 0 ? -1.0 : 1.0, (vertex & 2) == 0 ? -1.0 : 1.0);
   float heightM = treeFoot.w;
   vec4 shape = impostorShapes[int(treeSun.w)];
+  // A view is no wider than the crown, whatever side it shows: beyond it its square is empty.
+  float wideShare = min(kCrownMargin * shape.x / shape.y, 1.0);
+  vec2 corner = vec2((vertex & 1) == 0 ? -wideShare : wideShare, (vertex & 2) == 0 ? -1.0 : 1.0);
   vec3 middle = treeFoot.xyz + vec3(0.0, 0.5 * heightM, 0.0);
   vec3 towards = -normalize(middle);
   vec3 level = vec3(-towards.z, 0.0, towards.x);

@@ -26,6 +26,8 @@ struct DrawCommand {
 };
 layout(std430, binding = 2) buffer Commands { DrawCommand commands[kInstanceKinds]; };
 
+const int kTileCells = 8;  // along a side
+
 uniform vec4 treeReach;      // metres: meshes turn into impostors between x and y, impostors into paint between z and w
 uniform float treeDensity;   // WoodsSettings::density
 uniform vec4 clearings[8];   // strips, two rows each: middle (from the base), unit vector along; half length, half width
@@ -92,35 +94,32 @@ void put(uint list, TreeInstance made) {
   instances[commands[list].baseInstance + slot] = made;
 }
 
-// Loops that run once or not at all stand for branches: a software renderer leaves a loop that has ended for all
-// cells at hand, but runs both sides of a branch.
+// Of a tile's cells, those on the eye's side first: what trees hide of those behind them is left out by the depth test.
+ivec2 cellOf(ivec2 tile, ivec2 number) {
+  bvec2 isBefore = lessThan((vec2(tile) + 0.5 * float(kTileCells)) * kTreeCellM, eyeFromBase.xz);
+  return tile + ivec2(isBefore.x ? kTileCells - 1 - number.x : number.x, isBefore.y ? kTileCells - 1 - number.y : number.y);
+}
+
+// Without loops for what is left out: a software renderer goes through each once anyway, and through one that runs once
+// twice.
 void placeTree(ivec2 cell) {
   uint bits = treeBits(uvec2(baseChunk * kTreeCellsPerChunk + cell));
   vec2 place = vec2(cell) * kTreeCellM + treeStem(bits);
   vec2 ground = place - eyeFromBase.xz;
-  int isNear = length(ground) < treeReach.w ? 1 : 0;
-  for (int near = 0; near < isNear; ++near) {
-    LandNoise noise = woodNoise(uvec2(baseChunk), place);
-    // The best place for a tree: what does not stand there stands nowhere.
-    int mayStand = treeOf(bits, 200.0, 1.0, noise, treeDensity).heightM > 0.0 ? 1 : 0;
-    for (int stands = 0; stands < mayStand; ++stands) {
-      float heightM = drawnHeight(place);
-      vec3 foot = vec3(ground.x, heightM - eyeFromBase.y, ground.y);
-      float distanceM = length(foot);
-      LandTexel texel = landTexel(place, distanceM);
-      float up = texel.metres > 0.0 ? normalAt(texel, vec2(0.0)).y : 0.0;
-      Tree tree = treeOf(bits, growthHeight(heightM), up, noise, treeDensity);
-      vec2 drawn = sharesDrawn(distanceM);
-      vec3 middle = foot + vec3(0.0, 0.5 * tree.heightM, 0.0);
-      bool isShown = tree.heightM > 0.0 && drawn.y > 0.0 && heightM > -1e5 && isInView(middle, 0.65 * tree.heightM + 1.0) &&
-                     !isCleared(place);
-      int shown = isShown ? 1 : 0;
-      for (int show = 0; show < shown; ++show) {
-        float density = forestDensity(growthHeight(heightM), up, 0.0, noise);
-        TreeInstance made = instanceOf(tree, foot, density, unitOf(bits * 0x9e3779b1u), drawn);
-        if (drawn.x > 0.0) put(uint(tree.kind), made);
-        if (drawn.x < 1.0) put(3u, made);
-      }
-    }
-  }
+  LandNoise noise = woodNoise(uvec2(baseChunk), place);
+  float heightM = drawnHeight(place);
+  vec3 foot = vec3(ground.x, heightM - eyeFromBase.y, ground.y);
+  float distanceM = length(foot);
+  LandTexel texel = landTexel(place, distanceM);
+  float up = texel.metres > 0.0 ? normalAt(texel, vec2(0.0)).y : 0.0;
+  Tree tree = treeOf(bits, growthHeight(heightM), up, noise, treeDensity);
+  vec2 drawn = sharesDrawn(distanceM);
+  vec3 middle = foot + vec3(0.0, 0.5 * tree.heightM, 0.0);
+  if (tree.heightM <= 0.0 || drawn.y <= 0.0 || heightM <= -1e5 || !isInView(middle, 0.65 * tree.heightM + 1.0) ||
+      isCleared(place))
+    return;
+  float density = forestDensity(growthHeight(heightM), up, 0.0, noise);
+  TreeInstance made = instanceOf(tree, foot, density, unitOf(bits * 0x9e3779b1u), drawn);
+  if (drawn.x > 0.0) put(uint(tree.kind), made);
+  if (drawn.x < 1.0) put(3u, made);
 }

@@ -1,8 +1,9 @@
 // Puts what the sea mirrors of the scene in place of the sky that its light has.
-#include "terrain/sea.glsl"
+#include "terrain/surface.glsl"
 #include "water/sea_pixel.glsl"
 
 layout(binding = 6) uniform sampler2D mirrored;
+layout(binding = 7) uniform sampler2D keptMirror;  // render::SeaWaves::mirror
 uniform int spacing;
 
 // Four looks a texel apart: neighbours follow other slopes, and this is the mean of four of them everywhere.
@@ -18,10 +19,7 @@ bool mirrorsAt(ivec2 pixel) { return mirroredAt(pixel).a > 0.004 && isSeaAt(pixe
 
 // To be added to the light of a pixel. What is mirrored has come about as far through the air as the scene has.
 vec3 mirroredLight(ivec2 pixel) {
-  SeaSight sight = seaSightOf(vec3(vec2(pixel) + 0.5, 0.0));
-  float depthM = sight.floorShare > 0.0 ? eyeFromBase.y * (sight.floorShare - 1.0) : seaFloorM;
-  NearSea sea = nearSeaAt(sight.relative, depthM);
+  vec4 kept = texelFetch(keptMirror, pixel, 0);
   vec4 scene = mirroredAt(pixel);
-  vec3 sky = endingLandThroughAir(skyMirroredBy(sea, sight.shares), sight.relative, leftOfLight(sight.relative));
-  return mirrorOf(sea) * (scene.rgb - sky * scene.a);
+  return kept.a * (scene.rgb - kept.rgb * scene.a);
 }

@@ -12,9 +12,18 @@ uniform float mirrorM;    // how far they look
 
 #include "water/sea_pixel.glsl"
 
+// A ray in homogeneous coordinates of the picture.
+struct PictureRay {
+  vec4 from, along;
+};
+
+PictureRay pictureRay(vec3 from, vec3 direction) {
+  return PictureRay(frame.viewProjection * vec4(from, 1.0), frame.viewProjection * vec4(direction, 0.0));
+}
+
 // A place of a ray in the picture: pixels, and distance along the view axis.
-vec3 inPicture(vec3 relative) {
-  vec4 clip = frame.viewProjection * vec4(relative, 1.0);
+vec3 inPicture(PictureRay ray, float alongM) {
+  vec4 clip = ray.from + ray.along * alongM;
   return vec3((clip.xy / clip.w * 0.5 + 0.5) * frame.viewport.xy, clip.w);
 }
 
@@ -49,9 +58,10 @@ vec4 sceneBeyond(vec3 direction, float endViewZ) {
 vec4 sceneAlong(vec3 from, vec3 direction) {
   float before = 0.0, endViewZ = 0.0;
   float hitM = -1.0;
+  PictureRay ray = pictureRay(from, direction);
   for (int i = 0; i < mirrorSteps; ++i) {
     float alongM = mirrorStep(i + 1, mirrorSteps, mirrorM);
-    vec3 at = inPicture(from + direction * alongM);
+    vec3 at = inPicture(ray, alongM);
     endViewZ = at.z;
     if (isOutside(at)) break;
     if (behindScene(at) > 0.0) {
@@ -64,10 +74,10 @@ vec4 sceneAlong(vec3 from, vec3 direction) {
   float low = before, high = hitM;
   for (int i = 0; i < 5; ++i) {
     float middle = 0.5 * (low + high);
-    vec3 at = inPicture(from + direction * middle);
+    vec3 at = inPicture(ray, middle);
     if (behindScene(at) > 0.0) high = middle; else low = middle;
   }
-  vec3 at = inPicture(from + direction * high);
+  vec3 at = inPicture(ray, high);
   float share = mirrorShare(behindScene(at), hitM - before, at.x / frame.viewport.x, at.y / frame.viewport.y);
   return sceneLight(at, share);
 }

@@ -2,7 +2,9 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -105,6 +107,83 @@ void groundDetail(benchmark::State& state, const char* quality, double most) {
 }
 void water(benchmark::State& state, const char* quality, double most) { added(state, kWater, quality, most); }
 
+// A leg of low flight: two places each, 60 m apart.
+struct Leg {
+  const char* name;
+  glm::dvec2 from;
+  double above;  // the land, or the sea where that is higher
+  double yaw, pitch;
+};
+const std::array<Leg, 7> kLegs = {Leg{"wood at 50 m", {-1600, -3300}, 50, 200, -12},
+                                  {"hills with woods at 150 m", {500, -3900}, 150, 120, -14},
+                                  {"meadow at 20 m", {4420, -530}, 20, 230, -8},
+                                  {"rock and scree at 50 m", {3300, -2200}, 50, 230, -12},
+                                  {"shore at 20 m", {3930, 6560}, 20, 75, -4},
+                                  {"open water at 50 m", {4400, 4300}, 50, 20, -8},
+                                  {"land at 400 m", {4420, -530}, 400, 230, -14}};
+
+app::Pose legPose(const BenchGame& game, const Leg& leg, int place) {
+  const double yaw = glm::radians(leg.yaw);
+  const glm::dvec2 xz = leg.from + 60.0 * place * glm::dvec2(-std::sin(yaw), -std::cos(yaw));
+  app::Pose pose = overLand(game, xz, leg.above, leg.yaw, leg.pitch);
+  pose.position.y = std::max(pose.position.y, leg.above);
+  return pose;
+}
+
+// All three effects together against none of them over one path, below clouds (as flights begin) or below a
+// clear sky, where a frame costs half as much: the sum of the path's frames, each the fastest of some by the
+// processor time of all threads of the process, which other programs disturb less than the wall clock.
+void lowFlight(benchmark::State& state, const char* quality, const char* clouds, double mostShare) {
+  constexpr int kPlaces = 2, kFrames = 5;
+  const auto settings = [&](const std::string& on) {
+    return std::vector<std::string>{std::string("quality=") + quality,
+                                    "effects.vegetation=" + on,
+                                    "effects.groundDetail=" + on,
+                                    "effects.waterDetail=" + on,
+                                    std::string("effects.clouds=") + clouds,
+                                    "view.hud=false"};
+  };
+  BenchGame with({.scene = "woodland", .set = settings("true")});
+  BenchGame without({.scene = "woodland", .set = settings("false")});
+  const auto processorMs = [](BenchGame& game, const app::Pose& pose) {
+    const std::clock_t begin = std::clock();
+    game.draw(pose);
+    return 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  for (auto _ : state) {
+    double allWith = 0, allWithout = 0;
+    for (const Leg& leg : kLegs) {
+      double legWith = 0, legWithout = 0;
+      for (int place = 0; place < kPlaces; ++place) {
+        const app::Pose pose = legPose(with, leg, place);
+        for (BenchGame* game : {&with, &without}) game->settle(pose), game->draw(pose);
+        std::vector<double> on, off;
+        for (int i = 0; i < kFrames; ++i) {
+          off.push_back(processorMs(without, pose));
+          on.push_back(processorMs(with, pose));
+        }
+        legWith += std::ranges::min(on), legWithout += std::ranges::min(off);
+      }
+      std::printf("  %-26s %5.1f -> %5.1f ms, %3.0f %% more\n", leg.name, legWithout / kPlaces,
+                  legWith / kPlaces, 100 * (legWith / legWithout - 1));
+      allWith += legWith, allWithout += legWithout;
+    }
+    const double share = allWith / allWithout - 1;
+    state.counters["added"] = share;
+    std::printf("low flight of quality %s, clouds %s: %.0f %% more\n", quality, clouds, 100 * share);
+    expect(share <= mostShare, "trees, ground and water together add more to low flight than their share");
+  }
+  state.SetLabel(with.renderer());
+}
+
+BENCHMARK_CAPTURE(lowFlight, low, "low", "true", 0.30)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(lowFlight, high, "high", "true", 0.60)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(lowFlight, lowInClearAir, "low", "false", 0.30)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(lowFlight, highInClearAir, "high", "false", 0.60)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(trees, low, "low", 0.30)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(trees, high, "high", 0.60)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(groundDetail, low, "low", 0.30)->Iterations(1)->Unit(benchmark::kMillisecond);

@@ -421,7 +421,7 @@ TEST_F(SharedGLTest, groundDetailAgrees) {
   run(rows,
       "DetailPieces p = detailPieces(uvec2(uint(int(a.x * 2e6) - 1000000), uint(int(a.y * 2e6) - 1000000)), "
       "a.zw, 3u);\n"
-      "r = vec4(p.weights, detailLevel(a.x * 2.0 + 1e-3, 0.03));\n"
+      "r = vec4(p.weights, detailMip(groundPictureLevel(a.x * 2.0 + 1e-3, 0.03)));\n"
       "u = uvec4(p.first, p.second, p.third, 0u);");
   const auto cellOf = [](const glm::vec4& a) {
     return shared::Uvec2(static_cast<std::uint32_t>(static_cast<int>(a.x * 2e6f) - 1000000),
@@ -433,7 +433,7 @@ TEST_F(SharedGLTest, groundDetailAgrees) {
     const shared::DetailPieces exact = shared::detailPieces(cellOf(a), {a.z, a.w}, 3);
     apart += bits_[i].x != exact.first || bits_[i].y != exact.second || bits_[i].z != exact.third;
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(result_[i][c], exact.weights[c], 1e-4f);
-    ASSERT_NEAR(result_[i].w, shared::detailLevel(a.x * 2 + 1e-3f, 0.03f), 1e-4f);
+    ASSERT_NEAR(result_[i].w, shared::detailMip(shared::groundPictureLevel(a.x * 2 + 1e-3f, 0.03f)), 1e-4f);
   }
   EXPECT_LE(apart, 2);
   run(rows,

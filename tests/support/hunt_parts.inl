@@ -155,7 +155,7 @@ HUNTED(detailPieces, (whole(0, 16777216), whole(0, 16777216), unit(), unit(), wh
        (share(1e-4), share(1e-4), share(1e-4)),
        DetailPieces p = detailPieces(Uvec2(Uint(a[0]), Uint(a[1])), Vec2(a[2], a[3]), Uint(a[4])); r[0] = p.weights.x;
        r[1] = p.weights.y; r[2] = p.weights.z)
-HUNTED(detailLevel, (in(0, 1e30), in(1e-3, 10)), (out(0, 120, 1e-5, 2e-6)), r[0] = detailLevel(a[0], a[1]))
+HUNTED(detailMip, (in(0, 120)), (out(0, 120, 1e-5, 2e-6)), r[0] = detailMip(a[0]))
 HUNTED(rockBeds, (in(-1e4, 1e4), in(1, 100), whole(0, 16777216), in(0, 1e30)), (out(-1, 1, 0, 2e-3), out(-31, 31, 1e-2, 2e-2)),
        Vec2 b = rockBeds(a[0], a[1], Uint(a[2]), a[3]); r[0] = b.x; r[1] = b.y)
 // How far a block is moved changes at once where the next begins.

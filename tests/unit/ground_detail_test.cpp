@@ -57,8 +57,8 @@ glm::dvec4 detailAt(int material, std::int32_t chunkX, std::int32_t chunkZ, cons
                            static_cast<std::uint32_t>(chunkZ) * kPiecesPerChunk +
                                static_cast<std::uint32_t>(static_cast<int>(whole.y)));
   const shared::DetailPieces pieces = shared::detailPieces(cell, inFloat - whole, 1);
-  const double level =
-      shared::detailLevel(static_cast<float>(footprintM), static_cast<float>(kReliefTileM / 256));
+  const double level = shared::detailMip(
+      shared::groundPictureLevel(static_cast<float>(footprintM), static_cast<float>(kReliefTileM / 256)));
   const int low = static_cast<int>(level), high = std::min(low + 1, 8);
   glm::dvec4 sum(0);
   const std::array<std::uint32_t, 3> bits{pieces.first, pieces.second, pieces.third};

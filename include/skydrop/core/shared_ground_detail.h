@@ -1,5 +1,5 @@
 // The C++ face of shaders/shared/ground_detail.glsl, in float and double, as core/shared.h is of the others:
-// apart from them because only its tests need it.
+// apart from them because few need it.
 #pragma once
 
 #include "skydrop/core/shared.h"

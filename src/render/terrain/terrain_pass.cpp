@@ -27,6 +27,7 @@ namespace {
 
 constexpr GLuint kHeightsUnit = 0, kNormalsUnit = 1, kTableUnit = 2, kDepthUnit = 3;  // as in shaders/terrain
 constexpr GLuint kLightSharesUnit = 4;
+constexpr GLuint kMirrorImage = 1;
 constexpr GLsizei kSeaVertices = 12;  // four triangles (shaders/terrain/sea.glsl)
 constexpr const char* kStripDefine = "GRASS_STRIP";
 constexpr int kPatchSide = terrain::kPatchCells + 1;
@@ -106,6 +107,7 @@ void TerrainPass::take(const terrain::TerrainFrame& frame) {
   }
   if (bytes > 0) instances_.write(0, std::as_bytes(std::span(instances)));
   instanceCount_ = static_cast<GLsizei>(instances.size());
+  nearestM_ = frame.patches.empty() ? 0 : frame.patches.front().distanceM;
   base_ = frame.base;
   heightRange_ = frame.heightRange;
   lod_ = frame.lod;
@@ -290,10 +292,14 @@ void TerrainPass::setHeights(gl::ShaderProgram& shader) const {
 
 // A triangle at infinity, which the depth test lets through where land is before it: a software renderer
 // skips what the test rejects, and would work out the land of the sky's pixels with a discard in the program.
-void TerrainPass::drawLand(gl::Shader& shader, const View& view) {
+void TerrainPass::drawLand(gl::Shader& shader, const View& view) { drawLandUpTo(shader, view, 0); }
+
+// depth: as a triangle there lets through what is nearer.
+void TerrainPass::drawLandUpTo(gl::Shader& shader, const View& view, double depth) {
   context_.api().DepthMask(GL_FALSE);
-  context_.api().DepthFunc(GL_NOTEQUAL);
+  context_.api().DepthFunc(GL_LESS);
   shader.use();
+  shader.setFloat("triangleDepth", static_cast<float>(depth));
   setLand(shader, view);
   if (ground_) ground_->set(shader, base_, worn_);
   triangle_.draw();
@@ -328,15 +334,28 @@ void TerrainPass::drawLitLand(FrameContext& context) {
         [&](gl::Shader& shader) { flash->set(shader); }},
        {kStripDefine, isStripSeen(view), hasStrips_, [&](gl::Shader& shader) { setStrip(shader); }}}};
 
+  // Plain land that is too far away to show trees and detail is drawn without them; where little may be near,
+  // that is drawn a second time with them. All of it twice would cost more than it saves.
+  const bool isPlain = context.settings.landDetail != LandDetail::rich;
+  const bool mayBeFar = isPlain && (woods || detail);
+  const double reachM =
+      std::max(woods ? woods->farM : 0, detail ? detail->plainReachM(view.pixelAngleRad()) : 0);
+  const bool isNear = !mayBeFar || nearestM_ < reachM;
+  const bool isFar = mayBeFar && nearestM_ > 0.5 * reachM;
+  const double nearDepth = isFar ? view.nearM / reachM : 0;
+
   std::vector<std::string> always = landDefines(context);
   if (hasAlpineBelts_) always.emplace_back("ALPINE_BELTS");
   if (ground_) always.emplace_back(GroundTexture::kDefine);
-  if (woods) always.emplace_back(StandingWoods::kDefine);
-  if (detail) always.emplace_back(GroundDetail::kDefine);
+  std::vector<std::string> nearby;
+  if (woods) nearby.emplace_back(StandingWoods::kDefine);
+  if (detail) nearby.emplace_back(GroundDetail::kDefine);
   if (waves) always.emplace_back(SeaWaves::kDefine);
-  for (unsigned variant = 0; variant < 1u << parts.size(); ++variant) {
+  for (unsigned variant = 0; variant < 2u << parts.size(); ++variant) {
+    const bool hasNear = variant >> parts.size() != 0;  // later: over the others
+    if (!hasNear && !mayBeFar) continue;
     const auto has = [variant](std::size_t part) { return (variant >> part & 1) != 0; };
-    bool isAsked = true, isThis = true, isPossible = true;
+    bool isAsked = true, isThis = hasNear ? isNear : isFar, isPossible = true;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       isAsked = isAsked && (parts[i].mayCome || has(i) == parts[i].isThere);
       isThis = isThis && has(i) == parts[i].isThere;
@@ -344,16 +363,17 @@ void TerrainPass::drawLitLand(FrameContext& context) {
     }
     if (!isAsked) continue;
     std::vector<std::string> defines = always;
+    if (hasNear) defines.insert(defines.end(), nearby.begin(), nearby.end());
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (has(i)) defines.emplace_back(parts[i].define);
     gl::Shader& shader = context.shaders.shader("fullscreen.vert", "terrain/land.frag", defines);
     if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
-    if (woods) woods->set(shader);
-    if (detail) detail->set(shader);
+    if (woods && hasNear) woods->set(shader);
+    if (detail && hasNear) detail->set(shader);
     if (waves) waves->set(shader);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (has(i)) parts[i].set(shader);
-    drawLand(shader, view);
+    drawLandUpTo(shader, view, hasNear ? nearDepth : 0);
   }
 }
 
@@ -380,6 +400,7 @@ void TerrainPass::drawSea(FrameContext& context) {
     std::vector<std::string> defines(context.defines.begin(), context.defines.end());
     if (hasFlash) defines.emplace_back(FlashLight::kDefine);
     if (waves) defines.emplace_back(SeaWaves::kDefine);
+    if (waves && waves->mirror) defines.emplace_back(SeaWaves::kKeepsDefine);
     gl::Shader& shader = context.shaders.shader("terrain/sea.vert", "terrain/sea.frag", defines);
     const bool isThis = hasFlash == (flash != nullptr);
     if ((hasFlash && !flash) || !(isThis || context.frame.warmsUp)) continue;
@@ -388,6 +409,7 @@ void TerrainPass::drawSea(FrameContext& context) {
     if (waves) {
       waves->set(shader);
       setSea(shader, context.frame.view);
+      if (waves->mirror) waves->mirror->bindImage(kMirrorImage, GL_WRITE_ONLY);
     } else {
       setSurface(shader, context.frame.view);
       shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));

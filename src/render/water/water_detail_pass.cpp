@@ -12,7 +12,7 @@
 namespace skydrop::render {
 namespace {
 
-constexpr GLuint kDepthUnit = 5, kColorUnit = 6;  // as in shaders/water
+constexpr GLuint kDepthUnit = 5, kColorUnit = 6, kKeptUnit = 7;  // as in shaders/water
 constexpr double kWindHeightM = 10;
 
 GLuint groups(int texels) { return static_cast<GLuint>(texels + 7) / 8; }
@@ -34,6 +34,14 @@ void SeaWavesPass::draw(FrameContext& context) {
   const FrameInput& frame = context.frame;
   waves_ = seaWaves(settings_, {frame.view.position.x, frame.view.position.z}, frame.simulatedSeconds,
                     windOverSea(frame, wind_));
+  const View& view = frame.view;
+  if (settings_.reflection == WaterReflection::off) {
+    mirror_ = {};
+  } else if (!mirror_ || mirror_.width() != view.width || mirror_.height() != view.height) {
+    mirror_ = {};
+    mirror_ = gl::Texture::make2D(context.gl, GL_RGBA16F, view.width, view.height, "what the sea mirrors");
+  }
+  waves_.mirror = mirror_ ? &mirror_ : nullptr;
   context.resources.publish(waves_);
 }
 
@@ -68,11 +76,12 @@ void WaterReflectionPass::draw(FrameContext& context) {
   const gl::Functions& api = context.gl.api();
   const View& view = context.frame.view;
   const LandGround& land = context.resources.get<LandGround>();
+  const SeaWaves& waves = context.resources.get<SeaWaves>();
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   defines.emplace_back(SeaWaves::kDefine);
   gl::ComputeShader& mirror = context.shaders.computeShader("water/mirror.comp", defines);
   land.setSurface(mirror, view);
-  context.resources.get<SeaWaves>().set(mirror);
+  waves.set(mirror);
   mirror.setInt("spacing", spacingOf(settings_));
   mirror.setInt("mirrorSteps", static_cast<int>(settings_.reflectionSteps));
   mirror.setInt("mirrorRays", static_cast<int>(settings_.reflectionRays));
@@ -81,14 +90,14 @@ void WaterReflectionPass::draw(FrameContext& context) {
   context.sceneColor.bind(kColorUnit);
   mirrored_.bindImage(0, GL_WRITE_ONLY);
   mirror.dispatch(groups(mirrored_.width()), groups(mirrored_.height()));
-  api.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  api.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // of the sea's own too, which it keeps in its pass
 
-  gl::ComputeShader& compose = context.shaders.computeShader("water/compose.comp", defines);
-  land.setSea(compose, view);
-  context.resources.get<SeaWaves>().set(compose);
+  gl::ComputeShader& compose = context.shaders.computeShader("water/compose.comp", context.defines);
+  land.setSurface(compose, view);
   compose.setInt("spacing", spacingOf(settings_));
   context.sceneDepth.bind(kDepthUnit);
   mirrored_.bind(kColorUnit);
+  waves.mirror->bind(kKeptUnit);
   context.sceneColor.bindImage(0, GL_READ_WRITE);
   compose.dispatch(groups(view.width), groups(view.height));
   api.MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);

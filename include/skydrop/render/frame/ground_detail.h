@@ -2,6 +2,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "skydrop/core/shared_ground_detail.h"
 #include "skydrop/render/gl/shader.h"
 #include "skydrop/render/gl/texture.h"
 
@@ -17,6 +18,12 @@ struct GroundDetail {
   const gl::Texture* squares = nullptr;        // squares of terrain::GroundMaterial, a layer each
   double contrast = 1, relief = 1, reach = 1;  // as terrain::GroundDetailSettings
   double texelM = 1;                           // side of a texel of the first level, m
+
+  static constexpr double kWideScale = 8, kWideReach = 0.35;  // of the larger squares of plain land, as there
+  // From so far on plain land shows nothing of it, m. pixelAngleRad: of a pixel in the picture's middle.
+  double plainReachM(double pixelAngleRad) const {
+    return core::shared::f64::kDetailFadedM * kWideScale * kWideReach * reach / pixelAngleRad;
+  }
 
   // For programs that include that file, in use.
   void set(gl::Shader& shader) const {

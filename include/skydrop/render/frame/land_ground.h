@@ -17,8 +17,6 @@ class LandGround {
   virtual void setGround(gl::ShaderProgram& shader, const View& view) const = 0;
   // The same of one that includes terrain/surface.glsl alone.
   virtual void setSurface(gl::ShaderProgram& shader, const View& view) const = 0;
-  // The same of one that includes terrain/sea.glsl and is compiled with SeaWaves::kDefine.
-  virtual void setSea(gl::ShaderProgram& shader, const View& view) const = 0;
   // World position (x, z) from which such programs count: a chunk corner near the eye, m.
   virtual glm::dvec2 base() const = 0;
   // Plants grow as high as on the earth: such programs are compiled with ALPINE_BELTS.

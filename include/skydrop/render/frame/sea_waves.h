@@ -6,6 +6,7 @@
 #include <span>
 
 #include "skydrop/render/gl/shader.h"
+#include "skydrop/render/gl/texture.h"
 
 namespace skydrop::render {
 
@@ -14,6 +15,8 @@ namespace skydrop::render {
 // are compiled with kDefine show it (shaders/terrain/sea_waves.glsl); without one nothing of it is compiled.
 struct SeaWaves {
   static constexpr const char* kDefine = "WATER_DETAIL";
+  // With it the sea keeps what it mirrors in `mirror` besides.
+  static constexpr const char* kKeepsDefine = "KEEPS_MIRROR";
   static constexpr std::size_t kMost = 64;  // as in shaders/terrain/sea_waves.glsl
 
   // The longest first; see withWave() of shaders/shared/sea_waves.glsl.
@@ -27,6 +30,11 @@ struct SeaWaves {
   double caustics = 1;           // how strongly waves gather light on the ground, [0, 1]
   double curvatureVariance = 0;  // of the surface by the waves that gather light, 1/m^2
   std::size_t causticCount = 0;  // waves that do: the first of all
+
+  // RGBA16F of the picture's size, valid where it shows the sea: the light of the sky that the water mirrors,
+  // as it reaches the eye, and the share of what comes along the mirrored ray that reaches it. Null where
+  // nobody asks.
+  const gl::Texture* mirror = nullptr;
 
   // For programs that include that file, in use.
   void set(gl::ShaderProgram& shader) const {

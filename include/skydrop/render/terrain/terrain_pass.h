@@ -66,7 +66,6 @@ class TerrainPass final : public Pass, public LandGround {
   // For what stands on it: published in each frame in which it is drawn.
   void setGround(gl::ShaderProgram& shader, const View& view) const override;
   void setSurface(gl::ShaderProgram& shader, const View& view) const override;
-  void setSea(gl::ShaderProgram& shader, const View& view) const override;
   glm::dvec2 base() const override { return base_; }
   bool hasAlpineBelts() const override { return hasAlpineBelts_; }
 
@@ -78,8 +77,10 @@ class TerrainPass final : public Pass, public LandGround {
   void setEye(gl::ShaderProgram& shader, const View& view) const;
   void setHeights(gl::ShaderProgram& shader) const;
   void setLand(gl::ShaderProgram& shader, const View& view) const;
+  void setSea(gl::ShaderProgram& shader, const View& view) const;
   bool isStripSeen(const View& view) const;
   void setStrip(gl::Shader& shader) const;
+  void drawLandUpTo(gl::Shader& shader, const View& view, double depth);
   void drawDepth(FrameContext& context);
   void drawLitLand(FrameContext& context);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
@@ -109,6 +110,7 @@ class TerrainPass final : public Pass, public LandGround {
   terrain::HeightRange heightRange_;
   terrain::LodDistances lod_;
   double farDistanceM_ = 0, seaFloorDepthM_ = 0;
+  double nearestM_ = 0;  // from the eye to the nearest land in view
 };
 
 }  // namespace skydrop::render

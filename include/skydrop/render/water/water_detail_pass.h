@@ -29,7 +29,8 @@ class SeaWavesPass final : public Pass {
  private:
   WaterDetailSettings settings_;
   core::WindSettings wind_;
-  SeaWaves waves_;  // published
+  gl::Texture mirror_;  // SeaWaves::mirror; while the sea mirrors the scene
+  SeaWaves waves_;      // published
 };
 
 // After everything that is mirrored and before what veils it: rays from the sea are followed through the
