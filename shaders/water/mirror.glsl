@@ -9,6 +9,7 @@ uniform int spacing;      // pixels between two rays
 uniform int mirrorSteps;  // along a ray
 uniform int mirrorRays;   // of a pixel
 uniform float mirrorM;    // how far they look
+uniform float mirrorLeft;  // of it all, by the eye's height
 
 #include "water/sea_pixel.glsl"
 
@@ -111,5 +112,5 @@ vec4 mirroredScene(ivec2 pixel) {
     sum += sceneAlong(relative, mirrored) * reflectance;
     all += reflectance;
   }
-  return sum / all;
+  return sum * (mirrorLeft / all);
 }

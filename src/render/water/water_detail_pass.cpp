@@ -1,5 +1,6 @@
 #include "skydrop/render/water/water_detail_pass.h"
 
+#include <glm/common.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace {
 
 constexpr GLuint kDepthUnit = 5, kColorUnit = 6, kKeptUnit = 7;  // as in shaders/water
 constexpr double kWindHeightM = 10;
+// From this height of the eye on what water mirrors fades, up to none: few of the rays of a far wave meet anything, and
+// what they meet, as snow of a far peak, would be spots.
+constexpr double kMirrorFadesM = 100, kMirrorEndsM = 200;
 
 GLuint groups(int texels) { return static_cast<GLuint>(texels + 7) / 8; }
 
@@ -49,7 +53,7 @@ std::optional<std::string> WaterReflectionPass::skipReason(const FrameInput& fra
   if (settings_.reflection == WaterReflection::off) return "water mirrors the sky alone";
   if (frame.warmsUp) return std::nullopt;
   if (frame.view.position.y <= 0) return "the view is below the sea";
-  if (frame.view.position.y > settings_.reflectionM) return "the view is too high for what water mirrors";
+  if (frame.view.position.y >= kMirrorEndsM) return "the view is too high for what water mirrors";
   if (leastRise(frame.view) > 0) return "the view shows no water";
   return std::nullopt;
 }
@@ -86,6 +90,8 @@ void WaterReflectionPass::draw(FrameContext& context) {
   mirror.setInt("mirrorSteps", static_cast<int>(settings_.reflectionSteps));
   mirror.setInt("mirrorRays", static_cast<int>(settings_.reflectionRays));
   mirror.setFloat("mirrorM", static_cast<float>(settings_.reflectionM));
+  const double high = (view.position.y - kMirrorFadesM) / (kMirrorEndsM - kMirrorFadesM);
+  mirror.setFloat("mirrorLeft", static_cast<float>(1 - glm::smoothstep(0.0, 1.0, high)));
   context.sceneDepth.bind(kDepthUnit);
   context.sceneColor.bind(kColorUnit);
   mirrored_.bindImage(0, GL_WRITE_ONLY);
