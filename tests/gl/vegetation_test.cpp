@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "render/vegetation/tree_meshes.h"
 #include "skydrop/core/hash.h"
 #include "skydrop/render/terrain/terrain_pass.h"
 #include "skydrop/render/vegetation/vegetation_pass.h"
@@ -151,6 +152,15 @@ TEST_F(VegetationGLTest, V04_formsTurnIntoEachOtherWithoutPops) {
     std::printf("[ blend ] %.0f m: %.4f / 255 a frame\n", above, change);
     EXPECT_TRUE(test::holds("V04", change, test::atMost(1), "of 255"));
     EXPECT_GT(change, 0) << "nothing turned";
+  }
+}
+
+TEST(TreeMeshes, noCrownIsWiderThanItsImpostor) {
+  // Impostors are drawn 1.12 times as wide as the crown (kCrownMargin of shaders/vegetation/impostor.glsl):
+  // all vertices are within that, and a hundredth is left for the filter.
+  for (const render::TreeMesh& mesh : render::makeTreeMeshes()) {
+    for (const render::TreeVertex& vertex : mesh.vertices)
+      ASSERT_LE(std::hypot(vertex.place.x, vertex.place.z), 1.11f);
   }
 }
 
