@@ -7,12 +7,6 @@
 CONST Real kStripRaggedM = Real(6.0);  // by which the edge of the woods around wanders
 CONST Real kStripReachM = Real(41.0);  // beyond what is mown, within which the land looks other than without
 
-// The share of a pixel `footprint` wide around x, both in metres, that |x| < half covers.
-FN Real stripCover(Real x, Real half_, Real footprint) {
-  Real around = Real(0.5) * footprint, away = abs(x);  // both sides from x: far from 0 the ends' difference would cancel
-  return saturate((min(around, half_ - away) + min(around, half_ + away)) / footprint);
-}
-
 // The share of white marks at a place `local` (along and to the right of the middle, m): a row of bars at each
 // threshold, and boards of 4 x 1 m beside the mown ground every 50 m, at its corners at right angles too.
 FN Real stripMarks(Vec2 local, Vec2 half_, Real footprint) {

@@ -40,6 +40,12 @@ FN Real smoothRise(Real low, Real high, Real x) {
   return t * t * (Real(3.0) - Real(2.0) * t);
 }
 
+// The share of a pixel `footprint` wide around x, both in metres, that |x| < half covers.
+FN Real stripCover(Real x, Real half_, Real footprint) {
+  Real around = Real(0.5) * footprint, away = abs(x);  // both sides from x: far from 0 the ends' difference would cancel
+  return saturate((min(around, half_ - away) + min(around, half_ + away)) / footprint);
+}
+
 // One tree: a dome around a place near its node of the lattice. `offset` is from the node, in cells.
 FN Crowns crownOf(Uint bits, Vec2 offset) {
   Vec2 stem = Vec2(Real(bits & Uint(0xffu)), Real((bits >> Uint(8u)) & Uint(0xffu))) * Real(0.0025) -

@@ -7,6 +7,7 @@
 
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/terrain/chunk_grid.h"
+#include "skydrop/terrain/places.h"
 
 namespace skydrop::terrain {
 namespace {
@@ -79,8 +80,9 @@ struct Woods::Cells {
   std::int64_t firstX = 0, lastX = -1, firstZ = 0, lastZ = -1;
 };
 
-Woods::Woods(std::shared_ptr<const HeightSource> ground, double density, bool alpineBelts)
-    : ground_(std::move(ground)), density_(density), alpineBelts_(alpineBelts) {}
+Woods::Woods(std::shared_ptr<const HeightSource> ground, double density, bool alpineBelts,
+             std::shared_ptr<const Places> places)
+    : ground_(std::move(ground)), density_(density), alpineBelts_(alpineBelts), places_(std::move(places)) {}
 
 Woods::Cells Woods::cellsAround(const glm::dvec2& xz, double radiusM) const {
   const auto cell = [](double metres) {
@@ -108,7 +110,8 @@ std::vector<Strip> Woods::clearings(const glm::dvec2& xz, double radiusM) const 
 }
 
 std::optional<StandingTree> Woods::standing(std::int64_t cellX, std::int64_t cellZ,
-                                            std::span<const Strip> clearings) const {
+                                            std::span<const Strip> clearings,
+                                            const PlacesAround& settled) const {
   const std::int64_t chunkX = chunkOf(cellX), chunkZ = chunkOf(cellZ);
   const shared::Uvec2 chunk = wrapped(chunkX, chunkZ);
   const glm::dvec2 local(static_cast<double>(cellX - chunkX * shared::kTreeCellsPerChunk),
@@ -126,7 +129,7 @@ std::optional<StandingTree> Woods::standing(std::int64_t cellX, std::int64_t cel
   const HeightSample land = ground_->sample(xz);
   const double height = alpineBelts_ ? alpineHeight(land.height) : land.height;
   const shared::Tree tree = shared::treeOf(bits, height, normalOf(land).y, noise, density_);
-  if (tree.heightM <= 0 || isCleared(xz, clearings)) return {};
+  if (tree.heightM <= 0 || isCleared(xz, clearings) || settled.isSettled(xz)) return {};
   return StandingTree{{xz.x, land.height, xz.y}, tree};
 }
 
@@ -135,10 +138,11 @@ std::vector<StandingTree> Woods::around(const glm::dvec2& xz, double radiusM) co
   if (!isInReach(xz) || !(radiusM >= 0) || density_ <= 0) return found;
   radiusM = std::min(radiusM, kWidestQueryM);
   const std::vector<Strip> strips = clearings(xz, radiusM);
+  const PlacesAround settled = places_ ? places_->around(xz, radiusM) : PlacesAround{};
   const Cells cells = cellsAround(xz, radiusM);
   for (std::int64_t z = cells.firstZ; z <= cells.lastZ; ++z) {
     for (std::int64_t x = cells.firstX; x <= cells.lastX; ++x) {
-      const auto tree = standing(x, z, strips);
+      const auto tree = standing(x, z, strips, settled);
       if (!tree) continue;
       const double dx = tree->foot.x - xz.x, dz = tree->foot.z - xz.y;
       if (dx * dx + dz * dz <= radiusM * radiusM) found.push_back(*tree);
@@ -161,10 +165,11 @@ std::optional<StandingTree> Woods::touching(std::span<const glm::dvec3> points, 
   const double reach = widest + reachM + shared::kWidestCrownM;
   if (lowest - ground_->height(xz) > kTallestTreeM + reachM + 1.2 * reach) return {};
   const std::vector<Strip> strips = clearings(xz, 0);
+  const PlacesAround settled = places_ ? places_->around(xz, reach) : PlacesAround{};
   const Cells cells = cellsAround(xz, reach);
   for (std::int64_t z = cells.firstZ; z <= cells.lastZ; ++z) {
     for (std::int64_t x = cells.firstX; x <= cells.lastX; ++x) {
-      const auto tree = standing(x, z, strips);
+      const auto tree = standing(x, z, strips, settled);
       if (!tree) continue;
       const bool touches = std::ranges::any_of(
           points, [&](const glm::dvec3& point) { return distanceTo(*tree, point) < reachM; });

@@ -67,6 +67,7 @@ class HuntGLTest : public test::GLTest {
 #include "shared/sun_glitter.glsl"
 #include "shared/terrain_lod.glsl"
 #include "shared/tone_map.glsl"
+#include "shared/places.glsl"
 #include "shared/woods.glsl"
 #include "shared/water.glsl"
 layout(local_size_x = 64) in;

@@ -8,6 +8,7 @@
 #include "skydrop/core/shared_ice.h"
 #include "skydrop/core/shared_lamps.h"
 #include "skydrop/core/shared_optics.h"
+#include "skydrop/core/shared_places.h"
 #include "skydrop/core/shared_precipitation.h"
 #include "skydrop/core/shared_sea.h"
 #include "skydrop/core/shared_woods.h"

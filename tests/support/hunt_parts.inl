@@ -114,6 +114,23 @@ HUNTED(icePlaceOnStretch, (in(5000, 13000), in(100, 2000), in(1, 20000), directi
        IceStretch w = iceStretch(a[2] - a[0], a[2] - a[0] - a[1], a[2], Vec3(a[3], a[4], a[5]));
        r[0] = w.end > w.begin ? icePlaceOnStretch(w, a[6]) : Real(0.0))
 
+// places.glsl
+HUNTED(blocksOf, (in(-1280, 1280), in(-1280, 1280), whole(0, 16777216)), (out(-9, 25, 0, 1e-4), out(-9, 25, 0, 1e-4)),
+       Vec2 b = blocksOf(Vec2(a[0], a[1]), Uint(a[2]) * Uint(0x9e3779b1u)); r[0] = b.x; r[1] = b.y)
+HUNTED(placeInBlocks, (in(0, 16), in(0, 16), whole(0, 16777216)), (out(-660, 660, 0, 2e-2), out(-660, 660, 0, 2e-2)),
+       Vec2 p = placeInBlocks(Vec2(a[0], a[1]), Uint(a[2]) * Uint(0x9e3779b1u)); r[0] = p.x; r[1] = p.y)
+HUNTED(borderKind, (whole(0, 16777216), whole(0, 15), whole(0, 15), whole(0, 1)), (out(0, 2)),
+       r[0] = Real(borderKind(Uint(a[0]), int(a[1]), int(a[2]), int(a[3]))))
+HUNTED(fieldPlotAt, (whole(0, 15), whole(0, 15), in(0.05, 0.95), in(0.05, 0.95), whole(0, 16777216)), (out(3.9, 40.1, 0, 1e-3)),
+       r[0] = fieldPlotAt(Vec2(a[0] + a[2], a[1] + a[3]), Uint(a[4]), false).toBorder)
+HUNTED(awayFromWay, (in(-1e4, 1e4), in(-1e4, 1e4), in(-1e4, 1e4), in(-1e4, 1e4), in(-60, 60), in(-60, 60)), (out(0, 3e4, 1e-5, 2e-2)),
+       r[0] = awayFromWay(Vec2(a[0], a[1]), Vec2(a[2], a[3]), Vec2(a[2] + a[4], a[3] + a[5])))
+HUNTED(lineShare, (in(-1280, 1280), in(0.2, 20), in(0.01, 1), in(1e-3, 1e4)), (share(2e-1)),
+       r[0] = lineShare(a[0], a[1], a[1] * a[2], a[3]))
+HUNTED(houseOf, (whole(0, 16777216), whole(0, 3)), (out(5, 12.1, 1e-5), out(5, 24.1, 1e-5), out(3, 14.1, 1e-5), out(2, 9.1, 1e-5)),
+       House h = houseOf(Uint(a[0]) * Uint(0x9e3779b1u), int(a[1])); r[0] = h.widthM; r[1] = h.lengthM; r[2] = h.wallM;
+       r[3] = h.roofM)
+
 // land_material.glsl, woods.glsl
 HUNTED(smoothRise, (in(-1e4, 1e4), in(1e-3, 1e4), in(-1e30, 1e30)), (share(1e-4)), r[0] = smoothRise(a[0], a[0] + a[1], a[2]))
 HUNTED(bandWave, (in(-1e4, 1e4)), (out(-1, 1, 0, 1e-5), out(-8, 8, 0, 1e-4)), Vec2 w = bandWave(a[0]); r[0] = w.x; r[1] = w.y)

@@ -18,6 +18,9 @@
 
 namespace skydrop::terrain {
 
+class Places;
+struct PlacesAround;
+
 struct WoodsSettings {
   double density = 1;     // share of the trees of the woods that there are, [0, 1]
   bool obstacles = true;  // they stand in the way of the aircraft
@@ -43,12 +46,15 @@ struct StandingTree {
 class Woods {
  public:
   // density: WoodsSettings::density. alpineBelts: plants grow as high as on the earth
-  // (shared::alpineBeltHeight), for land of elevation data.
-  Woods(std::shared_ptr<const HeightSource> ground, double density, bool alpineBelts);
+  // (shared::alpineBeltHeight), for land of elevation data. places: of the same land, in whose fields and
+  // beside whose ways nothing stands; null: there are none.
+  Woods(std::shared_ptr<const HeightSource> ground, double density, bool alpineBelts,
+        std::shared_ptr<const Places> places = nullptr);
 
   const HeightSource& ground() const { return *ground_; }
   double density() const { return density_; }
   bool hasAlpineBelts() const { return alpineBelts_; }
+  const std::shared_ptr<const Places>& places() const { return places_; }
 
   // Those whose stems are within so many metres (at most 1000) of a place, row by row from the north-west;
   // none beyond kWorldLimitMetres or for what is not finite. About 6 us a tree of a dense wood.
@@ -64,12 +70,13 @@ class Woods {
  private:
   struct Cells;
   std::optional<StandingTree> standing(std::int64_t cellX, std::int64_t cellZ,
-                                       std::span<const Strip> clearings) const;
+                                       std::span<const Strip> clearings, const PlacesAround& settled) const;
   Cells cellsAround(const glm::dvec2& xz, double radiusM) const;
 
   std::shared_ptr<const HeightSource> ground_;
   double density_;
   bool alpineBelts_;
+  std::shared_ptr<const Places> places_;
 };
 
 }  // namespace skydrop::terrain
