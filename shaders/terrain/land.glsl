@@ -113,13 +113,17 @@ LandSight landSight(vec3 relative) {
 #ifdef GRASS_STRIP
 #include "terrain/grass_strip.glsl"
 #endif
+#ifdef PLACES
+#include "terrain/places.glsl"
+#endif
 #ifdef STANDING_WOODS
 #include "terrain/wood_floor.glsl"
 
 // Of woods that stand the land shows the floor; lightShares: of the sun's light what trees leave.
-LandSurface belowTrees(LandSurface land, LandSight sight, LandNoise noise, float distanceM, inout vec3 lightShares) {
+// treed: the share of the ground where they may stand.
+LandSurface belowTrees(LandSurface land, LandSight sight, LandNoise noise, float distanceM, float treed, inout vec3 lightShares) {
   float stand = standingShare(distanceM);
-  float density = forestDensity(growthHeight(sight.heightM), sight.normal.y, 0.0, noise) * stand;
+  float density = forestDensity(growthHeight(sight.heightM), sight.normal.y, 0.0, noise) * stand * treed;
   float leafy = saturate(0.45 + 0.7 * noise.region - beltHeight(growthHeight(sight.heightM), noise) * 0.0009);
   land.albedo = floorAlbedo(land.albedo, land.wooded * stand, leafy, noise);
   land.litter += (1.0 - land.litter - land.scree - land.rock - land.sand - land.snow) * land.wooded * stand;
@@ -132,6 +136,12 @@ LandSurface belowTrees(LandSurface land, LandSight sight, LandNoise noise, float
 
 #ifdef GROUND_DETAIL
 #include "terrain/ground_detail.glsl"
+#ifdef PLACES
+// Less of it where the ground is paved or trodden.
+Detail onPavement(Detail detail, float paved) {
+  return Detail(detail.slope * (1.0 - 0.9 * paved), detail.tint * (1.0 - 0.75 * paved), detail.height * (1.0 - 0.9 * paved));
+}
+#endif
 #endif
 
 // All but the finest.
@@ -188,8 +198,16 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
 #endif
   LandSurface land =
       landSurface(growthHeight(sight.heightM), normal.y, landCurvature(sight.texel), noise, strata.x, crowns, sight.treeShare);
+#ifdef PLACES
+  PlaceLook places = placeLookAt(sight.place, land, length(relative), sight.footprint, noise);
+  lightShares.xy *= lightPastHouses(sight.place, sight.heightM, length(relative), sight.footprint);
+  land = settledLand(land, places);
+  float treed = 1.0 - places.share;
+#else
+  const float treed = 1.0;
+#endif
 #ifdef STANDING_WOODS
-  land = belowTrees(land, sight, noise, length(relative), lightShares);
+  land = belowTrees(land, sight, noise, length(relative), treed, lightShares);
 #endif
 #ifdef GROUND_PICTURE
   land = worn(land, sight, length(relative));
@@ -210,6 +228,9 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   land.scree += land.rock * layers.rubble;
   land.rock *= 1.0 - layers.rubble;
   Detail detail = groundDetailAt(sight, land, length(relative));
+#ifdef PLACES
+  detail = onPavement(detail, places.paved);
+#endif
   land = withDetail(land, detail);
 #endif
   slope = mix(slope, vec3(crowns.slope.x, 0.0, crowns.slope.y) * (0.55 * sight.treeShare), land.wooded);
@@ -229,8 +250,16 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   Crowns noCrowns = Crowns(vec2(0.0), 0.0, 0.0);
   LandNoise noise = coarseNoise(sight);
   LandSurface land = landSurface(growthHeight(sight.heightM), sight.normal.y, 0.0, noise, 0.0, noCrowns, 0.0);
+#ifdef PLACES
+  PlaceLook places = placeLookAt(sight.place, land, length(relative), sight.footprint, noise);
+  lightShares.xy *= lightPastHouses(sight.place, sight.heightM, length(relative), sight.footprint);
+  land = settledLand(land, places);
+  float treed = 1.0 - places.share;
+#else
+  const float treed = 1.0;
+#endif
 #ifdef STANDING_WOODS
-  land = belowTrees(land, sight, noise, length(relative), lightShares);
+  land = belowTrees(land, sight, noise, length(relative), treed, lightShares);
 #endif
 #ifdef GROUND_PICTURE
   land = worn(land, sight, length(relative));
@@ -242,6 +271,10 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
 #ifdef GROUND_DETAIL
   PlainDetail detail = groundDetailAt(sight, land, length(relative));
   detail.wide.tint *= 0.7;  // humps are gentler than tufts
+#ifdef PLACES
+  detail.fine = onPavement(detail.fine, places.paved);
+  detail.wide = onPavement(detail.wide, places.paved);
+#endif
   land = withDetail(withDetail(land, detail.fine), detail.wide);
   vec3 slope = detail.fine.slope + 0.35 * detail.wide.slope;
   normal = normalize(normal - (slope - normal * dot(slope, normal)));

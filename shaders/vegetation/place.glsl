@@ -40,6 +40,9 @@ bool isCleared(vec2 place) {
     vec2 at = abs(vec2(dot(from, along), from.y * along.x - from.x * along.y));
     cleared = cleared || (at.x < clearings[2 * i + 1].x && at.y < clearings[2 * i + 1].y);
   }
+#ifdef PLACES
+  cleared = cleared || isSettledAt(place);
+#endif
   return cleared;
 }
 

@@ -12,6 +12,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/flight/rotation.h"
+#include "skydrop/terrain/places.h"
 #include "skydrop/terrain/woods.h"
 
 namespace skydrop::game {
@@ -214,21 +215,23 @@ void PlayerAircraft::fly(std::uint64_t step) {
   const double margin = ground_ ? kMiddleMargin : setup_->game.contactHeight;
   if (const auto contact = sweepContact(*setup_->ground, from, to, margin, clearanceBefore, clearance_)) {
     crash(*contact, contact->water ? "Ditched in the sea" : "Crashed into the ground");
-  } else if (touchesTree()) {
-    crash({1, to, false}, "Flew into a tree");
+  } else if (const char* obstacle = touchedObstacle()) {
+    crash({1, to, false}, obstacle);
     if (ground_) ground_->wreck(false);
   } else if (step % kSafePlaceSteps == 0) {
     noteSafePlace(step);
   }
 }
 
-bool PlayerAircraft::touchesTree() const {
-  if (!setup_->woods) return false;
+const char* PlayerAircraft::touchedObstacle() const {
+  if (!setup_->woods && !setup_->places) return nullptr;
   std::array<glm::dvec3, kTouchPoints.size()> points;
   std::ranges::transform(kTouchPoints, points.begin(), [&](const glm::dvec3& ofBody) {
     return body().position + body().orientation * ofBody;
   });
-  return setup_->woods->touching(points, kTouchReach).has_value();
+  if (setup_->woods && setup_->woods->touching(points, kTouchReach)) return "Flew into a tree";
+  if (setup_->places && setup_->places->touching(points, kTouchReach)) return "Flew into a house";
+  return nullptr;
 }
 
 void PlayerAircraft::noteSafePlace(std::uint64_t step) {

@@ -64,7 +64,8 @@ class PlayerAircraft {
   void move(std::uint64_t step);
   void crash(const Contact& contact, std::string reason);
   void endFlight(const Damage& damage);
-  bool touchesTree() const;
+  // What is in the way where it is, as the reason for the end of a flight; null: nothing.
+  const char* touchedObstacle() const;
   void turnPropeller();
 
   const WorldSetup* setup_;

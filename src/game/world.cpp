@@ -17,6 +17,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/guards.h"
 #include "skydrop/core/hash.h"
+#include "skydrop/terrain/places.h"
 #include "skydrop/terrain/woods.h"
 
 namespace skydrop::game {
@@ -247,6 +248,8 @@ std::uint64_t World::State::hash() const {
   }
   if (copy.gear) describe(settings, *copy.gear);
   if (copy.woods) h.add(copy.woods->density());
+  if (copy.woods && copy.woods->places()) h.add(copy.woods->places()->settings().density);
+  if (copy.places) h.add(copy.places->settings().density), h.add(copy.places->settings().fields);
   if (aircraft) aircraft->addTo(h);
   deliveries.addTo(h);
   return h.value();
@@ -306,6 +309,9 @@ void World::setGear(const std::optional<flight::GearSettings>& gear) {
   if (state_->aircraft) state_->aircraft->applyGear(state_->steps);
 }
 
+void World::setPlaces(std::shared_ptr<const terrain::Places> places) {
+  state_->setup.places = std::move(places);
+}
 void World::setWoods(std::shared_ptr<const terrain::Woods> woods) { state_->setup.woods = std::move(woods); }
 
 void World::setWind(const glm::dvec3& velocity) {

@@ -131,6 +131,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::LandingLightSettings;
   using render::LandShadowSettings;
   using render::LightShaftSettings;
+  using render::PlacesViewSettings;
   using render::PrecipitationSettings;
   using render::RainbowSettings;
   using render::RenderSettings;
@@ -141,6 +142,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::WaterDetailSettings;
   using terrain::GroundDetailSettings;
   using terrain::GroundPictureSettings;
+  using terrain::PlacesSettings;
   using terrain::StripSettings;
   using terrain::TerrainSettings;
   using terrain::TerrainStreamingSettings;
@@ -158,6 +160,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(GearSettings),
       SKYDROP_STRUCT(StripSettings),
       SKYDROP_STRUCT(WoodsSettings),
+      SKYDROP_STRUCT(PlacesSettings),
       SKYDROP_STRUCT(GroundDetailSettings),
       SKYDROP_STRUCT(GameSettings),
       SKYDROP_STRUCT(AutopilotSettings),
@@ -213,6 +216,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(IceCloudSettings),
       SKYDROP_STRUCT(PrecipitationSettings),
       SKYDROP_STRUCT(VegetationSettings),
+      SKYDROP_STRUCT(PlacesViewSettings),
       SKYDROP_STRUCT(WaterDetailSettings),
       SKYDROP_STRUCT(LightningSettings),
       SKYDROP_STRUCT(ElevationSettings),

@@ -44,7 +44,9 @@ constexpr std::string_view kElsewhere[] = {
     "landingLight.",           // tests/gl/night_flight_test.cpp
     "sky.",                    // tests/app/mood_test.cpp
     "woods.obstacles",         // tests/app/tree_flight_test.cpp
+    "villages.obstacles",      // tests/app/house_flight_test.cpp
     "vegetation.",             // tests/gl/vegetation_test.cpp
+    "places.",                 // tests/gl/places_test.cpp
     "groundDetail.",           // tests/gl/ground_detail_test.cpp
     "waterDetail.",            // tests/gl/water_detail_test.cpp
 };
@@ -103,16 +105,16 @@ TEST_P(SettingsEffect, everyTenthOfEveryRowMakesADifference) {
   EXPECT_GT(rows, 0);
 }
 
-constexpr const char* kGroups[] = {"gear.",      "strips.",      "woods.",     "aircraft.",  "package.",
-                                   "game.",      "delivery.",    "assist.",    "autopilot.", "terrain.",
-                                   "elevation.", "aerialImage.", "streaming.", "audio.",     "view.",
-                                   "input.",     "quality",      "clouds.",    "render.",    "wind.",
-                                   "weather.",   "weatherFile.", "lightning.", "live."};
+constexpr const char* kGroups[] = {"gear.",    "strips.",    "woods.",       "villages.",  "aircraft.",
+                                   "package.", "game.",      "delivery.",    "assist.",    "autopilot.",
+                                   "terrain.", "elevation.", "aerialImage.", "streaming.", "audio.",
+                                   "view.",    "input.",     "quality",      "clouds.",    "render.",
+                                   "wind.",    "weather.",   "weatherFile.", "lightning.", "live."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {
     "cloudPlanes.",   "cloudDome.",   "groundFog.",      "stars.",        "landShadows.", "halo.",
     "rainbow.",       "lightShafts.", "aircraftLights.", "landingLight.", "sky.",         "iceClouds.",
-    "precipitation.", "vegetation.",  "groundDetail.",   "waterDetail."};
+    "precipitation.", "vegetation.",  "groundDetail.",   "waterDetail.",  "places."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -13,6 +13,7 @@
 #include "skydrop/elevation/elevation_height_source.h"
 #include "skydrop/terrain/analytic_height_sources.h"
 #include "skydrop/terrain/endless_terrain.h"
+#include "skydrop/terrain/places.h"
 #include "skydrop/terrain/strips.h"
 #include "skydrop/terrain/woods.h"
 #include "support/temporary_folder.h"
@@ -43,6 +44,17 @@ std::uint64_t standingTrees(const Settings& settings) {
   StateHasher h;
   const terrain::Woods woods(probedLand(), settings.woods.density, false);
   h.add(std::uint64_t{woods.around({-1600, -3300}, 60).size()});
+  return h.value();
+}
+
+// How many buildings and blocks of fields some villages have.
+std::uint64_t builtPlaces(const Settings& settings) {
+  StateHasher h;
+  const terrain::Places places(probedLand(), settings.villages);
+  for (const auto& village : places.around({0, 2000}, 9000).villages) {
+    h.add(std::uint64_t{village->parts.size()});
+    for (const std::uint32_t row : village->blocks) h.add(std::uint64_t{row});
+  }
   return h.value();
 }
 
@@ -224,6 +236,7 @@ std::vector<Probe> landProbes() {
   return {
       {"strips.", stripHeights, {"strips.density=0.5"}},
       {"woods.density", standingTrees},
+      {"villages.", builtPlaces},
       {"terrain.", heights},
       {"aerialImage.edgeM", groundPictures},
       {"aerialImage.share", wornGround},

@@ -1,4 +1,4 @@
-// What the effects of low flight cost a frame: trees, the ground close by, water close by.
+// What the effects of low flight cost a frame: trees, the ground close by, water close by, villages.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -72,6 +72,17 @@ const Path kWater = {"waterDetail",
                      },
                      "water close by adds more to a frame than its share"};
 
+// 50 m over villages, their fields and houses in most of the picture.
+const Path kPlaces = {"places",
+                      "places",
+                      "village",
+                      8,
+                      5,
+                      [](const BenchGame& game, int i) {
+                        return overLand(game, {-3250 + 22.0 * i, 2560 + 14.0 * i}, 50, 30 + 4.0 * i, -10);
+                      },
+                      "villages add more to a frame than their share"};
+
 // With the effect and without, in turn in one run: the median of the ratios. Each also changes the passes of
 // land and sea, so whole frames count.
 void added(benchmark::State& state, const Path& path, const char* quality, double mostShare) {
@@ -107,6 +118,10 @@ void groundDetail(benchmark::State& state, const char* quality, double most) {
 }
 void water(benchmark::State& state, const char* quality, double most) { added(state, kWater, quality, most); }
 
+void places(benchmark::State& state, const char* quality, double most) {
+  added(state, kPlaces, quality, most);
+}
+
 // A leg of low flight: two places each, 60 m apart.
 struct Leg {
   const char* name;
@@ -130,16 +145,17 @@ app::Pose legPose(const BenchGame& game, const Leg& leg, int place) {
   return pose;
 }
 
-// All three effects together against none of them over one path, below clouds (as flights begin) or below a
+// All four effects together against none of them over one path, below clouds (as flights begin) or below a
 // clear sky, where a frame costs half as much: the sum of the path's frames, each the fastest of some by the
 // processor time of all threads of the process, which other programs disturb less than the wall clock.
 void lowFlight(benchmark::State& state, const char* quality, const char* clouds, double mostShare) {
-  constexpr int kPlaces = 2, kFrames = 5;
+  constexpr int kStops = 2, kFrames = 5;
   const auto settings = [&](const std::string& on) {
     return std::vector<std::string>{std::string("quality=") + quality,
                                     "effects.vegetation=" + on,
                                     "effects.groundDetail=" + on,
                                     "effects.waterDetail=" + on,
+                                    "effects.places=" + on,
                                     std::string("effects.clouds=") + clouds,
                                     "view.hud=false"};
   };
@@ -154,7 +170,7 @@ void lowFlight(benchmark::State& state, const char* quality, const char* clouds,
     double allWith = 0, allWithout = 0;
     for (const Leg& leg : kLegs) {
       double legWith = 0, legWithout = 0;
-      for (int place = 0; place < kPlaces; ++place) {
+      for (int place = 0; place < kStops; ++place) {
         const app::Pose pose = legPose(with, leg, place);
         for (BenchGame* game : {&with, &without}) game->settle(pose), game->draw(pose);
         std::vector<double> on, off;
@@ -164,14 +180,15 @@ void lowFlight(benchmark::State& state, const char* quality, const char* clouds,
         }
         legWith += std::ranges::min(on), legWithout += std::ranges::min(off);
       }
-      std::printf("  %-26s %5.1f -> %5.1f ms, %3.0f %% more\n", leg.name, legWithout / kPlaces,
-                  legWith / kPlaces, 100 * (legWith / legWithout - 1));
+      std::printf("  %-26s %5.1f -> %5.1f ms, %3.0f %% more\n", leg.name, legWithout / kStops,
+                  legWith / kStops, 100 * (legWith / legWithout - 1));
       allWith += legWith, allWithout += legWithout;
     }
     const double share = allWith / allWithout - 1;
     state.counters["added"] = share;
     std::printf("low flight of quality %s, clouds %s: %.0f %% more\n", quality, clouds, 100 * share);
-    expect(share <= mostShare, "trees, ground and water together add more to low flight than their share");
+    expect(share <= mostShare,
+           "trees, ground, water and villages together add more to low flight than their share");
   }
   state.SetLabel(with.renderer());
 }
@@ -184,12 +201,15 @@ BENCHMARK_CAPTURE(lowFlight, lowInClearAir, "low", "false", 0.30)
 BENCHMARK_CAPTURE(lowFlight, highInClearAir, "high", "false", 0.60)
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
+
 BENCHMARK_CAPTURE(trees, low, "low", 0.30)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(trees, high, "high", 0.60)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(groundDetail, low, "low", 0.30)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(groundDetail, high, "high", 0.30)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(water, low, "low", 0.08)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(water, high, "high", 0.15)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(places, low, "low", 0.08)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(places, high, "high", 0.15)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace skydrop::bench

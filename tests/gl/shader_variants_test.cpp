@@ -87,6 +87,11 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("afterRain", {"effects.groundDetail=true"});
   draw("cirrus", {"effects.vegetation=true"});
   draw("lagoon", {"effects.vegetation=true"});
+  draw("village", {});
+  draw("village", {"quality=low", "effects.clouds=false", "effects.landShadows=false"});
+  draw("airstrip", {"effects.places=true", "effects.vegetation=true"});
+  draw("cirrus", {"effects.places=true"});
+  draw("lagoon", {"effects.places=true"});
   draw("thunderstorm", {"effects.waterDetail=true"});
   draw("coldFront", {});
   draw("thunderstorm", {});

@@ -84,6 +84,16 @@ std::vector<std::string> closeBy(const std::string& place, const std::string& he
   return words;
 }
 
+// A village from so many metres above a place.
+std::vector<std::string> village(const std::string& place, const std::string& heading,
+                                 const std::string& pitch, const std::vector<std::string>& settings = {}) {
+  std::vector<std::string> words =
+      withoutHud({"--scene", "village", "--no-effect", "targets", "--no-effect", "aircraft", "--time", "1",
+                  "--camera=" + place, "--above-ground", "--heading", heading, "--pitch=" + pitch});
+  for (const std::string& setting : settings) words.insert(words.end(), {"--set", setting});
+  return words;
+}
+
 // From a place to another, over elevation data, in the weather of a file at 13:00 UTC.
 std::vector<std::string> viewOfBern(const std::string& from, const std::string& to) {
   return withoutHud({"--scene", "bern", "--place", from, "--look-at", to, "--weather",
@@ -163,6 +173,12 @@ const std::vector<Golden>& goldens() {
       {"woodAt50", withoutHud({"--scene", "woodland", "--pose=-1600,268,-3300,200,-14,0"})},
       {"woodAt150", withoutHud({"--scene", "woodland", "--pose=500,620,-3900,120,-16,0"})},
       {"woodAt20", withoutHud({"--scene", "woodland", "--pose=1700,662,-3250,160,-14,0"})},
+      // Villages from 50 and 20 m, a jetty from 9, lit windows at dusk.
+      {"villageAt50", village("-3250,50,560", "125", "-12")},
+      {"villageAt20", village("-2800,20,900", "320", "-8")},
+      {"jettyAt9", village("-8850,9,-2900", "62", "-6")},
+      {"villageAtDusk", village("-3200,40,600", "125", "-12",
+                                {"render.sun.elevationDegrees=-4", "render.sun.azimuthDegrees=280"})},
       // The ground from 5 and 20 m: grass, rock in layers and blocks, rippled sand, and a meadow at quality
       // low.
       {"meadowAt5", closeBy("4420,5,-530", "320")},

@@ -100,6 +100,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"precipitation", terrain},
             {"lightning", effect},
             {"vegetation", terrain},
+            {"places", terrain},
             {"water", effect},
             {"terrain", terrain}}}};
 }

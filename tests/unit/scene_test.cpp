@@ -134,7 +134,7 @@ TEST(Scene, unknownNamesListWhatThereIs) {
               "there are: afterRain, airstrip, bern, breeze, cirrus, clear, coldFront, dome, duskPlanes, "
               "empty, fair, lagoon, lesson, lowlevel, "
               "night-approach, night-range, overcast, plane1, plane3, shafts, snowfall, stress, terrain, "
-              "thunderstorm, valleyFog, warmFront, woodland");
+              "thunderstorm, valleyFog, village, warmFront, woodland");
   }
 }
 

@@ -34,6 +34,7 @@
 
 namespace skydrop::terrain {
 class HeightSource;
+class Places;
 class Woods;
 }  // namespace skydrop::terrain
 namespace skydrop::clouds {
@@ -84,6 +85,7 @@ struct WorldSetup {
   DeliverySettings delivery = {};
   std::optional<flight::GearSettings> gear = std::nullopt;  // without: whatever touches the ground crashes
   std::shared_ptr<const terrain::Woods> woods = nullptr;    // of this ground; null: no tree is in the way
+  std::shared_ptr<const terrain::Places> places = nullptr;  // likewise; null: no house is in the way
 };
 
 // CPU time of the steps that were measured (World::setMeasuring), on the thread that made them.
@@ -136,6 +138,8 @@ class World {
   void setGear(const std::optional<flight::GearSettings>& gear);
   // Null: no tree is in the way any more.
   void setWoods(std::shared_ptr<const terrain::Woods> woods);
+  // Null: no house is in the way any more.
+  void setPlaces(std::shared_ptr<const terrain::Places> places);
   void setWind(const glm::dvec3& velocity);  // m/s, as WorldSetup::wind
   void setWeather(const std::optional<WeatherSetup>& weather);
 

@@ -38,6 +38,7 @@ enum class Effect {
   vegetation,      // trees that stand on the land and in the way
   groundDetail,    // the ground from a few metres: its materials and layers of rock
   waterDetail,     // water close by: waves of the wind, foam, the ground below, mirrored land
+  places,          // villages: houses, fields, roads, lit windows at night
   count_           // how many there are; no effect itself, and always the last
 };
 
@@ -48,7 +49,7 @@ inline constexpr auto kEffectNames = std::to_array<std::string_view>(
      "groundFog",    "moon",          "stars",       "landShadows",    "halo",
      "rainbow",      "weather",       "lightShafts", "aircraftLights", "landingLight",
      "iceClouds",    "precipitation", "lightning",   "groundHandling", "vegetation",
-     "groundDetail", "waterDetail"});
+     "groundDetail", "waterDetail",   "places"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -78,6 +79,7 @@ inline constexpr std::array kEffectNeeds = {
     EffectNeed{Effect::vegetation, Effect::terrain},       // that it grows on
     EffectNeed{Effect::groundDetail, Effect::terrain},     // that it is the look of
     EffectNeed{Effect::waterDetail, Effect::terrain},      // that has the sea
+    EffectNeed{Effect::places, Effect::terrain},           // that they lie in
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

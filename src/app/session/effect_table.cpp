@@ -13,6 +13,7 @@
 #include "app/session/model_reading.h"
 #include "app/session/night_sky_effects.h"
 #include "app/session/optics_effects.h"
+#include "app/session/places_effect.h"
 #include "app/session/precipitation_effect.h"
 #include "app/session/scene_renderer.h"
 #include "app/session/vegetation_effect.h"
@@ -190,6 +191,11 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addPasses = addVegetation,
        .apply = applyVegetation,
        .menuSections = {{"vegetation", "Trees"}, {"woods", "Woods"}}},
+      // After the land, as trees.
+      {.effect = Effect::places,
+       .addPasses = addPlaces,
+       .apply = applyPlaces,
+       .menuSections = {{"places", "Villages"}, {"villages", "Places of the land"}}},
       {.effect = Effect::groundDetail,
        .addPasses = addGroundDetail,
        .apply = applyGroundDetail,

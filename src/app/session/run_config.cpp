@@ -177,6 +177,7 @@ void compose(RunConfig& run, const scene::Scene& scene, const Layer& player, Whe
     all.effects.on[static_cast<std::size_t>(scene::Effect::groundHandling)] = false;
     all.strips.density = 0;
     all.effects.on[static_cast<std::size_t>(scene::Effect::vegetation)] = false;
+    all.effects.on[static_cast<std::size_t>(scene::Effect::places)] = false;
     if (all.effects.set().contains(scene::Effect::weather)) all.clouds.layers = {};
     applyLogged(allTable, run.setup.replay->settings, run.setup.replayFile);
   }

@@ -13,6 +13,7 @@
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/fixed_step.h"
 #include "skydrop/core/guards.h"
+#include "skydrop/terrain/places.h"
 #include "skydrop/terrain/strips.h"
 #include "skydrop/terrain/woods.h"
 
@@ -42,13 +43,23 @@ void startAtStrip(scene::StripStart where, game::WorldSetup& world) {
   world.start.onWheels = stands;
 }
 
+// Those of the land, whether or not they are obstacles; null where there are none.
+std::shared_ptr<const terrain::Places> settledPlaces(const scene::EffectSet& effects,
+                                                     const Settings& settings,
+                                                     std::shared_ptr<const terrain::HeightSource> ground) {
+  if (!effects.contains(Effect::places) || settings.villages.density <= 0) return {};
+  return std::make_shared<const terrain::Places>(std::move(ground), settings.villages);
+}
+
 // Null where no tree is in the way.
 std::shared_ptr<const terrain::Woods> standingWoods(const scene::EffectSet& effects, const Settings& settings,
-                                                    std::shared_ptr<const terrain::HeightSource> ground) {
+                                                    std::shared_ptr<const terrain::HeightSource> ground,
+                                                    std::shared_ptr<const terrain::Places> places) {
   if (!effects.contains(Effect::vegetation) || !settings.woods.obstacles || settings.woods.density <= 0)
     return {};
   const bool isOfTheEarth = hasAlpineBelts(*ground);
-  return std::make_shared<const terrain::Woods>(std::move(ground), settings.woods.density, isOfTheEarth);
+  return std::make_shared<const terrain::Woods>(std::move(ground), settings.woods.density, isOfTheEarth,
+                                                std::move(places));
 }
 
 game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet& effects,
@@ -60,7 +71,9 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   world.hasAircraft = effects.contains(Effect::aircraft);
   world.hasTargets = effects.contains(Effect::targets);
   if (effects.contains(Effect::groundHandling)) world.gear = settings.gear;
-  world.woods = standingWoods(effects, settings, world.ground);
+  const auto places = settledPlaces(effects, settings, world.ground);
+  world.woods = standingWoods(effects, settings, world.ground, places);
+  if (settings.villages.obstacles) world.places = places;
   world.start.position = setup.scene.start.position;
   world.start.aboveGround = effects.contains(Effect::terrain);
   world.start.headingDeg = setup.scene.start.headingDegrees;
@@ -91,7 +104,8 @@ std::string_view whyFixed(const SimulationSetup& setup, const core::Field& field
   if (setup.recorder && field.takesEffect == core::TakesEffect::restart)
     return "The land keeps its shape while a flight is recorded";
   if (setup.recorder && switchesSimulation(field.path))
-    return "Aircraft, targets, terrain, weather, gear and trees stay as they are while a flight is recorded";
+    return "Aircraft, targets, terrain, weather, gear, trees and villages stay as they are while a flight is "
+           "recorded";
   return {};
 }
 
@@ -104,7 +118,7 @@ Simulation::Simulation(const SimulationSetup& setup, Settings& settings, const c
       inForce_(followed(setup, settings), settings.weatherFile),
       world_(worldSetup(setup, effects_, settings, ground_, noise_)) {
   if (setup_.pilot == Pilot::autopilot) autopilot_.emplace(ground_, settings.autopilot);
-  applyWoods();
+  applyObstacles();
   if (setup_.pilot == Pilot::replay) replay_.emplace(*setup_.replay);
   keepFlownValues();
   if (setup_.recorder) beginRecording();
@@ -223,7 +237,7 @@ void Simulation::applyToWorld() {
   world_.apply(settings_->game);
   world_.apply(settings_->delivery);
   applyGear();
-  applyWoods();
+  applyObstacles();
   world_.setWind(core::flownWind(settings_->wind));
   applyWeather();
   if (autopilot_) autopilot_->apply(settings_->autopilot);
@@ -234,11 +248,21 @@ void Simulation::applyGear() {
   world_.setGear(effects_.contains(Effect::groundHandling) ? std::optional(settings_->gear) : std::nullopt);
 }
 
-// The woods are a value of the ground and the settings: made anew where these are another.
-void Simulation::applyWoods() {
-  auto woods = standingWoods(effects_, *settings_, ground_);
-  if (autopilot_) autopilot_->setObstacleHeight(woods ? terrain::kTallestTreeM : 0);
+// Woods and places are values of the ground and the settings: made anew where these are another.
+void Simulation::applyObstacles() {
+  // What has been found of them is kept.
+  const bool isSame = places_ && &places_->ground() == ground_.get() &&
+                      places_->settings() == settings_->villages && effects_.contains(Effect::places);
+  if (!isSame) places_ = settledPlaces(effects_, *settings_, ground_);
+  auto places = places_;
+  auto woods = standingWoods(effects_, *settings_, ground_, places);
+  if (!settings_->villages.obstacles) places = nullptr;
+  if (autopilot_) {
+    autopilot_->setObstacleHeight(
+        std::max(woods ? terrain::kTallestTreeM : 0, places ? terrain::kTallestHouseM : 0));
+  }
   world_.setWoods(std::move(woods));
+  world_.setPlaces(std::move(places));
 }
 
 void Simulation::applyWeather() {
@@ -266,7 +290,7 @@ void Simulation::applyEffects() {
   if (changes(Effect::weather)) applyWeather();
   if (changes(Effect::groundHandling)) applyGear();
   if (changes(Effect::terrain) && autopilot_) autopilot_.emplace(ground_, settings_->autopilot);
-  if (changes(Effect::terrain) || changes(Effect::vegetation)) applyWoods();
+  if (changes(Effect::terrain) || changes(Effect::vegetation) || changes(Effect::places)) applyObstacles();
 }
 
 void Simulation::keepFlownValues() {

@@ -112,7 +112,7 @@ class Simulation {
   void applyToWorld();
   void applyWeather();
   void applyGear();
-  void applyWoods();
+  void applyObstacles();
   void applyEffects();
   void keepFlownValues();
   void beginRecording();
@@ -123,6 +123,7 @@ class Simulation {
   const core::SettingsTable* table_;
   scene::EffectSet effects_;
   std::shared_ptr<const terrain::HeightSource> ground_;
+  std::shared_ptr<const terrain::Places> places_;          // of the ground; null: there are none
   std::shared_ptr<const clouds::PackedCloudNoise> noise_;  // of the clouds that are flown in; null before
   ForecastInForce inForce_;
   game::World world_;

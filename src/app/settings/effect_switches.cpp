@@ -58,6 +58,10 @@ std::string_view helpOf(Effect effect) {
              "land.";
     case Effect::lightning:
       return "Lightning of the weather's storms, the light that it throws, and its thunder.";
+    case Effect::places:
+      return "Villages: houses that stand in the way, fields with hedges, roads that follow the land, "
+             "jetties, "
+             "lit windows at night.";
     case Effect::vegetation:
       return "Trees that stand: spruces, broadleaves and dwarf pines where the land has woods, bent by the "
              "wind, and in the way of the aircraft.";

@@ -9,15 +9,16 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::array<std::string_view, 14> kSimulationGroups = {
-    "aircraft.",    "package.", "delivery.", "game.",   "terrain.", "elevation.",    "wind.", "weather.",
-    "weatherFile.", "live.",    "gear.",     "strips.", "woods.",   "clouds.layers."};  // of a weather's low
-                                                                                        // layer
+constexpr std::array<std::string_view, 15> kSimulationGroups =
+    {"aircraft.",  "package.", "delivery.", "game.",        "terrain.",
+     "elevation.", "wind.",    "weather.",  "weatherFile.", "live.",
+     "gear.",      "strips.",  "woods.",    "villages.",    "clouds.layers."};  // of a weather's low
+                                                                                // layer
 
 // Effects that are more than pictures and sounds.
-constexpr std::array<std::string_view, 6> kSimulatedEffects = {
-    "effects.aircraft", "effects.targets",        "effects.terrain",
-    "effects.weather",  "effects.groundHandling", "effects.vegetation"};
+constexpr std::array<std::string_view, 7> kSimulatedEffects = {
+    "effects.aircraft",       "effects.targets",    "effects.terrain", "effects.weather",
+    "effects.groundHandling", "effects.vegetation", "effects.places"};
 
 constexpr std::array<std::string_view, 3> kCameraNames = {"chase", "cockpit", "free"};
 
@@ -110,6 +111,8 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("strips", settings.strips, "Grass strips in the land: places to land.");
   visitor.group("woods", settings.woods, "The trees of the land.");
   visitor.group("vegetation", settings.vegetation, "How trees are drawn.");
+  visitor.group("villages", settings.villages, "Villages, fields and roads of the land.");
+  visitor.group("places", settings.places, "How villages are drawn.");
   visitor.group("groundDetail", settings.groundDetail, "What the ground looks like close by.");
   visitor.group("waterDetail", settings.waterDetail, "How water close by is drawn.");
   visitor.group("gear", settings.gear, "The landing gear: what it bears, and what it stands.");

@@ -34,6 +34,7 @@
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/render/models/aircraft_lights_settings.h"
+#include "skydrop/render/places/places_settings.h"
 #include "skydrop/render/precipitation/precipitation_settings.h"
 #include "skydrop/render/shadows/land_shadow_settings.h"
 #include "skydrop/render/shafts/light_shaft_settings.h"
@@ -45,6 +46,7 @@
 #include "skydrop/scene/scene.h"
 #include "skydrop/terrain/ground_picture.h"
 #include "skydrop/terrain/ground_relief.h"
+#include "skydrop/terrain/places_settings.h"
 #include "skydrop/terrain/strips.h"
 #include "skydrop/terrain/terrain_settings.h"
 #include "skydrop/terrain/terrain_streaming_settings.h"
@@ -109,6 +111,8 @@ struct Settings {
   terrain::StripSettings strips;
   terrain::WoodsSettings woods;
   render::VegetationSettings vegetation;
+  terrain::PlacesSettings villages;
+  render::PlacesViewSettings places;
   terrain::GroundDetailSettings groundDetail;
   render::WaterDetailSettings waterDetail;
   flight::GearSettings gear;

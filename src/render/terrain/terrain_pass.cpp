@@ -15,6 +15,7 @@
 #include "skydrop/render/frame/fallen_water.h"
 #include "skydrop/render/frame/flash_light.h"
 #include "skydrop/render/frame/ground_detail.h"
+#include "skydrop/render/frame/place_map.h"
 #include "skydrop/render/frame/sea_waves.h"
 #include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/frame/standing_woods.h"
@@ -317,6 +318,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
   const auto* woods = context.resources.find<StandingWoods>();  // in all frames, or in none
   const auto* detail = context.resources.find<GroundDetail>();  // likewise
   const auto* waves = context.resources.find<SeaWaves>();       // the same
+  const auto* places = context.resources.find<PlaceMap>();      // and this
   const auto* fallen = context.resources.find<FallenWater>();
   const auto* spot = context.resources.find<SpotLight>();
   const auto* flash = context.resources.find<FlashLight>();
@@ -351,6 +353,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
   if (woods) nearby.emplace_back(StandingWoods::kDefine);
   if (detail) nearby.emplace_back(GroundDetail::kDefine);
   if (waves) always.emplace_back(SeaWaves::kDefine);
+  if (places) always.emplace_back(PlaceMap::kDefine);
   for (unsigned variant = 0; variant < 2u << parts.size(); ++variant) {
     const bool hasNear = variant >> parts.size() != 0;  // later: over the others
     if (!hasNear && !mayBeFar) continue;
@@ -371,6 +374,7 @@ void TerrainPass::drawLitLand(FrameContext& context) {
     if (woods && hasNear) woods->set(shader);
     if (detail && hasNear) detail->set(shader);
     if (waves) waves->set(shader);
+    if (places) places->set(shader, base_);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (has(i)) parts[i].set(shader);
     drawLandUpTo(shader, view, hasNear ? nearDepth : 0);

@@ -10,6 +10,7 @@
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/clouds/ice_shade.h"
+#include "skydrop/render/frame/place_map.h"
 #include "skydrop/render/shadows/land_shadow_map.h"
 
 namespace skydrop::render {
@@ -137,6 +138,7 @@ gl::ComputeShader& VegetationPass::placing(FrameContext& context, const LandGrou
   const auto* clouds = context.resources.find<CloudShadowMap>();
   const auto* shade = context.resources.find<LandShadowMap>();
   const auto* ice = context.resources.find<IceShade>();
+  const auto* places = context.resources.find<PlaceMap>();  // in all frames, or in none
   const auto variant = [&](bool hasSun, bool hasLand) -> gl::ComputeShader& {
     std::vector<std::string> defines(context.defines.begin(), context.defines.end());
     if (land.hasAlpineBelts()) defines.emplace_back("ALPINE_BELTS");
@@ -146,6 +148,7 @@ gl::ComputeShader& VegetationPass::placing(FrameContext& context, const LandGrou
     }
     if (hasLand) defines.emplace_back("LAND_SHADE");
     if (ice) defines.emplace_back("ICE_SHADE");
+    if (places) defines.emplace_back(PlaceMap::kDefine);
     return context.shaders.computeShader("vegetation/place.comp", defines);
   };
   const bool hasSun = clouds && clouds->hasSun();
@@ -157,6 +160,7 @@ gl::ComputeShader& VegetationPass::placing(FrameContext& context, const LandGrou
   if (clouds) clouds->bind(shader);
   if (shade) shade->bind(shader, {view.position.x, view.position.z});
   if (ice) ice->bind(shader, view);
+  if (places) places->set(shader, land.base());
   return shader;
 }
 
