@@ -22,8 +22,8 @@ TEST(Scene, shippedScenesLoadAndAreListed) {
 TEST(Scene, theEmptySceneCallsForNothing) { EXPECT_EQ(requiredEffects(loadScene("empty")), EffectSet()); }
 
 TEST(Scene, theScenesWithWeatherAreTheLandWithClouds) {
-  // Same land, same start, same targets: only the clouds come on top, and in fair what a night flight needs and
-  // what is seen of the land from low.
+  // Same land, same start, same targets: only the clouds come on top, and in fair what a night flight needs
+  // and what is seen of the land from low.
   const Scene land = loadScene("terrain");
   EffectSet effects = land.effects;
   EXPECT_FALSE(effects.contains(Effect::clouds)) << "what it does not name costs nothing";
@@ -32,7 +32,7 @@ TEST(Scene, theScenesWithWeatherAreTheLandWithClouds) {
     const Scene scene = loadScene(name);
     EffectSet required = requiredEffects(scene);
     for (const Effect ofFair : {Effect::aircraftLights, Effect::landingLight, Effect::vegetation,
-                                Effect::groundDetail, Effect::waterDetail}) {
+                                Effect::groundDetail, Effect::waterDetail, Effect::places}) {
       EXPECT_EQ(required.contains(ofFair), scene.name == "fair") << name;
       required.erase(ofFair);
     }
