@@ -236,7 +236,8 @@ std::vector<Probe> landProbes() {
   return {
       {"strips.", stripHeights, {"strips.density=0.5"}},
       {"woods.density", standingTrees},
-      {"villages.", builtPlaces},
+      {"villages.density", builtPlaces},
+      {"villages.fields", builtPlaces},
       {"terrain.", heights},
       {"aerialImage.edgeM", groundPictures},
       {"aerialImage.share", wornGround},
