@@ -30,12 +30,14 @@ class CloudReferenceGLTest : public test::CloudFrameTest {
     return {directionToSun(settings_.sun), clouds_.layers[0].anisotropy, clouds_.layers[0].forwardShare};
   }
   // Radiance and transmittance of a ray: what a march gathers, in the light of the frame.
-  glm::dvec4 litBy(const clouds::MarchResult& gathered, double eyeHeight) const {
+  glm::dvec4 litBy(const clouds::MarchResult& gathered, double eyeHeight) {
     const SkyLight light = skyLight(settings_, eyeHeight);
     const double middle = clouds_.layers[0].cloudHeight + 0.5 * clouds_.layers[0].thickness;
     const glm::dvec3 sun = sky::sunIlluminance(light, middle);
-    return {(sun * gathered.sun + light.sky * gathered.sky + light.ground * gathered.ground) * light.exposure,
-            gathered.transmittance};
+    return {
+        (sun * gathered.sun + light.sky * gathered.sky + light.ground * (groundShare() * gathered.ground)) *
+            light.exposure,
+        gathered.transmittance};
   }
 
   std::array<View, 3> views() const {

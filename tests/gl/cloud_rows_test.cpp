@@ -55,9 +55,9 @@ TEST_F(CloudRowsGLTest, C04_extinctionWithoutBoundShowsTheSourceWhereTheRayEnter
       const double rise = rayDirection(view, {20.5, y + 0.5}).y * 0.5 * stepM;
       const clouds::CloudLayerSettings& layer = clouds_.layers[0];
       const double height = (view.position.y + rise - layer.cloudHeight) / layer.thickness;
-      const glm::dvec3 source =
-          (light.sky * f64::scatteredSky(height) + light.ground * f64::scatteredGround(height)) *
-          light.exposure;
+      const glm::dvec3 source = (light.sky * f64::scatteredSky(height) +
+                                 light.ground * (groundShare() * f64::scatteredGround(height))) *
+                                light.exposure;
       ASSERT_EQ(ray.w, 0);
       for (int c = 0; c < 3; ++c)
         ASSERT_TRUE(test::holds("C04", test::apart(ray[c] / source[c], 1), test::atMost(1e-3), "relative"))

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "app/settings/cloud_tier.h"
 #include "app/settings/settings.h"
+#include "skydrop/clouds/sky_cover.h"
 #include "skydrop/render/clouds/cloud_system.h"
 #include "support/frame_test.h"
 #include "support/light_probe.h"
@@ -74,9 +76,19 @@ class CloudFrameTest : public FrameTest {
   }
 
   void addClouds(std::shared_ptr<const clouds::PackedCloudNoise> noise) {
+    noise_ = noise;
     auto pass = std::make_unique<render::CloudSystem>(context(), std::move(noise), clouds_, wind_);
     system_ = pass.get();
     renderer().add(std::move(pass));
+  }
+
+  // Of the ground's light, what the layer leaves for the ground to send back.
+  double groundShare() {
+    if (!groundShare_ || !clouds::isSameField(shared_, clouds_, 0)) {
+      groundShare_ = clouds::SkyCover(noise_, clouds_).meanShare();
+      shared_ = clouds_;
+    }
+    return *groundShare_;
   }
 
   // The scene's light, bottom row first. The frame's clouds are those of clouds_.
@@ -101,6 +113,9 @@ class CloudFrameTest : public FrameTest {
 
  private:
   std::vector<glm::vec4> scene_;
+  std::shared_ptr<const clouds::PackedCloudNoise> noise_;
+  std::optional<double> groundShare_;
+  clouds::CloudSettings shared_;  // that it is of
 };
 
 }  // namespace skydrop::test
