@@ -111,6 +111,19 @@ TEST_F(CloudLightVolumeGLTest, aFlightBeginsInEvenLightAndHasItsSurroundingsFirs
   EXPECT_LT(surroundings, 0.6 * even);
 }
 
+TEST_F(CloudLightVolumeGLTest, itMayGoWhileLayersAreSolved) {
+  // Ten times, at other moments: what is unsolved is not put together.
+  addClouds(test::sharedNoise());
+  setWeather({kCumulus, {weather::Genus::nimbostratus, 4200, 6500, 1, 1}});
+  for (int i = 0; i < 10; ++i) {
+    clouds_.light = CloudLight::volume;
+    following();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10 * i));
+    clouds_.light = CloudLight::octaves;
+    following();
+  }
+}
+
 TEST_F(CloudLightVolumeGLTest, aSunThatMovesTurnsTheLightByDegrees) {
   // Two degrees: in no frame by more than .3 of the whole way, and by it in the end.
   addClouds(test::sharedNoise());

@@ -73,8 +73,9 @@ class LightVolumes::Solver {
                         : halvesOf(LightVolume(field, toRoundedSun(key.sun), key.side, stop).texels())));
       }
     }
+    if (stop.stop_requested()) return {task, nullptr};  // layers are unsolved, and nobody takes it
     const Solved solved{task, oneUponTheOther(layers, key.side)};
-    if (task.around || stop.stop_requested()) return solved;
+    if (task.around) return solved;
     last_ = key;
     lastLayers_ = std::move(layers);
     return solved;
