@@ -60,7 +60,9 @@ void PlaceMapPass::look(const Cell& cell) {
 void PlaceMapPass::draw(FrameContext& context) {
   const View& view = context.frame.view;
   const Cell cell{cellOf(view.position.x), cellOf(view.position.z)};
-  if (made_ != cell) make(cell);
+  // In frames that nobody sees any map will do: their eye may be in the next cell, between frames that are
+  // seen.
+  if (!made_ || (made_ != cell && !context.frame.warmsUp)) make(cell);
   look(cell);
   context.resources.publish(map_);
 }

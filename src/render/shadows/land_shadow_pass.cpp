@@ -70,11 +70,16 @@ std::optional<std::string> LandShadowPass::skipReason(const FrameInput& frame) c
   if (frame.toSun.y <= -std::sin(kSunRadiusRad) && !frame.warmsUp) return "the sun is below the horizon";
   if (relief_ <= 0) return "no land rises above other land";
   const View& view = frame.view;
-  glm::dvec3 toSun = frame.toSun;
-  if (frame.warmsUp) toSun = glm::normalize(glm::dvec3(toSun.x, std::max(toSun.y, kWarmUpSun), toSun.z));
-  work_->want(terrain::shadeKey(shadeLayout(settings_), {view.position.x, view.position.z}, toSun),
-              !frame.followsLast);
-  if (frame.warmsUp) return std::nullopt;
+  const auto wantAs = [&](const glm::dvec3& toSun, bool waits) {
+    work_->want(terrain::shadeKey(shadeLayout(settings_), {view.position.x, view.position.z}, toSun), waits);
+  };
+  if (frame.warmsUp) {
+    // Whatever shade is there will do; the first is begun.
+    const glm::dvec3 raised(frame.toSun.x, std::max(frame.toSun.y, kWarmUpSun), frame.toSun.z);
+    if (!work_->shade) wantAs(glm::normalize(raised), false);
+    return std::nullopt;
+  }
+  wantAs(frame.toSun, !frame.followsLast);
   if (!work_->shade) return "the shade is being worked out";
   const std::vector<terrain::Box>& shaded = work_->shade->shaded();
   if (shaded.empty()) return "the sun stands above every slope";
