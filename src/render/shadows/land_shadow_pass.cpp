@@ -74,9 +74,9 @@ std::optional<std::string> LandShadowPass::skipReason(const FrameInput& frame) c
     work_->want(terrain::shadeKey(shadeLayout(settings_), {view.position.x, view.position.z}, toSun), waits);
   };
   if (frame.warmsUp) {
-    // Whatever shade is there will do; the first is begun.
+    // Whatever shade is there will do.
     const glm::dvec3 raised(frame.toSun.x, std::max(frame.toSun.y, kWarmUpSun), frame.toSun.z);
-    if (!work_->shade) wantAs(glm::normalize(raised), false);
+    if (!work_->shade) wantAs(glm::normalize(raised), !frame.followsLast);
     return std::nullopt;
   }
   wantAs(frame.toSun, !frame.followsLast);
