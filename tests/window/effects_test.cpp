@@ -52,6 +52,10 @@ TEST_F(EffectsWindow, comeAndGoWhileFlying) {
   EXPECT_TRUE(waitFor([](const json& s) { return flies(s, "clouds") && draws(s, "clouds"); }));
   set("effects.targets=false");
   EXPECT_TRUE(waitFor([](const json& s) { return !flies(s, "targets") && !draws(s, "marker"); }));
+  // What rests on land goes before it.
+  for (const char* effect : {"vegetation", "groundDetail", "waterDetail", "places"})
+    set("effects." + std::string(effect) + "=false");
+  EXPECT_TRUE(waitFor([](const json& s) { return !flies(s, "places") && !draws(s, "vegetation"); }));
   set("effects.terrain=false");
   EXPECT_TRUE(waitFor([](const json& s) {
     return !flies(s, "terrain") && !draws(s, "terrain") && s.at("terrain").at("chunksDrawn") == 0;
