@@ -15,8 +15,8 @@ namespace {
 
 constexpr GLuint kDepthUnit = 5, kColorUnit = 6, kKeptUnit = 7;  // as in shaders/water
 constexpr double kWindHeightM = 10;
-// From this height of the eye on what water mirrors fades, up to none: few of the rays of a far wave meet anything, and
-// what they meet, as snow of a far peak, would be spots.
+// From this height of the eye on what water mirrors fades, up to none: few of the rays of a far wave meet
+// anything, and what they meet, as snow of a far peak, would be spots.
 constexpr double kMirrorFadesM = 100, kMirrorEndsM = 200;
 
 GLuint groups(int texels) { return static_cast<GLuint>(texels + 7) / 8; }
