@@ -1,29 +1,12 @@
 // Which trees a frame shows: one invocation a cell of the lattice, one work group a tile of 8 x 8 cells.
-#include "terrain/land.glsl"
-#include "shared/cloud_light.glsl"  // before what is conditional: a file is included once
+#include "terrain/placing.glsl"
 #include "terrain/drawn_height.glsl"
 #include "shared/woods.glsl"
 #include "vegetation/instance.glsl"
 #include "vegetation/wind.glsl"
-#ifdef CLOUD_SHADE
-#include "clouds/shadow_map.glsl"
-#endif
-#ifdef LAND_SHADE
-#include "shadow/land_shadow_map.glsl"
-#endif
-#ifdef ICE_SHADE
-#include "clouds/ice_shade_map.glsl"
-#endif
 
 layout(std430, binding = 0) readonly buffer Tiles { ivec2 tiles[]; };  // north-west cells, counted from the base
 layout(std430, binding = 1) writeonly buffer Instances { TreeInstance instances[]; };
-struct DrawCommand {
-  uint count;
-  uint instanceCount;
-  uint firstIndex;
-  int baseVertex;
-  uint baseInstance;
-};
 layout(std430, binding = 2) buffer Commands { DrawCommand commands[kInstanceKinds]; };
 
 const int kTileCells = 8;  // along a side
@@ -44,29 +27,6 @@ bool isCleared(vec2 place) {
   cleared = cleared || isSettledAt(place);
 #endif
   return cleared;
-}
-
-vec3 sharesAt(vec3 relative) {
-  vec3 shares = kOpenSky;
-#ifdef CLOUD_SHADE
-  shares = lightThroughClouds(relative);
-#endif
-#ifdef LAND_SHADE
-  shares.x *= sunPastLand(relative);
-#endif
-#ifdef ICE_SHADE
-  shares *= lightBelowIce(relative).xyx;
-#endif
-  return shares;
-}
-
-// Whether a ball may be seen.
-bool isInView(vec3 middle, float radiusM) {
-  vec4 clip = frame.viewProjection * vec4(middle, 1.0);
-  vec2 slack = radiusM * vec2(length(vec3(frame.viewProjection[0].x, frame.viewProjection[1].x, frame.viewProjection[2].x)),
-                              length(vec3(frame.viewProjection[0].y, frame.viewProjection[1].y, frame.viewProjection[2].y))) +
-               radiusM;
-  return clip.w > -radiusM && all(lessThan(abs(clip.xy), vec2(clip.w) + slack));
 }
 
 // What of it is drawn as what: the mesh's share, and what is drawn at all.
