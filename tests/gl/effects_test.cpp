@@ -98,6 +98,8 @@ std::size_t entriesIn(const char* folder) {
 // A scene with these effects as it flies in a window, without the window.
 class Flight {
  public:
+  static constexpr double kSwitchBudgetMs = 1000;
+
   Flight(render::gl::Context& context, const EffectSet& effects,
          const std::vector<EffectDescriptor>& table = effectTable(), const std::vector<std::string>& set = {})
       : context_(context), table_(table), run_(prepareRun(lineOf(effects, set))), preparations_(table_) {
@@ -148,7 +150,8 @@ class Flight {
     }
   }
 
-  // As WindowGame does it. Returns the frames that it took.
+  // As WindowGame does it, with more time for each frame: SceneRendererGLTest has slices as short as there.
+  // Returns the frames that it took.
   int switchTo(const EffectSet& effects) {
     run_->settings.effects = switchesOf(effects);
     simulation_->apply({"effects"});
@@ -159,7 +162,7 @@ class Flight {
     preparations_.waitUntilReady();
     int frames = 0;
     for (; sceneRenderer_->isSwitching(); ++frames) {
-      sceneRenderer_->continueSwitch(preparations_.results(effects), snapshot(), 50);
+      sceneRenderer_->continueSwitch(preparations_.results(effects), snapshot(), kSwitchBudgetMs);
       sceneRenderer_->draw(snapshot(), kSize, Streaming::asItComes);
       EXPECT_LT(frames, 100000) << "a switch that never ends";
     }

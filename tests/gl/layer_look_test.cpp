@@ -36,6 +36,8 @@ TEST_F(LayerLookGLTest, everyTenthOfEveryParameterChangesThePictureOfAWeather) {
     if (!field.group.starts_with("clouds.layers.")) continue;
     ++rows;
     settings.clouds = clouds::CloudSettings();
+    settings.clouds.march.lightCells = clouds::LightCells::coarse;  // quick to solve
+    settings.clouds.light = clouds::CloudLight::octaves;
     settings.clouds.march.resolution = clouds::MarchResolution::full;
     const auto look = [&] {
       clouds_ = settings.clouds;
@@ -43,6 +45,9 @@ TEST_F(LayerLookGLTest, everyTenthOfEveryParameterChangesThePictureOfAWeather) {
       return observe();
     };
     for (const std::string& line : test::idleSteps(field, {}, look)) ADD_FAILURE() << line;
+    settings.clouds.light = clouds::CloudLight::volume;
+    for (const std::string& line : test::idleSteps(field, {}, look, test::fewRowSteps(field)))
+      ADD_FAILURE() << line << " (volume)";
   }
   EXPECT_EQ(rows, 12);  // the seven of the thesis, and five
 }

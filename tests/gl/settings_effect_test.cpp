@@ -58,6 +58,8 @@ TEST_F(CloudRowsEffectGLTest, everyTenthOfEveryRowOfTheWeatherMakesADifference) 
     if (!isOfTheWeather) continue;
     ++rows;
     settings.clouds = clouds::CloudSettings();
+    settings.clouds.march.lightCells = clouds::LightCells::coarse;  // quick to solve
+    settings.clouds.light = clouds::CloudLight::octaves;
     settings.clouds.march.resolution =
         clouds::MarchResolution::full;  // few clouds fit between rays so far apart
     settings.wind = core::WindSettings();
@@ -67,6 +69,10 @@ TEST_F(CloudRowsEffectGLTest, everyTenthOfEveryRowOfTheWeatherMakesADifference) 
       return observe();
     };
     for (const std::string& line : test::idleSteps(field, {}, look)) ADD_FAILURE() << line;
+    if (field.group == "wind") continue;  // moves the field and its light
+    settings.clouds.light = clouds::CloudLight::volume;
+    for (const std::string& line : test::idleSteps(field, {}, look, test::fewRowSteps(field)))
+      ADD_FAILURE() << line << " (volume)";
   }
   EXPECT_GE(rows, 15);
 }
@@ -183,7 +189,10 @@ class PictureRowsEffectGLTest : public test::GLTest {
     if (IsSkipped()) return;
     CommandLine line;
     line.verb = Verb::render;
-    line.set = {"clouds.tier=low", "clouds.march.resolution=full"};  // quick, and the clouds fill the frames
+    // Quick, and the clouds fill the frames. A light volume would be solved anew for every sun, and villages be
+    // planned anew, because all rows are applied each time.
+    line.set = {"clouds.tier=low", "clouds.march.resolution=full", "clouds.light=octaves",
+                "effects.places=false"};
     run_ = prepareRun(line);
     simulation_ = std::make_unique<Simulation>(run_->setup, run_->settings, run_->table);
     const SceneRenderer::Setup setup{simulation_->effects(), simulation_->ground(), 2, false,
@@ -239,6 +248,7 @@ TEST_F(PictureRowsEffectGLTest, everyTenthOfEveryRowOfThePictureMakesADifference
        {"clouds.march.resolution=quarter", "clouds.march.coarseTolerance=0.1",
         "clouds.march.fineTolerance=0.1", "clouds.march.farStartM=2000"},
        {240, 135}},
+      {"clouds.march.lightCells", {"clouds.light=volume"}},
       {"clouds.march.stepGrowth", {"clouds.march.stepM=4"}},
       {"clouds.march.maxSegmentOpticalDepth", {"clouds.march.exact=true"}},
       {"clouds.march.sunSamples", {"clouds.march.exact=true"}},

@@ -41,6 +41,13 @@ inline std::vector<double> rowSteps(const core::Field& field) {
   return steps;
 }
 
+// The ends of the slider and what is half way between them: for looks that take long.
+inline std::vector<double> fewRowSteps(const core::Field& field) {
+  const std::vector<double> all = rowSteps(field);
+  if (all.size() <= 3) return all;
+  return {all.front(), all[all.size() / 2], all.back()};
+}
+
 // A part of a slider that may do nothing where it is tried, and why: what a budget has room for once
 // everything is there, or what the row's help or note says.
 struct IdlePart {
@@ -52,13 +59,14 @@ struct IdlePart {
 // One line for each step between neighbours after which observe() gave the same digest. The field is as it
 // was afterwards.
 inline std::vector<std::string> idleSteps(const core::Field& field, std::span<const IdlePart> allowed,
-                                          const std::function<std::uint64_t()>& observe) {
+                                          const std::function<std::uint64_t()>& observe,
+                                          const std::vector<double>& steps) {
   const double kept = field.get();
   std::vector<std::string> idle;
   std::uint64_t before = 0;
   double from = 0;
   bool first = true;
-  for (const double value : rowSteps(field)) {
+  for (const double value : steps) {
     core::setField(field, value);
     const std::uint64_t now = observe();
     bool isAllowed = false;
@@ -76,6 +84,10 @@ inline std::vector<std::string> idleSteps(const core::Field& field, std::span<co
   }
   field.set(kept);
   return idle;
+}
+inline std::vector<std::string> idleSteps(const core::Field& field, std::span<const IdlePart> allowed,
+                                          const std::function<std::uint64_t()>& observe) {
+  return idleSteps(field, allowed, observe, rowSteps(field));
 }
 
 // Turns all rows of the groups through their steps, a failure for each idle one; the number of rows.

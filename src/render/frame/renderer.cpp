@@ -124,10 +124,12 @@ void Renderer::settle(const FrameInput& input) {
 
 void Renderer::draw(const FrameInput& asked) { drawPasses(asked, Which::drawn, nullptr, {}); }
 
-bool Renderer::unseen(const std::function<void()>& work) {
+bool Renderer::unseen(double budgetMs, const std::function<void()>& work) {
   targets_ = &unseen_;
   timer_.setPaused(true);
-  shaders_.limitCompiling(1);
+  using Clock = gl::ShaderCache::Clock;
+  const std::chrono::duration<double, std::milli> budget(budgetMs);
+  shaders_.limitCompiling(Clock::now() + std::chrono::duration_cast<Clock::duration>(budget));
   auto skippedInDraw = std::exchange(skipped_, {});
   const auto restore = [&] {
     targets_ = &screen_;
@@ -159,12 +161,12 @@ bool Renderer::warmUp(const FrameInput& asked, double budgetMs, std::size_t& dra
     return std::chrono::duration<double, std::milli>(passed).count() < budgetMs;
   };
   bool complete = false;
-  return unseen([&] { complete = drawPasses(asked, Which::all, goesOn, {}); }) && complete;
+  return unseen(budgetMs, [&] { complete = drawPasses(asked, Which::all, goesOn, {}); }) && complete;
 }
 
 std::optional<std::vector<float>> Renderer::drawUnseen(const FrameInput& input) {
   std::vector<float> radiance;
-  const bool complete = unseen([&] {
+  const bool complete = unseen(0, [&] {
     drawPasses(input, Which::drawn, nullptr, {.last = RenderStage::weatherEffects});
     radiance = radianceOf(unseen_);
   });
@@ -172,7 +174,7 @@ std::optional<std::vector<float>> Renderer::drawUnseen(const FrameInput& input) 
 }
 
 bool Renderer::drawInset(const FrameInput& input) {
-  return unseen([&] { drawPasses(input, Which::drawn, nullptr, {.last = RenderStage::toneMap}); });
+  return unseen(0, [&] { drawPasses(input, Which::drawn, nullptr, {.last = RenderStage::toneMap}); });
 }
 
 void Renderer::showInset(int left, int bottom) {

@@ -1,5 +1,7 @@
 #include "skydrop/render/gl/shader_cache.h"
 
+#include <utility>
+
 #include "skydrop/core/error.h"
 
 namespace skydrop::render::gl {
@@ -19,7 +21,7 @@ Program& ShaderCache::madeOnce(Entry<Program>& entry, const std::string& key, Ma
   entry.lastUse = use_;
   if (entry.program) return *entry.program;
   if (const auto known = failed_.find(key); known != failed_.end()) throw known->second;
-  if (mayCompile_ && (*mayCompile_)-- <= 0) throw CompileLater();
+  if (deadline_ && std::exchange(madeUnderLimit_, true) && Clock::now() >= *deadline_) throw CompileLater();
   try {
     entry.program = make();
   } catch (const core::DataError& error) {

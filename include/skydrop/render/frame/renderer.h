@@ -159,8 +159,8 @@ class Renderer {
   // False when it ended before the last pass.
   bool drawPasses(const FrameInput& input, Which which, const GoesOn& goesOn, const Stages& stages);
   // The work with the targets, the times and the counts of frames that nobody sees. False where more programs
-  // would have to be compiled at once.
-  bool unseen(const std::function<void()>& work);
+  // would have to be compiled: one is, and further ones while the budget lasts.
+  bool unseen(double budgetMs, const std::function<void()>& work);
   void bindTarget(RenderStage stage);
   // Whether the passes of the layer's stage go into it in this frame; it is then the target.
   bool beginLayer(const FrameInput& input, Which which);

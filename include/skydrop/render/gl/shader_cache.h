@@ -2,6 +2,7 @@
 // when a file changes.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -47,8 +48,13 @@ class ShaderCache {
   // Thrown by shader() and computeShader() in place of compiling a program beyond the limit: whoever set it
   // asks again in a later frame.
   struct CompileLater {};
-  // From now on so many programs are compiled, and further ones are not; nullopt: no limit.
-  void limitCompiling(std::optional<int> programs) { mayCompile_ = programs; }
+  using Clock = std::chrono::steady_clock;
+  // From now on one program is compiled, whatever the time, and further ones until the deadline; nullopt: no
+  // limit.
+  void limitCompiling(std::optional<Clock::time_point> deadline) {
+    deadline_ = deadline;
+    madeUnderLimit_ = false;
+  }
 
   // Deletes every program that was not asked for since beginUse() was called last (or ever, if it was not);
   // references to those become invalid.
@@ -77,7 +83,8 @@ class ShaderCache {
   std::map<std::string, Entry<Shader>> shaders_;
   std::map<std::string, Entry<ComputeShader>> computeShaders_;
   std::uint64_t use_ = 0, made_ = 0;
-  std::optional<int> mayCompile_;                  // nullopt: as many as are asked for
+  std::optional<Clock::time_point> deadline_;      // nullopt: as many as are asked for
+  bool madeUnderLimit_ = false;                    // one or more, since the limit was set
   std::map<std::string, core::DataError> failed_;  // never compiled
   std::map<std::string, std::string> stale_;       // compiled once, not since: the line that says why
 };
