@@ -1,11 +1,16 @@
 // The light in clouds that was traced, as it is kept in assets/judged_clouds.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "app/studies/light_pictures.h"
 #include "app/studies/light_scenes.h"
 #include "skydrop/core/error.h"
 #include "skydrop/core/file.h"
+#include "skydrop/core/image.h"
 #include "support/instrumented.h"
 #include "support/mutants.h"
 #include "support/refusal.h"
@@ -45,6 +50,28 @@ TEST(JudgedLight, mutantsAreReadOrRefusedInOneLine) {
     }
   });
   EXPECT_GT(refused, read / 10);
+}
+
+TEST(LightPictures, octavesPathsAndVolumeAreBesideEachOther) {
+  const LightScene& scene = lightScene("cumulus-40");
+  const Size each{6, 3};
+  std::vector<std::string> told;
+  const auto tell = [&](std::string_view view) { told.emplace_back(view); };
+  const core::Image image = lightPictures(scene, each, 32, nullptr, tell);
+  const std::size_t views = lightViews(scene).size();
+  EXPECT_EQ(told.size(), views);
+  ASSERT_EQ(image.width, 3 * each.width);
+  ASSERT_EQ(image.height, static_cast<int>(views) * each.height);
+  // Of the pixels with cloud the volume is nearer to the paths than octaves are, in the mean.
+  double octaves = 0, volume = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < each.width; ++x) {
+      const int traced = image.pixel(x + each.width, y)[1];
+      octaves += std::abs(image.pixel(x, y)[1] - traced);
+      volume += std::abs(image.pixel(x + 2 * each.width, y)[1] - traced);
+    }
+  }
+  EXPECT_GT(octaves, 1.5 * volume) << "differences of green: " << octaves << ", " << volume;
 }
 
 }  // namespace

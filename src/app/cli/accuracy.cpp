@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 using core::UsageError;
 
 constexpr Size kQuickSize{160, 90}, kDefaultSize{320, 180};
+constexpr int kLargestPicture = 1024;  // of judge, whose pixels take .02 s of a core each
 constexpr const char* kCost = "cost";
 constexpr const char* kCalibrate = "calibrate";
 constexpr const char* kJudge = "judge";
@@ -71,7 +72,9 @@ int judge(const CommandLine& line) {
   refuseWith(line.resume, "--resume", "judge");
   refuseWith(line.parts > 1, "--part", "judge");
   refuseWith(!line.merge.empty(), "--merge", "judge");
-  refuseWith(line.size.has_value(), "--size", "judge");
+  if (line.size && std::max(line.size->width, line.size->height) > kLargestPicture)
+    throw UsageError("accuracy: judge draws pictures of at most " + std::to_string(kLargestPicture) +
+                     " a side");
   return judgeLight(line);
 }
 

@@ -30,9 +30,9 @@ void addAccuracyFlags(CLI::App& verb, CommandLine& line) {
           "STUDY", line.studies,
           "studies by name, or files of the same form; or cost alone: what each effect costs; or "
           "calibrate alone: what a frame budget chooses from, for the cache folder; or judge alone: traces "
-          "the light in clouds that clouds-model is held against; or stability alone: the hard cases and "
-          "their "
-          "margins. None named: all but those four")
+          "the light in clouds that clouds-model is held against, or with --size draws pictures of it beside "
+          "those of the program; or stability alone: the hard cases and their margins. None named: all but "
+          "those four")
       ->type_name("NAME|FILE");
   verb.add_option_function<std::vector<std::string>>(
           "--scene",

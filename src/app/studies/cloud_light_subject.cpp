@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/studies/light_models.h"
 #include "app/studies/light_scenes.h"
 #include "app/studies/subjects.h"
 #include "app/studies/table_subject.h"
@@ -58,12 +59,6 @@ void describe(core::SettingsVisitor& visitor, CloudLightParameters& p) {
                   {.unit = "1", .min = -1, .max = 5, .help = "Of the scene's pictures; -1: all of them."});
 }
 
-// Steps, and samples towards the sun: a low sun's way is long, and 32 erred by .14 with it at 10 degrees, 128
-// by less than .01.
-clouds::MarchSteps stepsFor(double sunElevationDegrees) {
-  constexpr double kLowDegrees = 15;
-  return {256, sunElevationDegrees < kLowDegrees ? 128 : 32};
-}
 constexpr double kLeastOpacity = 0.01;  // of pixels that count
 
 // A scene with all that is made of it.
@@ -133,14 +128,7 @@ class CloudLightSubject final : public TableSubject<CloudLightParameters> {
         };
       case LightModel::coarseVolume:
       case LightModel::volume:
-        return [&volume = of.volume(sideOf(model)), &layer = of.scene.medium.layer,
-                rowM = of.scene.medium.layer.thickness / clouds::LightVolume::kRows](const LitPlace& at) {
-          const clouds::LightVolume::Texel texel = volume.at(at.place);
-          return glm::dvec3(
-              f64::scatteredSunOfVolume(f64::volumePhases(at.sunCosine, layer.anisotropy, layer.forwardShare),
-                                        at.sunDepth, static_cast<double>(texel.sun), at.extinction, rowM),
-              texel.sky, texel.ground());
-        };
+        return litByVolume(of.volume(sideOf(model)), of.scene.medium.layer);
       default:
         return clouds::octavesOfLight;
     }

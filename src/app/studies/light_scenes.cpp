@@ -51,7 +51,8 @@ std::vector<LightScene> makeScenes() {
   };
 }
 
-std::vector<clouds::MarchRay> picture(const glm::dvec3& eye, double azimuthDegrees, double pitchDegrees) {
+std::vector<clouds::MarchRay> picture(const glm::dvec3& eye, double azimuthDegrees, double pitchDegrees,
+                                      int width, int height) {
   const double azimuth = glm::radians(azimuthDegrees), pitch = glm::radians(pitchDegrees);
   const glm::dvec3 forward(std::cos(pitch) * std::cos(azimuth), std::sin(pitch),
                            std::cos(pitch) * std::sin(azimuth));
@@ -59,11 +60,10 @@ std::vector<clouds::MarchRay> picture(const glm::dvec3& eye, double azimuthDegre
                    up = glm::cross(right, forward);
   const double half = std::tan(glm::radians(kViewDegrees / 2));
   std::vector<clouds::MarchRay> rays;
-  for (int y = 0; y < kLightViewHeight; ++y) {
-    for (int x = 0; x < kLightViewWidth; ++x) {
-      const double across = (2 * (x + 0.5) / kLightViewWidth - 1) * half,
-                   upwards =
-                       (1 - 2 * (y + 0.5) / kLightViewHeight) * half * kLightViewHeight / kLightViewWidth;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double across = (2 * (x + 0.5) / width - 1) * half,
+                   upwards = (1 - 2 * (y + 0.5) / height) * half * height / width;
       rays.push_back({eye, glm::normalize(forward + across * right + upwards * up), 0, kReachM});
     }
   }
@@ -77,6 +77,8 @@ glm::dvec3 LightScene::toSun() const {
   return {std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
           std::cos(elevation) * std::sin(azimuth)};
 }
+
+double LightScene::sunAzimuthDegrees() const { return kSunAzimuthDegrees + 90; }  // theirs is from +x
 
 std::uint64_t LightScene::digest() const {
   core::StateHasher hash;
@@ -118,18 +120,21 @@ const LightScene& lightScene(std::string_view name) {
   throw core::RangeError("there is no judged scene '" + std::string(name) + "': " + names);
 }
 
-std::vector<LightView> lightViews(const LightScene& scene) {
+std::vector<LightView> lightViews(const LightScene& scene, int width, int height) {
   const clouds::CloudLayerSettings& layer = scene.medium.layer;
-  const auto at = [&](double height) { return glm::dvec3(scene.place.x, height, scene.place.y); };
+  const auto at = [&](double heightM) { return glm::dvec3(scene.place.x, heightM, scene.place.y); };
   const glm::dvec3 below = at(layer.cloudHeight - 900), above = at(layer.cloudHeight + layer.thickness + 300),
                    within = at(layer.cloudHeight + 0.45 * layer.thickness);
   const double sun = kSunAzimuthDegrees;
-  return {{"below, against the sun", picture(below, sun, 32)},
-          {"below, the sun behind", picture(below, sun + 180, 32)},
-          {"below, across", picture(below, sun + 90, 30)},
-          {"within, across", picture(within, sun - 100, 2)},
-          {"above, against the sun", picture(above, sun + 10, -18)},
-          {"above, the sun behind", picture(above, sun + 170, -22)}};
+  const auto from = [&](const glm::dvec3& eye, double azimuth, double pitch) {
+    return picture(eye, azimuth, pitch, width, height);
+  };
+  return {{"below, against the sun", from(below, sun, 32)},
+          {"below, the sun behind", from(below, sun + 180, 32)},
+          {"below, across", from(below, sun + 90, 30)},
+          {"within, across", from(within, sun - 100, 2)},
+          {"above, against the sun", from(above, sun + 10, -18)},
+          {"above, the sun behind", from(above, sun + 170, -22)}};
 }
 
 std::shared_ptr<const clouds::PackedCloudNoise> lightNoise(std::uint32_t seed) {

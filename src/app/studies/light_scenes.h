@@ -24,19 +24,22 @@ struct LightScene {
   bool isFitted = false;  // constants were chosen on it
 
   glm::dvec3 toSun() const;
+  double sunAzimuthDegrees() const;  // by the compass
   // Of all that the traced light depends on.
   std::uint64_t digest() const;
 };
 const std::vector<LightScene>& lightScenes();
 const LightScene& lightScene(std::string_view name);  // throws core::RangeError with the names that there are
 
-// Pictures of a scene: eyes below, in and above the layer, against the sun and with it behind.
+// Pictures of a scene: eyes below, in and above the layer, against the sun and with it behind. Rows from the
+// top.
 struct LightView {
   std::string_view name;
   std::vector<clouds::MarchRay> rays;
 };
 inline constexpr int kLightViewWidth = 24, kLightViewHeight = 14;
-std::vector<LightView> lightViews(const LightScene& scene);
+std::vector<LightView> lightViews(const LightScene& scene, int width = kLightViewWidth,
+                                  int height = kLightViewHeight);
 
 // The noise of a seed: from the cache, or made.
 std::shared_ptr<const clouds::PackedCloudNoise> lightNoise(std::uint32_t seed);
