@@ -209,7 +209,7 @@ class Sweep {
     const auto moved = [side = side_](int i, int by) {
       return static_cast<std::size_t>(wrapped(i - by, side)) * static_cast<std::size_t>(side);
     };
-    std::array<float, LightVolume::kMaxSide + 2 * kPad> line{};
+    std::array<float, LightVolume::kSide + 2 * kPad> line{};
     float* inner = line.data() + kPad;
     for (int z = 0; z < side_; ++z) {
       const float *near = in.data() + moved(z, toZ * whole_), *far = in.data() + moved(z, toZ * (whole_ + 1));
@@ -322,7 +322,7 @@ std::vector<LightVolume::Texel> solved(const CloudField& field, const glm::dvec3
 }
 
 Cut cutOf(const CloudField& field, int side, int cells, const glm::ivec2& first) {
-  assert(side >= LightVolume::kMinSide && side <= LightVolume::kMaxSide);
+  assert(side >= LightVolume::kMinSide && side <= LightVolume::kSide);
   assert(std::has_single_bit(static_cast<unsigned>(side)) &&
          std::has_single_bit(static_cast<unsigned>(cells)));
   return {cells, static_cast<float>(weatherPeriod(field.medium()) / side),

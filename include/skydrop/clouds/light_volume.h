@@ -17,13 +17,12 @@ namespace skydrop::clouds {
 
 class LightVolume {
  public:
-  static constexpr int kSide = 256;    // cells of a weather period, east and south, unless told
-  static constexpr int kMinSide = 32;  // and the fewest and most of them
-  static constexpr int kMaxSide = 256;
-  static constexpr int kRows = 16;  // from the base of the layer to its top
+  static constexpr int kSide = 256;    // cells of a weather period, east and south, unless told: the most
+  static constexpr int kMinSide = 32;  // the fewest
+  static constexpr int kRows = 16;     // from the base of the layer to its top
   static constexpr int kIterations = 16;
 
-  // The field without drift. `side` is a power of two, kMinSide .. kMaxSide: half as many cells take a
+  // The field without drift. `side` is a power of two, kMinSide .. kSide: half as many cells take a
   // quarter of the time, which is about 1 s of one core with kSide. The sun lights nothing at the horizon and
   // below; else its way is that of raisedSun(). A stop that is requested leaves it unsolved (isSolved()).
   LightVolume(const CloudField& field, const glm::dvec3& toSun, int side = kSide, std::stop_token stop = {});
