@@ -76,7 +76,8 @@ TEST_P(AnySceneRendererGLTest, afterWarmingUpNoFrameCompilesAShader) {
 }
 
 TEST_P(AnySceneRendererGLTest, theGpusMemoryIsWithinItsBudget) {
-  // All textures and buffers at 640 x 360, those of the land's chunks above all: at most 128 MiB.
+  // All textures and buffers at 640 x 360, those of the land's chunks above all: at most 128 MiB, and 24 MiB
+  // more where trees, ground, water and villages are drawn from close by.
   const auto run = prepared();
   Simulation simulation(run->setup, run->settings, run->table);
   SceneRenderer sceneRenderer(context(), setupOf(simulation), run->settings);
@@ -84,7 +85,8 @@ TEST_P(AnySceneRendererGLTest, theGpusMemoryIsWithinItsBudget) {
   core::FrameStatistics statistics;
   sceneRenderer.writeTo(statistics);
   EXPECT_GT(statistics.gl.bytes, 32 << 20);
-  EXPECT_LE(statistics.gl.bytes, 128 << 20);
+  const bool isLow = simulation.effects().contains(scene::Effect::vegetation);
+  EXPECT_LE(statistics.gl.bytes, isLow ? 152 << 20 : 128 << 20);
 }
 
 TEST_P(AnySceneRendererGLTest, cloudSheetsCostNothingWhereNoSceneCallsForThem) {
