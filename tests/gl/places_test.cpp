@@ -102,6 +102,39 @@ TEST_F(PlacesGLTest, H03_whatIsDrawnIsWhatIsFlownInto) {
   }
 }
 
+TEST_F(PlacesGLTest, aSmallPictureFromAnotherCellDoesNotTakeTheMapOfTheScene) {
+  // Frames on one side of a border between cells with small pictures from the other side make two maps,
+  // however many frames there are; the frames are those of a flight without small pictures, and the second
+  // map is gone when no small picture has been drawn for long.
+  begin();
+  const double border =
+      terrain::kPlaceCellM * std::floor(village({-3000, 2600})->middle.x / terrain::kPlaceCellM);
+  const glm::dvec2 here(border + 30, 2600), there(border - 30, 2600);
+  look(here, 60, 180, -10);
+  const core::Image alone = frame();
+  const render::PlaceMapPass& map = *sceneRenderer_->renderer().find<render::PlaceMapPass>();
+  const std::size_t before = map.mapsMade();
+  const std::int64_t bytes = static_cast<std::int64_t>(context().resources().bytes());
+  const auto inset = [&] {
+    look(there, 60, 0, -10);
+    const render::View view = sceneRenderer_->view(snapshot_, {64, 36});
+    EXPECT_TRUE(sceneRenderer_->drawInset(snapshot_, view));
+    look(here, 60, 180, -10);
+  };
+  while (!sceneRenderer_->drawInset(snapshot_, sceneRenderer_->view(snapshot_, {64, 36}))) continue;
+  for (int i = 0; i < 4; ++i) {
+    inset();
+    EXPECT_EQ(frame().rgba, alone.rgba);
+  }
+  EXPECT_EQ(map.mapsMade(), before + 1);
+  EXPECT_GT(static_cast<std::int64_t>(context().resources().bytes()), bytes);
+  for (int i = 0; i < 61; ++i) sceneRenderer_->draw(snapshot_, {16, 9}, Streaming::asItComes);
+  sceneRenderer_->endInset();
+  EXPECT_EQ(frame().rgba, alone.rgba);
+  EXPECT_EQ(map.mapsMade(), before + 1);
+  EXPECT_LE(static_cast<std::int64_t>(context().resources().bytes()), bytes);
+}
+
 TEST_F(PlacesGLTest, H05_mapsOfTwoBasesShowTheSame) {
   // An eye a centimetre to either side of the border at which the map changes sees the same land: at the
   // origin and 1e9 m out. 0.05 of 255 in the mean is what a centimetre does.

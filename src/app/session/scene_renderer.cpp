@@ -322,6 +322,7 @@ bool SceneRenderer::drawInset(const game::Snapshot& snapshot, const render::View
   if (land_) land_->update(view);
   render::FrameInput input = inputOf(snapshot, view);
   input.followsLast = false;
+  input.isInset = true;
   input.eyeVelocity = glm::dvec3(0);
   return renderer_.drawInset(input);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -20,30 +21,44 @@ std::int64_t cellOf(double metres) {
 }  // namespace
 
 PlaceMapPass::PlaceMapPass(gl::Context& context, std::shared_ptr<const terrain::Places> places)
-    : context_(context), places_(std::move(places)) {
-  grid_ = gl::Texture::make2D(context, GL_RG32UI, kPlaceGridSide, kPlaceGridSide, "places");
-  data_ = gl::Texture::make2D(context, GL_RGBA32UI, kPlaceRow, kPlaceRows, "ways and fields");
-}
+    : context_(context), places_(std::move(places)) {}
 
 void PlaceMapPass::apply(std::shared_ptr<const terrain::Places> places) {
   places_ = std::move(places);
-  made_.reset();
+  scene_.cell.reset();
+  inset_.reset();
+  shown_ = &scene_;
   looked_ = 0;
 }
 
-void PlaceMapPass::make(const Cell& cell) {
+void PlaceMapPass::make(Map& map, const Cell& cell) {
   const PlaceMapData made = placeMapData(*places_, cell.x, cell.z);
-  grid_.upload(GL_RG_INTEGER, GL_UNSIGNED_INT, std::as_bytes(std::span(made.grid)));
-  data_.upload(GL_RGBA_INTEGER, GL_UNSIGNED_INT, std::as_bytes(std::span(made.data)));
-  partCount_ = made.parts.size();
-  villages_ = made.villages;
-  if (partCount_ > 0 && (!parts_ || partCount_ * sizeof(PlacedPart) > parts_.size())) {
-    parts_ = gl::Buffer(context_, 2 * partCount_ * sizeof(PlacedPart), gl::Buffer::Use::write, "buildings");
+  if (!map.grid) {
+    map.grid = gl::Texture::make2D(context_, GL_RG32UI, kPlaceGridSide, kPlaceGridSide, "places");
+    map.data = gl::Texture::make2D(context_, GL_RGBA32UI, kPlaceRow, kPlaceRows, "ways and fields");
   }
-  if (partCount_ > 0) parts_.write(0, std::as_bytes(std::span(made.parts)));
-  map_ = {&grid_, &data_, made.corner, kFadeM, kFarM};
-  made_ = cell;
-  looked_ = 0;
+  map.grid.upload(GL_RG_INTEGER, GL_UNSIGNED_INT, std::as_bytes(std::span(made.grid)));
+  map.data.upload(GL_RGBA_INTEGER, GL_UNSIGNED_INT, std::as_bytes(std::span(made.data)));
+  map.partCount = made.parts.size();
+  map.villages = made.villages;
+  if (map.partCount > 0 && (!map.parts || map.partCount * sizeof(PlacedPart) > map.parts.size())) {
+    map.parts =
+        gl::Buffer(context_, 2 * map.partCount * sizeof(PlacedPart), gl::Buffer::Use::write, "buildings");
+  }
+  if (map.partCount > 0) map.parts.write(0, std::as_bytes(std::span(made.parts)));
+  map.published = {&map.grid, &map.data, made.corner, kFadeM, kFarM};
+  map.cell = cell;
+  ++mapsMade_;
+}
+
+// The scene's map is not given up for an eye that looks at the scene from another cell in every other frame.
+PlaceMapPass::Map& PlaceMapPass::mapFor(const FrameInput& frame, const Cell& cell) {
+  constexpr int kKeptFrames = 60;
+  framesWithoutInset_ = frame.isInset ? 0 : std::min(framesWithoutInset_ + 1, kKeptFrames);
+  if (framesWithoutInset_ >= kKeptFrames) inset_.reset();
+  if (!frame.isInset || !scene_.cell || scene_.cell == cell) return scene_;
+  if (!inset_) inset_.emplace();
+  return *inset_;
 }
 
 // One village or road a frame, so that the map of the next cell finds all at hand.
@@ -62,9 +77,14 @@ void PlaceMapPass::draw(FrameContext& context) {
   const Cell cell{cellOf(view.position.x), cellOf(view.position.z)};
   // In frames that nobody sees any map will do: their eye may be in the next cell, between frames that are
   // seen.
-  if (!made_ || (made_ != cell && !context.frame.warmsUp)) make(cell);
-  look(cell);
-  context.resources.publish(map_);
+  Map& map = mapFor(context.frame, cell);
+  if (!map.cell || (map.cell != cell && !context.frame.warmsUp)) {
+    make(map, cell);
+    if (&map == &scene_) looked_ = 0;
+  }
+  if (&map == &scene_) look(cell);
+  shown_ = &map;
+  context.resources.publish(map.published);
 }
 
 }  // namespace skydrop::render

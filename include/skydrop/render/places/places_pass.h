@@ -34,27 +34,38 @@ class PlaceMapPass final : public Pass {
   const terrain::Places& places() const { return *places_; }
   // The buildings of the map, as shaders/places/place_houses.glsl reads them, and how many; middles of the
   // map's villages, world (x, z), m.
-  const gl::Buffer& parts() const { return parts_; }
-  std::size_t partCount() const { return partCount_; }
-  const std::vector<glm::dvec2>& villages() const { return villages_; }
+  const gl::Buffer& parts() const { return shown_->parts; }
+  std::size_t partCount() const { return shown_->partCount; }
+  const std::vector<glm::dvec2>& villages() const { return shown_->villages; }
+
+  // Maps that were made so far: for tests.
+  std::size_t mapsMade() const { return mapsMade_; }
 
  private:
   struct Cell {
     std::int64_t x = 0, z = 0;
     bool operator==(const Cell&) const = default;
   };
-  void make(const Cell& cell);
+  struct Map {
+    std::optional<Cell> cell;  // its middle; none: to be made
+    gl::Texture grid, data;
+    gl::Buffer parts;
+    std::size_t partCount = 0;
+    std::vector<glm::dvec2> villages;
+    PlaceMap published;
+  };
+  Map& mapFor(const FrameInput& frame, const Cell& cell);
+  void make(Map& map, const Cell& cell);
   void look(const Cell& cell);
 
   gl::Context& context_;
   std::shared_ptr<const terrain::Places> places_;
-  std::optional<Cell> made_;  // the map's middle
-  std::size_t looked_ = 0;    // neighbours that have been found for the maps to come
-  gl::Texture grid_, data_;
-  gl::Buffer parts_;
-  std::size_t partCount_ = 0;
-  std::vector<glm::dvec2> villages_;
-  PlaceMap map_;  // published
+  Map scene_;
+  std::optional<Map> inset_;    // where the small picture's eye is in another cell than the scene's
+  int framesWithoutInset_ = 0;  // that followed each other
+  Map* shown_ = &scene_;        // of the frame that was drawn last
+  std::size_t looked_ = 0;      // neighbours that have been found for the maps to come
+  std::size_t mapsMade_ = 0;
 };
 
 class PlacesPass final : public Pass {
