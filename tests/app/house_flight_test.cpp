@@ -1,17 +1,16 @@
 // Flights among houses: that these end them, what of that is recorded, and that pictures' settings change no
 // bit.
-#include <gtest/gtest.h>
-
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <numbers>
 #include <optional>
 
-#include "app/session/run_config.h"
-#include "app/session/simulation.h"
+#include "app/obstacle_flight.h"
 #include "skydrop/terrain/noise_height_source.h"
 #include "skydrop/terrain/places.h"
-#include "support/temporary_folder.h"
 
 namespace skydrop::app {
 namespace {
@@ -46,7 +45,7 @@ std::optional<Approach> approachToAHouse() {
   return {};
 }
 
-class HouseFlight : public ::testing::Test {
+class HouseFlight : public ObstacleFlight {
  protected:
   void SetUp() override {
     const auto approach = approachToAHouse();
@@ -59,44 +58,20 @@ class HouseFlight : public ::testing::Test {
                            << R"(, "speed": 60}, "settings": {}})";
   }
   std::filesystem::path scene() const { return folder_.path() / "house.json"; }
-  CommandLine lineOf(const std::vector<std::string>& set) const {
+  CommandLine lineOf(const std::vector<std::string>& set) const override {
     CommandLine line;
     line.verb = Verb::simulate;
     line.scene = scene().string();
     line.set = set;
     return line;
   }
-  struct Flown {
-    std::uint64_t hash = 0;
-    std::string reason;  // of the first crash
-  };
-  static Flown fly(const CommandLine& line) {
-    const auto run = prepareRun(line);
-    Simulation simulation(run->setup, run->settings, run->table);
-    Flown flown;
-    for (int i = 0; i < 240 && !simulation.finished(); ++i) {
-      simulation.step({});
-      if (flown.reason.empty()) flown.reason = simulation.world().now().aircraft.gear.endReason;
-    }
-    simulation.endRecording();
-    EXPECT_FALSE(simulation.hasDiverged());
-    flown.hash = simulation.world().stateHash();
-    return flown;
-  }
-  test::TemporaryFolder folder_;
+  int steps() const override { return 240; }
+  game::Controls controlsAt(int) const override { return {}; }
 };
 
 TEST_F(HouseFlight, housesAreInTheWayOnlyWhereTheSettingsSaySo) {
-  // The same flight ends at a house, or goes on where houses are no obstacles, there are none, or the effect
-  // is off.
-  EXPECT_EQ(fly(lineOf({})).reason, "Flew into a house");
-  const Flown none = fly(lineOf({"effects.places=false"}));
-  EXPECT_NE(none.reason, "Flew into a house");
-  for (const char* set : {"villages.obstacles=false", "villages.density=0"}) {
-    const Flown flown = fly(lineOf({set}));
-    EXPECT_EQ(flown.reason, none.reason) << set;
-    EXPECT_EQ(flown.hash, none.hash) << set;
-  }
+  expectInTheWayUnless("Flew into a house", "effects.places=false",
+                       {"villages.obstacles=false", "villages.density=0"});
 }
 
 TEST_F(HouseFlight, whatIsDrawnOfThemDecidesNothing) {
@@ -104,16 +79,7 @@ TEST_F(HouseFlight, whatIsDrawnOfThemDecidesNothing) {
 }
 
 TEST_F(HouseFlight, replaysRepeatEveryBit) {
-  // A log keeps the effect and its settings, which the scene may not have any more.
-  CommandLine line = lineOf({"villages.fields=0.5"});
-  line.record = folder_.path() / "flight.log";
-  const Flown flown = fly(line);
-  CommandLine replay;
-  replay.verb = Verb::simulate;
-  replay.replay = line.record;
-  const Flown repeated = fly(replay);
-  EXPECT_EQ(repeated.hash, flown.hash);
-  EXPECT_EQ(repeated.reason, "Flew into a house");
+  expectTheSameOfItsReplay("villages.fields=0.5", "Flew into a house");
 }
 
 }  // namespace
