@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using core::UsageError;
 
 constexpr Size kQuickSize{160, 90}, kDefaultSize{320, 180};
-constexpr int kLargestPicture = 1024;  // of judge, whose pixels take .02 s of a core each
+constexpr int kLargestPicture = 1024;  // of judge, whose pixels take .01 s of a core each
 constexpr const char* kCost = "cost";
 constexpr const char* kCalibrate = "calibrate";
 constexpr const char* kJudge = "judge";

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/constants.hpp>
+#include <memory>
 #include <vector>
 
 #include "app/studies/light_models.h"
@@ -56,7 +57,8 @@ void setPixel(core::Image& image, int x, int y, const glm::dvec3& light) {
 
 core::Image lightPictures(const LightScene& scene, Size each, int paths, core::JobPool* pool,
                           const std::function<void(std::string_view)>& progress) {
-  const clouds::CloudField field(lightNoise(scene.noiseSeed), scene.medium);
+  const std::shared_ptr<const clouds::PackedCloudNoise> noise = lightNoise(scene.noiseSeed);
+  const clouds::CloudField field(noise, scene.medium);
   clouds::MarchMedium medium = clouds::mediumOf(field);
   medium.isShell = false;  // as the judge has it
   const clouds::LightVolume volume(field, scene.toSun());
@@ -66,7 +68,7 @@ core::Image lightPictures(const LightScene& scene, Size each, int paths, core::J
   const clouds::ScatteredLight byVolume = litByVolume(volume, layer);
   const clouds::TracedMedium tracedMedium = clouds::tracedMediumOf(field);
   const clouds::TracedPhase phase = clouds::tracedPhaseOf(layer);
-  const double groundShare = clouds::SkyCover(lightNoise(scene.noiseSeed), scene.medium).meanShare();
+  const double groundShare = clouds::SkyCover(noise, scene.medium).meanShare();
 
   const std::vector<LightView> views = lightViews(scene, each.width, each.height);
   core::Image image(3 * each.width, static_cast<int>(views.size()) * each.height);

@@ -12,8 +12,8 @@
 namespace skydrop::app {
 
 // A row for each of the scene's views; from the left octaves, `paths` traced paths a pixel, and the volume.
-// Each picture has the size `each`, every pixel one ray through its middle. 16:9 of 200 pixels and 400 paths
-// take 7 minutes of a core a view. Bits do not depend on the pool (null: this thread does it all).
+// Each picture has the size `each`, every pixel one ray through its middle. Six views of 128 x 72 with 400
+// paths take 9 minutes of a core. Bits do not depend on the pool (null: this thread does it all).
 core::Image lightPictures(const LightScene& scene, Size each, int paths, core::JobPool* pool,
                           const std::function<void(std::string_view)>& progress);
 
