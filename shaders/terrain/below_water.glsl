@@ -33,7 +33,7 @@ SeenGround groundThroughWater(vec3 straight) {
 
 vec3 groundAsSeen(vec3 straight, ivec2 pixel) {
   SeenGround seen = groundThroughWater(straight);
-  vec3 shares = lightSharesAt(pixel);
+  vec3 shares = lightSharesAt(pixel, straight);
   shares.x *= seen.gather;
   return endingLandThroughAir(landLight(seen.place, shares), straight, leftOfLight(straight));
 }

@@ -1,5 +1,6 @@
 // Normals and colours of the land at any place.
 #include "terrain/noise.glsl"
+#include "terrain/light_shares.glsl"
 #include "shared/land_material.glsl"
 #include "shared/ground_picture.glsl"  // before what is conditional: a file is included once
 #include "shared/terrain_grid.glsl"
@@ -289,6 +290,6 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
 #endif
 
 vec3 landAsSeen(vec3 relative, ivec2 pixel) {
-  vec3 light = landLight(relative, lightSharesAt(pixel));
+  vec3 light = landLight(relative, lightSharesAt(pixel, relative));
   return endingLandThroughAir(light, relative, leftOfLight(relative));
 }

@@ -1,5 +1,6 @@
 // The sea: a level plane with small waves.
 #include "terrain/noise.glsl"
+#include "terrain/light_shares.glsl"
 #include "shared/water.glsl"
 #include "shared/sun_glitter.glsl"
 #include "flash_light.glsl"
@@ -110,7 +111,7 @@ SeaSight seaSightOf(vec3 fragCoord) {
   SeaSight sight;
   sight.relative = ray * viewZ;
   sight.floorShare = floorViewZ < kFarMarker ? floorViewZ / viewZ : 0.0;
-  sight.shares = lightSharesAt(ivec2(fragCoord.xy));
+  sight.shares = lightSharesAt(ivec2(fragCoord.xy), sight.relative);
   return sight;
 }
 

@@ -14,9 +14,9 @@ float leftOfLight(vec3 relative) { return 1.0 - smoothstep(0.6 * farM, 0.97 * fa
 layout(binding = 3) uniform sampler2D landDepth;
 float landViewZ(ivec2 pixel) { return viewZOfDepth(texelFetch(landDepth, pixel, 0).r, frame.eye.y); }
 
-// What is left of the light at each pixel of the land (frame.glsl); its last channel belongs to nobody.
+// What clouds and what flies leave of the light at each pixel of the land (frame.glsl); its last channel belongs to nobody.
 layout(binding = 4) uniform sampler2D lightShares;
-vec3 lightSharesAt(ivec2 pixel) { return texelFetch(lightShares, pixel, 0).rgb; }
+vec3 keptSharesAt(ivec2 pixel) { return texelFetch(lightShares, pixel, 0).rgb; }
 
 // Where the land of a pixel is, relative to the eye; where it shows none, far away.
 vec3 landPlace(ivec2 pixel) {

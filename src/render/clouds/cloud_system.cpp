@@ -243,11 +243,11 @@ void CloudSystem::marchAll(FrameContext& context, Defines defines, bool shaded) 
 // In use. Where a later frame may need the other variant, that is asked for too (Pass::draw).
 gl::ComputeShader& CloudSystem::marchShader(FrameContext& context, const std::string& file, Defines defines) {
   std::vector<std::string> withShade(defines.begin(), defines.end());
-  withShade.emplace_back("LAND_SHADE");
+  withShade.emplace_back(LandShadowMap::kDefine);
   const auto variant = [&](bool shaded) -> gl::ComputeShader& {
     return context.shaders.computeShader(file, shaded ? Defines(withShade) : defines);
   };
-  if (context.frame.features.landShadows) variant(!isShaded_);
+  if (context.frame.features.landShadows && context.frame.looksAhead()) variant(!isShaded_);
   gl::ComputeShader& shader = variant(isShaded_);
   shader.use();
   const glm::dvec3& eye = context.frame.view.position;

@@ -36,12 +36,12 @@ bool SheetShade::take(FrameContext& context, double heightM) {
 gl::Shader& SheetShade::shader(FrameContext& context, const std::string& vertex, const std::string& fragment,
                                std::span<const std::string> defines, bool shaded) {
   std::vector<std::string> withShade(defines.begin(), defines.end());
-  withShade.emplace_back("LAND_SHADE");
+  withShade.emplace_back(LandShadowMap::kDefine);
   const auto variant = [&](bool isShaded) -> gl::Shader& {
     return context.shaders.shader(vertex, fragment,
                                   isShaded ? std::span<const std::string>(withShade) : defines);
   };
-  if (context.frame.features.landShadows) variant(!shaded);
+  if (context.frame.features.landShadows && context.frame.looksAhead()) variant(!shaded);
   gl::Shader& shader = variant(shaded);
   if (!shaded) return shader;
   const glm::dvec3& eye = context.frame.view.position;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <span>
 
+#include "render/clouds/placing_shader.h"
 #include "render/places/place_map_data.h"
 #include "render/places/place_meshes.h"
 #include "skydrop/render/clouds/cloud_shadow_map.h"
@@ -87,35 +88,9 @@ std::optional<std::string> PlacesPass::skipReasonAfter(const FrameInput& frame,
   return std::nullopt;
 }
 
-// Where the sun or the land's shade may come and go, the other variant is asked for too.
 gl::ComputeShader& PlacesPass::placing(FrameContext& context, const LandGround& land,
                                        const char* file) const {
-  const auto* clouds = context.resources.find<CloudShadowMap>();
-  const auto* shade = context.resources.find<LandShadowMap>();
-  const auto* ice = context.resources.find<IceShade>();
-  const auto variant = [&](bool hasSun, bool hasLand) -> gl::ComputeShader& {
-    std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-    if (land.hasAlpineBelts()) defines.emplace_back("ALPINE_BELTS");
-    if (clouds) {
-      for (const std::string& define : clouds->defines(hasSun)) defines.push_back(define);
-      defines.emplace_back("CLOUD_SHADE");
-    }
-    if (hasLand) defines.emplace_back("LAND_SHADE");
-    if (ice) defines.emplace_back("ICE_SHADE");
-    defines.emplace_back(PlaceMap::kDefine);
-    return context.shaders.computeShader(file, defines);
-  };
-  const bool hasSun = clouds && clouds->hasSun();
-  if (clouds) variant(!hasSun, shade != nullptr);
-  if (context.frame.features.landShadows) variant(hasSun, shade == nullptr);
-  gl::ComputeShader& shader = variant(hasSun, shade != nullptr);
-  shader.use();
-  const View& view = context.frame.view;
-  if (clouds) clouds->bind(shader);
-  if (shade) shade->bind(shader, {view.position.x, view.position.z});
-  if (ice) ice->bind(shader, view);
-  land.setGround(shader, view);
-  context.resources.get<PlaceMap>().set(shader, land.base());
+  gl::ComputeShader& shader = placingShader(context, land, file);
   shader.setVec4("placeReach", glm::vec4(kFadeBand * settings_.houseM, std::max(settings_.houseM, 1e-3),
                                          kFadeBand * settings_.hedgeM, std::max(settings_.hedgeM, 1e-3)));
   shader.setVec2("placeRoom", glm::vec2(houseRoom_, kHedgeRoom));

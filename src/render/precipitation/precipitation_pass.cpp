@@ -145,8 +145,10 @@ void PrecipitationPass::draw(FrameContext& context) {
   for (const bool hasCabin : {false, true}) {
     for (const bool hasSpot : {false, true}) {
       if (hasSpot && !spot && !frame.features.spotLight) continue;
+      const bool isThis = hasCabin == cabin.has_value() && hasSpot == (spot != nullptr);
+      if (!isThis && !frame.looksAhead()) continue;
       gl::Shader& shader = variant(hasCabin, hasSpot);
-      if (!frame.warmsUp && (hasCabin != cabin.has_value() || hasSpot != (spot != nullptr))) continue;
+      if (!isThis && !frame.warmsUp) continue;
       if (cabin) shader.setMatrix("toCabin", *cabin);
       if (spot) spot->set(shader, view);
       shader.use();

@@ -120,6 +120,7 @@ void RainVeilPass::draw(FrameContext& context) {
       for (const bool ofMap : {false, true}) {
         const Variant variant{ofClouds, ofSun, ofMap};
         if ((ofClouds && !clouds) || (ofSun && !shadowMap)) continue;
+        if (variant != wanted && !context.frame.looksAhead()) continue;
         gl::Shader& shader = shaderOf(context, variant);
         const bool isTried = context.frame.warmsUp && ofSun <= wanted.sun && ofMap <= wanted.map;
         if (variant == wanted || isTried) drawWith(shader);

@@ -113,7 +113,7 @@ void LightShaftPass::march(FrameContext& context, const Shade& shade) {
     for (const std::string& define : shade.clouds->defines(true)) defines.push_back(define);
     defines.emplace_back("CLOUD_SHADE");
   }
-  if (shade.land) defines.emplace_back("LAND_SHADE");
+  if (shade.land) defines.emplace_back(LandShadowMap::kDefine);
   gl::ComputeShader& shader = context.shaders.computeShader("shafts/march.comp", defines);
   const View& view = context.frame.view;
   if (shade.clouds) shade.clouds->bind(shader);

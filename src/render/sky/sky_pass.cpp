@@ -16,6 +16,7 @@ void SkyPass::draw(FrameContext& context) {
   above.emplace_back("SKY_ALONE");
   const bool isAlone = leastRise(context.frame.view) > 0;
   for (const bool alone : {!isAlone, isAlone}) {
+    if (alone != isAlone && !context.frame.looksAhead()) continue;
     gl::Shader& shader = context.shaders.shader(
         "fullscreen.vert", "sky/sky.frag", alone ? std::span<const std::string>(above) : context.defines);
     if (alone != isAlone && !context.frame.warmsUp) continue;

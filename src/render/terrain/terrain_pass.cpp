@@ -175,9 +175,7 @@ void TerrainPass::drawDepth(FrameContext& context) {
   context_.api().ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), view, GL_TRIANGLES);
   context_.api().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const auto* cloudShadows = context.resources.find<CloudShadowMap>();
-  if (cloudShadows) drawCloudShadows(context, *cloudShadows);
-  drawLandShadows(context, !cloudShadows);
+  if (const auto* clouds = context.resources.find<CloudShadowMap>()) drawCloudShadows(context, *clouds);
   if (const auto* ice = context.resources.find<IceShade>()) drawIceShade(context, *ice);
   if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
   surface_.unBind();
@@ -206,36 +204,12 @@ void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& 
   const auto variant = [&](bool hasSun) -> gl::Shader& {
     return context.shaders.shader("fullscreen.vert", "terrain/cloud_share.frag", shadowMap.defines(hasSun));
   };
-  variant(!shadowMap.hasSun());
+  if (context.frame.looksAhead()) variant(!shadowMap.hasSun());
   gl::Shader& shader = variant(shadowMap.hasSun());
   shader.use();
   setSurface(shader, context.frame.view);
   shadowMap.bind(shader);
   drawShares(true);
-}
-
-void TerrainPass::drawLandShadows(FrameContext& context, bool areFirst) {
-  if (!context.frame.features.landShadows) return;
-  // Both are asked for in every frame: none is compiled when the sun sinks or clouds come.
-  const std::vector<std::string> first{"FIRST_SHARES"};
-  const auto variant = [&](bool isFirst) -> gl::Shader& {
-    return context.shaders.shader(
-        "fullscreen.vert", "terrain/land_shade.frag",
-        isFirst ? std::span<const std::string>(first) : std::span<const std::string>());
-  };
-  const auto* shadowMap = context.resources.find<LandShadowMap>();
-  const View& view = context.frame.view;
-  const auto draw = [&](bool isFirst) {
-    gl::Shader& shader = variant(isFirst);
-    if (!shadowMap) return;
-    shader.use();
-    setSurface(shader, view);
-    shadowMap->bind(shader, {view.position.x, view.position.z});
-    drawShares(isFirst);
-  };
-  variant(!areFirst);
-  if (context.frame.warmsUp) draw(!areFirst);
-  draw(areFirst);
 }
 
 void TerrainPass::drawIceShade(FrameContext& context, const IceShade& ice) {
@@ -307,8 +281,8 @@ void TerrainPass::drawLandUpTo(gl::Shader& shader, const View& view, double dept
   context_.setDefaultState();
 }
 
-// Where lamps, flashes, rain and snow on the ground, or strips may come and go, all variants are asked for,
-// and those who warm up draw all that they can.
+// Where the land's shade, lamps, flashes, rain and snow on the ground, or strips may come and go, all
+// variants are asked for, and those who warm up draw all that they can.
 void TerrainPass::drawLitLand(FrameContext& context) {
   const View& view = context.frame.view;
   context_.api().CopyImageSubData(surface_.depthTexture().id(), GL_TEXTURE_2D, 0, 0, 0, 0,
@@ -322,13 +296,18 @@ void TerrainPass::drawLitLand(FrameContext& context) {
   const auto* fallen = context.resources.find<FallenWater>();
   const auto* spot = context.resources.find<SpotLight>();
   const auto* flash = context.resources.find<FlashLight>();
+  const auto* shade = context.resources.find<LandShadowMap>();
   struct Part {
     const char* define;
     bool isThere, mayCome;
     std::function<void(gl::Shader&)> set;
   };
-  const std::array<Part, 4> parts{
-      {{FallenWater::kDefine, fallen != nullptr, features.fallenWater,
+  const std::array<Part, 5> parts{
+      {{LandShadowMap::kDefine, shade != nullptr, features.landShadows,
+        [&](gl::Shader& shader) {
+          shade->bind(shader, {view.position.x, view.position.z});
+        }},
+       {FallenWater::kDefine, fallen != nullptr, features.fallenWater,
         [&](gl::Shader& shader) { fallen->set(shader); }},
        {SpotLight::kDefine, spot != nullptr, features.spotLight,
         [&](gl::Shader& shader) { spot->set(shader, view); }},
@@ -358,13 +337,13 @@ void TerrainPass::drawLitLand(FrameContext& context) {
     const bool hasNear = variant >> parts.size() != 0;  // later: over the others
     if (!hasNear && !mayBeFar) continue;
     const auto has = [variant](std::size_t part) { return (variant >> part & 1) != 0; };
-    bool isAsked = true, isThis = hasNear ? isNear : isFar, isPossible = true;
+    bool isAsked = context.frame.looksAhead(), isThis = hasNear ? isNear : isFar, isPossible = true;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       isAsked = isAsked && (parts[i].mayCome || has(i) == parts[i].isThere);
       isThis = isThis && has(i) == parts[i].isThere;
       isPossible = isPossible && (parts[i].isThere || !has(i));
     }
-    if (!isAsked) continue;
+    if (!isAsked && !isThis) continue;
     std::vector<std::string> defines = always;
     if (hasNear) defines.insert(defines.end(), nearby.begin(), nearby.end());
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -398,31 +377,42 @@ void TerrainPass::setStrip(gl::Shader& shader) const {
 // of a branch, but skips what the depth test rejects.
 void TerrainPass::drawSea(FrameContext& context) {
   const auto* flash = context.resources.find<FlashLight>();
+  const auto* shade = context.resources.find<LandShadowMap>();
   const auto* waves = context.resources.find<SeaWaves>();
-  for (const bool hasFlash : {false, true}) {
-    if (hasFlash && !flash && !context.frame.features.flashLight) continue;
-    std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-    if (hasFlash) defines.emplace_back(FlashLight::kDefine);
-    if (waves) defines.emplace_back(SeaWaves::kDefine);
-    if (waves && waves->mirror) defines.emplace_back(SeaWaves::kKeepsDefine);
-    gl::Shader& shader = context.shaders.shader("terrain/sea.vert", "terrain/sea.frag", defines);
-    const bool isThis = hasFlash == (flash != nullptr);
-    if ((hasFlash && !flash) || !(isThis || context.frame.warmsUp)) continue;
-    if (hasFlash) flash->set(shader);
-    shader.use();
-    if (waves) {
-      waves->set(shader);
-      setSea(shader, context.frame.view);
-      if (waves->mirror) waves->mirror->bindImage(kMirrorImage, GL_WRITE_ONLY);
-    } else {
-      setSurface(shader, context.frame.view);
-      shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
+  const View& view = context.frame.view;
+  const FrameFeatures& features = context.frame.features;
+  for (const bool hasShade : {false, true}) {
+    for (const bool hasFlash : {false, true}) {
+      const bool isThis = hasFlash == (flash != nullptr) && hasShade == (shade != nullptr);
+      const bool mayCome = context.frame.looksAhead() &&
+                           (features.flashLight || hasFlash == (flash != nullptr)) &&
+                           (features.landShadows || hasShade == (shade != nullptr));
+      if (!isThis && !mayCome) continue;
+      std::vector<std::string> defines(context.defines.begin(), context.defines.end());
+      if (hasShade) defines.emplace_back(LandShadowMap::kDefine);
+      if (hasFlash) defines.emplace_back(FlashLight::kDefine);
+      if (waves) defines.emplace_back(SeaWaves::kDefine);
+      if (waves && waves->mirror) defines.emplace_back(SeaWaves::kKeepsDefine);
+      gl::Shader& shader = context.shaders.shader("terrain/sea.vert", "terrain/sea.frag", defines);
+      const bool isPossible = (flash || !hasFlash) && (shade || !hasShade);
+      if (!isThis && !(isPossible && context.frame.warmsUp)) continue;
+      if (hasShade) shade->bind(shader, {view.position.x, view.position.z});
+      if (hasFlash) flash->set(shader);
+      shader.use();
+      if (waves) {
+        waves->set(shader);
+        setSea(shader, view);
+        if (waves->mirror) waves->mirror->bindImage(kMirrorImage, GL_WRITE_ONLY);
+      } else {
+        setSurface(shader, view);
+        shader.setFloat("seaFloorM", static_cast<float>(seaFloorDepthM_));
+      }
+      context_.api().Enable(GL_BLEND);
+      context_.api().BlendFunc(GL_ONE, GL_SRC1_COLOR);
+      seaPlane_.bind();
+      context_.drawArrays(GL_TRIANGLES, 0, kSeaVertices);
+      context_.api().Disable(GL_BLEND);
     }
-    context_.api().Enable(GL_BLEND);
-    context_.api().BlendFunc(GL_ONE, GL_SRC1_COLOR);
-    seaPlane_.bind();
-    context_.drawArrays(GL_TRIANGLES, 0, kSeaVertices);
-    context_.api().Disable(GL_BLEND);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render/clouds/placing_shader.h"
 #include "render/vegetation/tree_meshes.h"
 #include "render/vegetation/tree_tiles.h"
 #include "skydrop/core/shared_woods.h"
@@ -133,39 +134,8 @@ void VegetationPass::makeRoom(std::size_t tiles, std::size_t nearTiles) {
   for (GLuint i = 0; i < 7; ++i) trees_.setAttribute(3 + i, 1, 4, GL_FLOAT, i * sizeof(glm::vec4));
 }
 
-// Where the sun or the land's shade may come and go, the other variant is asked for too.
-gl::ComputeShader& VegetationPass::placing(FrameContext& context, const LandGround& land) const {
-  const auto* clouds = context.resources.find<CloudShadowMap>();
-  const auto* shade = context.resources.find<LandShadowMap>();
-  const auto* ice = context.resources.find<IceShade>();
-  const auto* places = context.resources.find<PlaceMap>();  // in all frames, or in none
-  const auto variant = [&](bool hasSun, bool hasLand) -> gl::ComputeShader& {
-    std::vector<std::string> defines(context.defines.begin(), context.defines.end());
-    if (land.hasAlpineBelts()) defines.emplace_back("ALPINE_BELTS");
-    if (clouds) {
-      for (const std::string& define : clouds->defines(hasSun)) defines.push_back(define);
-      defines.emplace_back("CLOUD_SHADE");
-    }
-    if (hasLand) defines.emplace_back("LAND_SHADE");
-    if (ice) defines.emplace_back("ICE_SHADE");
-    if (places) defines.emplace_back(PlaceMap::kDefine);
-    return context.shaders.computeShader("vegetation/place.comp", defines);
-  };
-  const bool hasSun = clouds && clouds->hasSun();
-  if (clouds) variant(!hasSun, shade != nullptr);
-  if (context.frame.features.landShadows) variant(hasSun, shade == nullptr);
-  gl::ComputeShader& shader = variant(hasSun, shade != nullptr);
-  shader.use();
-  const View& view = context.frame.view;
-  if (clouds) clouds->bind(shader);
-  if (shade) shade->bind(shader, {view.position.x, view.position.z});
-  if (ice) ice->bind(shader, view);
-  if (places) places->set(shader, land.base());
-  return shader;
-}
-
 void VegetationPass::place(FrameContext& context, const LandGround& land, std::size_t tiles) {
-  gl::ComputeShader& shader = placing(context, land);
+  gl::ComputeShader& shader = placingShader(context, land, "vegetation/place.comp");
   std::array<Command, kLists> commands{};
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     commands[i] = {static_cast<GLuint>(kinds_[i].indices), 0, kinds_[i].firstIndex, kinds_[i].baseVertex,
@@ -175,7 +145,6 @@ void VegetationPass::place(FrameContext& context, const LandGround& land, std::s
   commands_.write(0, std::as_bytes(std::span(commands)));
   if (tiles == 0) return;
   const View& view = context.frame.view;
-  land.setGround(shader, view);
   const glm::vec4 reach(reachOf(settings_));
   shader.setVec4("treeReach", reach);
   const glm::dvec3 wind = context.frame.game ? context.frame.game->wind : glm::dvec3(0);

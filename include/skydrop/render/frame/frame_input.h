@@ -36,6 +36,8 @@ struct FrameInput {
   // Drawn so that what it is drawn with is compiled, and seen by nobody: passes that settings leave nothing
   // to draw (no density, no cloud) draw it all the same, so that turning a setting up compiles nothing.
   bool warmsUp = false;
+  // Whether what later frames may need is compiled now: a picture alone has no later frames.
+  bool looksAhead() const { return followsLast || warmsUp; }
   // The small picture beside the scene's: what passes keep of the scene's eye is not given up for it.
   bool isInset = false;
   // What the eye is adapted to (SkyLight::level, klx), where it is not what follows from the light of this

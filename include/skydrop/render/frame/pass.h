@@ -56,7 +56,8 @@ class Pass {
   virtual void settle(const FrameInput&) {}
   // Target, viewport, the frame's uniform block and the default state (gl::Context::setDefaultState) are set.
   // State may be left changed; the target may not. A program that later frames may need is asked of the cache
-  // in every frame, whether this one uses it or not: what is not asked for is deleted when effects change.
+  // in every frame that looks ahead, whether it uses it or not: what is not asked for is deleted when effects
+  // change.
   virtual void draw(FrameContext& context) = 0;
 };
 

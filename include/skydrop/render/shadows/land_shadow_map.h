@@ -15,6 +15,8 @@ namespace skydrop::render {
 // take().
 class LandShadowMap {
  public:
+  static constexpr const char* kDefine = "LAND_SHADE";
+
   // Uploads the shade, which must outlive its use here: 2 bytes a texel and level (1.5 MiB for medium
   // detail).
   void take(gl::Context& context, const terrain::LandShade& shade);

@@ -85,8 +85,6 @@ class TerrainPass final : public Pass, public LandGround {
   void drawLitLand(FrameContext& context);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
-  // areFirst: the mask has no other shares yet.
-  void drawLandShadows(FrameContext& context, bool areFirst);
   void drawIceShade(FrameContext& context, const IceShade& ice);
   // Of all pixels, with a program that is in use: what was there is replaced, or multiplied.
   void drawShares(bool replaces);

@@ -70,7 +70,6 @@ class VegetationPass final : public Pass {
 
   void makeRoom(std::size_t tiles, std::size_t nearTiles);
   void place(FrameContext& context, const LandGround& land, std::size_t tiles);
-  gl::ComputeShader& placing(FrameContext& context, const LandGround& land) const;
   void bakeAtlas(FrameContext& context);
   void drawMeshes(FrameContext& context);
   void drawImpostors(FrameContext& context);
