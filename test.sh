@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
 # Builds and runs every test, and the sanitizers over what they can see.
-#   test.sh [--quick]     --quick leaves out the sanitizer builds, what OSMesa repeats of EGL (label twin), and tries
-#                         every third of what is tried in every combination (SKYDROP_QUICK)
+#   test.sh [--quick|--all]   --quick leaves out the sanitizer builds and tries every third of what is tried in every
+#                             combination (SKYDROP_QUICK); --all also runs what OSMesa repeats of EGL (label twin)
 set -euo pipefail
 cd "$(dirname "$0")"
-quick=${1:-}
+mode=${1:-}
+case "$mode" in
+  "" | --quick | --all) ;;
+  *) echo "test.sh: unknown option $mode: --quick or --all" >&2 && exit 2 ;;
+esac
 
 phase_names=() phase_seconds=()
 phase() {  # phase NAME COMMAND...: runs and times it
@@ -66,13 +70,11 @@ gl_smoke() {
 
 phase "install" ./install_dependencies.sh
 phase "build" build ci all
-if [ "$quick" = "--quick" ]; then
-  export SKYDROP_QUICK=1
-  phase "test" run_tests ci -LE '^(long|twin)$'
-else
-  phase "test" run_tests ci -LE '^long$'
-fi
-if [ "$quick" != "--quick" ]; then
+left_out='^(long|twin)$'
+[ "$mode" != "--all" ] || left_out='^long$'
+[ "$mode" != "--quick" ] || export SKYDROP_QUICK=1
+phase "test" run_tests ci -LE "$left_out"
+if [ "$mode" != "--quick" ]; then
   phase "build with address and undefined-behaviour sanitizers" build dev skydrop unit_tests stability_tests gl_tests fuzz_replay
   phase "test with address and undefined-behaviour sanitizers" cpu_suites dev
   phase "frames and effects with address and undefined-behaviour sanitizers" gl_smoke

@@ -186,7 +186,9 @@ class Flight {
   static CommandLine lineOf(const EffectSet& effects, const std::vector<std::string>& set) {
     CommandLine line;
     line.verb = Verb::render;
-    line.set = {"quality=low"};
+    // Land that is soon made: what is proven hangs on no land in particular.
+    line.set = {"quality=low", "streaming.farDistanceM=5000", "streaming.viewDistanceM=1000",
+                "landShadows.detail=coarse"};
     for (const Effect effect : allEffects()) {
       line.set.push_back("effects." + std::string(scene::nameOf(effect)) + "=" +
                          (effects.contains(effect) ? "true" : "false"));
@@ -218,7 +220,7 @@ class EffectGLTest : public EffectGLTestBase, public testing::WithParamInterface
   void expectNothingLeftBehind(Flight& flight, const EffectSet& all, const EffectSet& less) {
     const int rounds = test::soaking() ? 98 : 2;
     const auto round = [&] { flight.switchTo(less), flight.switchTo(all); };
-    for (int i = 0; i < 2; ++i) round();
+    round();
     const Ledger before = flight.ledger();
     const auto grownOverRounds = [&] {
       const std::size_t memoryBefore = test::residentBytes();
@@ -239,29 +241,11 @@ class EffectGLTest : public EffectGLTestBase, public testing::WithParamInterface
 INSTANTIATE_TEST_SUITE_P(, EffectGLTest, testing::ValuesIn(allEffects()),
                          [](const auto& effect) { return std::string(scene::nameOf(effect.param)); });
 
-TEST_P(EffectGLTest, aSceneWithoutItIsThatOfAProgramWithoutIt) {
-  // Objects, bytes, draws, dispatches, threads, files and every pixel are those of a program whose table has
-  // no row for the effect.
-  const EffectSet set = without(everything(), GetParam());
-  Ledger off, absent;
-  core::Image offPicture, absentPicture;
-  {
-    Flight flight(context(), set);
-    off = flight.ledger();
-    offPicture = flight.picture();
-  }
-  {
-    Flight flight(context(), set, tableWithout(GetParam()));
-    absent = flight.ledger();
-    absentPicture = flight.picture();
-  }
-  EXPECT_EQ(off, absent);
-  EXPECT_EQ(offPicture.rgba, absentPicture.rgba);
-}
-
-TEST_P(EffectGLTest, switchedOffAndOnItIsAsIfTheSceneHadBegunSo) {
-  // Then on and off four times more (100 when soaking): the GPU, threads and files are as before, and memory
-  // too but for what the driver keeps of each program that it has compiled.
+TEST_P(EffectGLTest, aSceneWithoutItIsThatOfAProgramWithoutItHoweverItBegan) {
+  // Objects, bytes, draws, dispatches, threads, files and every pixel of a scene without the effect are those
+  // of a program whose table has no row for it, and those after it was switched off in flight. Switched on
+  // again all is as it was; then off and on four times more (100 when soaking): the GPU, threads and files
+  // are as before, and memory too but for what the driver keeps of each program that it has compiled.
   const EffectSet all = everything(), less = without(all, GetParam());
   Ledger switchedOff;
   core::Image pictureOff;
@@ -280,9 +264,18 @@ TEST_P(EffectGLTest, switchedOffAndOnItIsAsIfTheSceneHadBegunSo) {
     EXPECT_EQ(flight.picture().rgba, picture.rgba);
     expectNothingLeftBehind(flight, all, less);
   }
-  Flight flight(context(), less);
-  flight.show(shown);
-  EXPECT_EQ(switchedOff, flight.ledger());
+  Ledger off;
+  {
+    Flight flight(context(), less);
+    off = flight.ledger();
+    const core::Image begunOff = flight.picture();
+    flight.show(shown);
+    EXPECT_EQ(switchedOff, flight.ledger());
+    EXPECT_EQ(pictureOff.rgba, flight.picture().rgba);
+    pictureOff = begunOff;
+  }
+  Flight flight(context(), less, tableWithout(GetParam()));
+  EXPECT_EQ(off, flight.ledger());
   EXPECT_EQ(pictureOff.rgba, flight.picture().rgba);
 }
 

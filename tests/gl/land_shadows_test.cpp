@@ -182,7 +182,7 @@ TEST_F(LandShadowsGLTest, whatFliesIsInTheShadeOfTheRidge) {
 }
 
 TEST_F(LandShadowsGLTest, nothingIsDoneWhereNoLandCanBeShaded) {
-  // Each reason, and that such a frame has neither the texture nor the draw of one with shadows.
+  // Each reason, and that such a frame has neither the texture nor the programs of one with shadows.
   build(terrain::makeRidgeSource(0, kCrestM, 0.5, kFootM));  // slopes of 27 degrees
   const View view = pose({-1500, kFootM + 400, 0}, 90, -30, 0, 64, 36);
   settings_.sun = {-0.3, 90};
@@ -190,14 +190,16 @@ TEST_F(LandShadowsGLTest, nothingIsDoneWhereNoLandCanBeShaded) {
   settings_.sun = {30, 90};
   EXPECT_EQ(whySkipped(view), "the sun stands above every slope");
   const auto textures = [&] { return context().resources().live(gl::ObjectKind::texture); };
+  const auto programs = [&] { return context().resources().live(gl::ObjectKind::program); };
   lightOf(view);
-  const auto idleTextures = textures();
+  const auto idleTextures = textures(), idlePrograms = programs();
   const auto idleDraws = statisticsOf("terrain").draws;
   settings_.sun = {20, 90};
   EXPECT_EQ(whySkipped(view), "");
   lightOf(view);
   EXPECT_EQ(textures(), idleTextures + 1);
-  EXPECT_EQ(statisticsOf("terrain").draws, idleDraws + 1);
+  EXPECT_EQ(programs(), idlePrograms + 2);  // other ones of land and sea
+  EXPECT_EQ(statisticsOf("terrain").draws, idleDraws);
   EXPECT_EQ(whySkipped(pose({-1500, 3000, 0}, 90, 40, 0, 64, 36)), "no shaded land is in view");
   LandShadowPass plain(terrain::makeFlatSource(100), {});
   FrameInput input = gameFrame(snapshot_, view, features_);
