@@ -95,7 +95,7 @@ void describe(core::SettingsVisitor& visitor, GroundDetailSettings& s) {
   visitor.number("reach", s.reach,
                  {.unit = "1",
                   .min = 0,
-                  .max = 3,
+                  .max = 4,
                   .help = "How far away the ground's detail is drawn; 1: until a pixel covers half a metre.",
                   .aliases = "ground texture, distance, LOD"});
   static constexpr std::array<std::string_view, 3> kNames{"coarse", "medium", "fine"};

@@ -35,7 +35,8 @@ FN Vec2 phongLight(PhongShares shares, Vec3 normal, Vec3 toLight, Vec3 toEye) {
   if (facing <= Real(0.0)) return Vec2(Real(0.0), Real(0.0));
   Vec3 mirrored = normal * (Real(2.0) * facing) - toLight;
   Real along = clamp(dot(mirrored, toEye), Real(0.0), Real(1.0));  // rounding beyond 1 would grow with the power
-  Real gloss = along > Real(0.0) ? pow(along, shares.shininess) : Real(0.0);
+  // Of what is no normal float renderers' pow makes what they like, and of nothing there is no gloss.
+  Real gloss = along > Real(1e-37) ? pow(along, shares.shininess) : Real(0.0);
   return Vec2(shares.diffuse * facing, shares.specular * gloss);
 }
 
