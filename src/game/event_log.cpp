@@ -40,6 +40,11 @@ std::vector<Message> EventLog::messages() const {
   return out;
 }
 
+std::span<const GameEvent> EventLog::ofStep() const {
+  const auto first = std::ranges::find_if(events_, [&](const GameEvent& e) { return e.step == step_; });
+  return {first, events_.end()};
+}
+
 std::vector<GameEvent> EventLog::takeEvents() { return std::exchange(events_, {}); }
 
 }  // namespace skydrop::game

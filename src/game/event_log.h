@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ class EventLog {
 
   // Oldest first.
   std::vector<Message> messages() const;
+  // Those of this step that nobody has taken yet, in order; until the next report.
+  std::span<const GameEvent> ofStep() const;
   // The events since the last call, in order (the newest 1024).
   std::vector<GameEvent> takeEvents();
 

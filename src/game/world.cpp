@@ -12,6 +12,7 @@
 #include "game/snapshot_blend.h"
 #include "game/state_digest.h"
 #include "game/steps.h"
+#include "game/surface_bursts.h"
 #include "skydrop/core/cpu_meter.h"
 #include "skydrop/core/deterministic_math.h"
 #include "skydrop/core/error.h"
@@ -80,6 +81,7 @@ struct World::State {
   FlownAir air;
   std::optional<PlayerAircraft> aircraft;
   Deliveries deliveries;
+  SurfaceBursts bursts;
 
   // Derived, for the view.
   std::optional<glm::dvec3> predictedLanding;
@@ -95,6 +97,7 @@ struct World::State {
   std::optional<glm::dvec3> aircraftPosition() const;
   void advance(const Controls& wanted);
   void predict();
+  void noteBursts();
   bool facesTarget() const { return setup.delivery.startFacesTarget && !setup.start.onWheels; }
   void faceTarget();
   void beginAgain();
@@ -106,7 +109,11 @@ struct World::State {
 };
 
 World::State::State(const WorldSetup& s)
-    : setup(usable(s)), random{core::mix64(s.seed), 0}, air(setup), deliveries(setup, air, random, eventLog) {
+    : setup(usable(s)),
+      random{core::mix64(s.seed), 0},
+      air(setup),
+      deliveries(setup, air, random, eventLog),
+      bursts(setup, air) {
   shareWeather();
   if (setup.hasAircraft) aircraft.emplace(setup, air, eventLog);
   if (setup.hasTargets) deliveries.drawNextTarget(aircraftPosition().value_or(glm::dvec3(0)));
@@ -163,6 +170,11 @@ void World::State::advance(const Controls& wanted) {
   });
 }
 
+void World::State::noteBursts() {
+  bursts.step(secondsOf(steps), eventLog.ofStep(), before, aircraft ? &now.aircraft : nullptr);
+  now.bursts = bursts.all();
+}
+
 void World::State::shareWeather() {
   shownWeather =
       setup.weather ? std::make_shared<const weather::WeatherSettings>(setup.weather->settings) : nullptr;
@@ -189,6 +201,7 @@ void World::State::setParts(std::shared_ptr<const terrain::HeightSource> ground,
   }
   if (newTargets || (setup.hasTargets && !hasTargets)) deliveries = Deliveries(setup, air, random, eventLog);
   setup.hasTargets = hasTargets;
+  bursts.clear();
   if (newTargets) deliveries.drawNextTarget(aircraftPosition().value_or(glm::dvec3(0)));
   predict();
   now = before = {};
@@ -218,6 +231,7 @@ void World::State::fill(Snapshot& out) const {
   }
   deliveries.fill(out, aircraftPosition());
   out.predictedLanding = predictedLanding;
+  out.bursts = bursts.all();  // until those of the step are added
   out.dropZone = predictedLanding && deliveries.isInTarget(*predictedLanding);
   out.messages = eventLog.messages();
 }
@@ -264,6 +278,7 @@ void World::step(const Controls& controls) {
   state_->advance(controls);
   std::swap(state_->now, state_->before);
   state_->fill(state_->now);
+  if (state_->setup.keepsBursts) state_->noteBursts();
 }
 
 const Snapshot& World::now() const { return state_->now; }
@@ -314,6 +329,12 @@ void World::setPlaces(std::shared_ptr<const terrain::Places> places) {
 }
 void World::setWoods(std::shared_ptr<const terrain::Woods> woods) { state_->setup.woods = std::move(woods); }
 
+void World::setBursts(bool kept, bool alpineBelts) {
+  if (kept == state_->setup.keepsBursts && alpineBelts == state_->setup.alpineBelts) return;
+  state_->setup.keepsBursts = kept;
+  state_->setup.alpineBelts = alpineBelts;
+  state_->bursts.clear();
+}
 void World::setWind(const glm::dvec3& velocity) {
   requireUsable(velocity);
   state_->setup.wind = velocity;

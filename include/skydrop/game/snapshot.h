@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "skydrop/game/controls.h"
+#include "skydrop/game/surface_burst.h"
 #include "skydrop/weather/moment.h"
 
 namespace skydrop::game {
@@ -123,7 +124,8 @@ struct Snapshot {
   std::vector<Message> messages;  // oldest first
   glm::dvec3 wind{0};             // mean, at the aircraft
   AirSnapshot air;
-  weather::Moment weather;  // none in scenes without
+  weather::Moment weather;           // none in scenes without
+  std::vector<SurfaceBurst> bursts;  // oldest first; none where the world keeps none
 
   // Set by whoever runs the world (app), for the HUD.
   std::optional<double>

@@ -86,6 +86,8 @@ struct WorldSetup {
   std::optional<flight::GearSettings> gear = std::nullopt;  // without: whatever touches the ground crashes
   std::shared_ptr<const terrain::Woods> woods = nullptr;    // of this ground; null: no tree is in the way
   std::shared_ptr<const terrain::Places> places = nullptr;  // likewise; null: no house is in the way
+  bool keepsBursts = false;  // whether snapshots tell what is thrown up from land and water
+  bool alpineBelts = false;  // of the ground, for the colour of what is thrown up: as of terrain::Woods
 };
 
 // CPU time of the steps that were measured (World::setMeasuring), on the thread that made them.
@@ -140,6 +142,8 @@ class World {
   void setWoods(std::shared_ptr<const terrain::Woods> woods);
   // Null: no house is in the way any more.
   void setPlaces(std::shared_ptr<const terrain::Places> places);
+  // What is thrown up from now on is told by snapshots, or none is, of either belts (WorldSetup).
+  void setBursts(bool kept, bool alpineBelts);
   void setWind(const glm::dvec3& velocity);  // m/s, as WorldSetup::wind
   void setWeather(const std::optional<WeatherSetup>& weather);
 
