@@ -30,6 +30,8 @@ EffectSet effective(EffectSet effects) {
     effects.erase(Effect::aircraftLights);
     effects.erase(Effect::landingLight);
   }
+  if (!effects.contains(Effect::aircraft) || !effects.contains(Effect::terrain))
+    effects.erase(Effect::dustAndSpray);
   if (!effects.contains(Effect::weather)) effects.erase(Effect::lightning);
   const bool shades = effects.contains(Effect::landShadows) ||
                       (effects.contains(Effect::clouds) && effects.contains(Effect::terrain));

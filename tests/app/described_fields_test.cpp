@@ -126,6 +126,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::AircraftLightsSettings;
   using render::AtmosphereSettings;
   using render::CameraSettings;
+  using render::DustAndSpraySettings;
   using render::GroundFogSettings;
   using render::HaloSettings;
   using render::LandingLightSettings;
@@ -218,6 +219,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(VegetationSettings),
       SKYDROP_STRUCT(PlacesViewSettings),
       SKYDROP_STRUCT(WaterDetailSettings),
+      SKYDROP_STRUCT(DustAndSpraySettings),
       SKYDROP_STRUCT(LightningSettings),
       SKYDROP_STRUCT(ElevationSettings),
       SKYDROP_STRUCT(GroundPictureSettings),

@@ -49,6 +49,7 @@ constexpr std::string_view kElsewhere[] = {
     "places.",                 // tests/gl/places_test.cpp
     "groundDetail.",           // tests/gl/ground_detail_test.cpp
     "waterDetail.",            // tests/gl/water_detail_test.cpp
+    "dustAndSpray.",           // tests/gl/dust_and_spray_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -114,7 +115,7 @@ constexpr const char* kGroups[] = {"gear.",    "strips.",    "woods.",       "vi
 constexpr const char* kGroupsOfPictures[] = {
     "cloudPlanes.",   "cloudDome.",   "groundFog.",      "stars.",        "landShadows.", "halo.",
     "rainbow.",       "lightShafts.", "aircraftLights.", "landingLight.", "sky.",         "iceClouds.",
-    "precipitation.", "vegetation.",  "groundDetail.",   "waterDetail.",  "places."};
+    "precipitation.", "vegetation.",  "groundDetail.",   "waterDetail.",  "places.",      "dustAndSpray."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -64,6 +64,7 @@ class HuntGLTest : public test::GLTest {
 #include "shared/mirror_ray.glsl"
 #include "shared/precipitation.glsl"
 #include "shared/sea_waves.glsl"
+#include "shared/spray.glsl"
 #include "shared/sun_glitter.glsl"
 #include "shared/terrain_lod.glsl"
 #include "shared/tone_map.glsl"

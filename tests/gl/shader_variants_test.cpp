@@ -92,7 +92,8 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("airstrip", {"effects.places=true", "effects.vegetation=true"});
   draw("cirrus", {"effects.places=true"});
   draw("lagoon", {"effects.places=true"});
-  draw("thunderstorm", {"effects.waterDetail=true"});
+  draw("thunderstorm", {"effects.waterDetail=true", "effects.dustAndSpray=true"});
+  draw("plane3", {"effects.dustAndSpray=true", "effects.haze=false"});
   draw("coldFront", {});
   draw("thunderstorm", {});
   draw("fair", {"clouds.march.history=quarter"});

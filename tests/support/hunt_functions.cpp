@@ -11,6 +11,7 @@
 #include "skydrop/core/shared_places.h"
 #include "skydrop/core/shared_precipitation.h"
 #include "skydrop/core/shared_sea.h"
+#include "skydrop/core/shared_spray.h"
 #include "skydrop/core/shared_woods.h"
 #include "skydrop/lab/shared.h"
 #include "support/hunt.h"

@@ -142,6 +142,13 @@ HUNTED(sunGlitter, (direction(), in(-1, 1), in(-1, 1), direction(), in(-1, 1), i
        r[0] = sunGlitter(Vec3(a[0], abs(a[1]), a[2]), Vec3(a[3], a[4], a[5]), a[6], Vec2(Real(0.0), Real(0.0)),
                          a[7] * Real(0.8), a[7]))
 
+// spray.glsl
+HUNTED(sprayWay, (in(-60, 60), in(-60, 60), in(0, 100, {0.5f}), in(-3, 20), in(0, 100)),
+       (out(-2e5, 2e5, 2e-5, 1e-3), out(-2e5, 2e5, 2e-5, 2e-2)),
+       Vec3 p = sprayWay(Vec3(a[0], a[1], Real(0.0)), Vec3(Real(5.0), Real(0.0), Real(0.0)), a[2], a[3], a[4]); r[0] = p.x;
+       r[1] = p.y)
+HUNTED(impactWaveSlope, (in(0.5, 1e4), in(0, 20), in(0.3, 5)), (out(-4, 4, 0, 8e-2)), r[0] = impactWaveSlope(a[0], a[1], a[2]))
+
 // sea_waves.glsl, mirror_ray.glsl
 HUNTED(octaveVariance, (in(1e-3, 1e4), in(-10, 100)), (out(0, 1, 2e-5, 1e-12)), r[0] = octaveVariance(a[0], a[1]))
 HUNTED(whitecapShare, (in(-10, 1e4)), (out(0, 0.33, 2e-5)), r[0] = whitecapShare(a[0]))

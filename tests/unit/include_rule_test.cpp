@@ -102,6 +102,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"vegetation", terrain},
             {"places", terrain},
             {"water", effect},
+            {"spray", effect},
             {"terrain", terrain}}}};
 }
 

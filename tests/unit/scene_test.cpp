@@ -31,8 +31,9 @@ TEST(Scene, theScenesWithWeatherAreTheLandWithClouds) {
   for (const char* name : {"clear", "fair", "overcast"}) {
     const Scene scene = loadScene(name);
     EffectSet required = requiredEffects(scene);
-    for (const Effect ofFair : {Effect::aircraftLights, Effect::landingLight, Effect::vegetation,
-                                Effect::groundDetail, Effect::waterDetail, Effect::places}) {
+    for (const Effect ofFair :
+         {Effect::aircraftLights, Effect::landingLight, Effect::vegetation, Effect::groundDetail,
+          Effect::waterDetail, Effect::places, Effect::dustAndSpray}) {
       EXPECT_EQ(required.contains(ofFair), scene.name == "fair") << name;
       required.erase(ofFair);
     }
@@ -67,6 +68,17 @@ TEST(Scene, lampsAreCalledForOnAnAircraftAlone) {
     effects.insert(Effect::aircraft);
     EXPECT_TRUE(effective(effects).contains(lamps));
   }
+}
+
+TEST(Scene, dustAndSprayAreCalledForWhereSomethingTouchesLand) {
+  // Without an aircraft nothing touches, without land nothing is touched: neither is brought along.
+  const auto required = [](const char* effects) {
+    return requiredEffects(
+        parseScene(R"({"schema": 1, "effects": [)" + std::string(effects) + "]}", "a.json"));
+  };
+  EXPECT_TRUE(required(R"("dustAndSpray", "aircraft", "terrain")").contains(Effect::dustAndSpray));
+  EXPECT_FALSE(required(R"("dustAndSpray", "terrain")").contains(Effect::dustAndSpray));
+  EXPECT_FALSE(required(R"("dustAndSpray", "aircraft")").contains(Effect::dustAndSpray));
 }
 
 TEST(Scene, shaftsAreCalledForWhereSomethingShadesHaze) {

@@ -39,6 +39,7 @@ enum class Effect {
   groundDetail,    // the ground from a few metres: its materials and layers of rock
   waterDetail,     // water close by: waves of the wind, foam, the ground below, mirrored land
   places,          // villages: houses, fields, roads, lit windows at night
+  dustAndSpray,    // what flies up where something touches land or water, and wakes
   count_           // how many there are; no effect itself, and always the last
 };
 
@@ -49,7 +50,7 @@ inline constexpr auto kEffectNames = std::to_array<std::string_view>(
      "groundFog",    "moon",          "stars",       "landShadows",    "halo",
      "rainbow",      "weather",       "lightShafts", "aircraftLights", "landingLight",
      "iceClouds",    "precipitation", "lightning",   "groundHandling", "vegetation",
-     "groundDetail", "waterDetail",   "places"});
+     "groundDetail", "waterDetail",   "places",      "dustAndSpray"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -93,7 +94,8 @@ EffectSet withNeeds(EffectSet effects);
 std::string unmetNeed(const EffectSet& effects);
 
 // Those that there is anything to do for: haze needs something that it could veil, landShadows land,
-// lightShafts haze and something that shades it, lamps an aircraft, lightning weather.
+// lightShafts haze and something that shades it, lamps an aircraft, lightning weather, dustAndSpray an
+// aircraft and terrain.
 EffectSet effective(EffectSet effects);
 
 }  // namespace skydrop::scene

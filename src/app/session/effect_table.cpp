@@ -4,6 +4,7 @@
 #include "app/session/cloud_dome_effect.h"
 #include "app/session/cloud_effect.h"
 #include "app/session/cloud_planes_effect.h"
+#include "app/session/dust_and_spray_effect.h"
 #include "app/session/ground_detail_effect.h"
 #include "app/session/ground_fog_effect.h"
 #include "app/session/ice_clouds_effect.h"
@@ -126,6 +127,11 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addFeatures = addLightningFeatures,
        .apply = applyLightning,
        .menuSections = {{"lightning", "Lightning"}}},
+      // After clouds, before air and fog, which lie over it.
+      {.effect = Effect::dustAndSpray,
+       .addPasses = addDustAndSpray,
+       .apply = applyDustAndSpray,
+       .menuSections = {{"dustAndSpray", "Dust and spray"}}},
       // Before fog, which lies over what the air sends.
       {.effect = Effect::lightShafts,
        .addPasses = addLightShafts,

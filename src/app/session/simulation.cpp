@@ -74,6 +74,8 @@ game::WorldSetup worldSetup(const SimulationSetup& setup, const scene::EffectSet
   const auto places = settledPlaces(effects, settings, world.ground);
   world.woods = standingWoods(effects, settings, world.ground, places);
   if (settings.villages.obstacles) world.places = places;
+  world.keepsBursts = effects.contains(Effect::dustAndSpray);
+  world.alpineBelts = world.keepsBursts && hasAlpineBelts(*world.ground);
   world.start.position = setup.scene.start.position;
   world.start.aboveGround = effects.contains(Effect::terrain);
   world.start.headingDeg = setup.scene.start.headingDegrees;
@@ -290,6 +292,10 @@ void Simulation::applyEffects() {
   if (changes(Effect::weather)) applyWeather();
   if (changes(Effect::groundHandling)) applyGear();
   if (changes(Effect::terrain) && autopilot_) autopilot_.emplace(ground_, settings_->autopilot);
+  if (changes(Effect::terrain) || changes(Effect::dustAndSpray)) {
+    const bool kept = effects_.contains(Effect::dustAndSpray);
+    world_.setBursts(kept, kept && hasAlpineBelts(*ground_));
+  }
   if (changes(Effect::terrain) || changes(Effect::vegetation) || changes(Effect::places)) applyObstacles();
 }
 

@@ -62,6 +62,9 @@ std::string_view helpOf(Effect effect) {
       return "Villages: houses that stand in the way, fields with hedges, roads that follow the land, "
              "jetties, "
              "lit windows at night.";
+    case Effect::dustAndSpray:
+      return "Dust and smoke on land, drops, rings and wakes on water, where packages, wheels, hull or wreck "
+             "touch it.";
     case Effect::vegetation:
       return "Trees that stand: spruces, broadleaves and dwarf pines where the land has woods, bent by the "
              "wind, and in the way of the aircraft.";

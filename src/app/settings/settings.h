@@ -41,6 +41,7 @@
 #include "skydrop/render/sky/halo_settings.h"
 #include "skydrop/render/sky/rainbow_settings.h"
 #include "skydrop/render/sky/stars_settings.h"
+#include "skydrop/render/spray/dust_and_spray_settings.h"
 #include "skydrop/render/vegetation/vegetation_settings.h"
 #include "skydrop/render/water/water_detail_settings.h"
 #include "skydrop/scene/scene.h"
@@ -115,6 +116,7 @@ struct Settings {
   render::PlacesViewSettings places;
   terrain::GroundDetailSettings groundDetail;
   render::WaterDetailSettings waterDetail;
+  render::DustAndSpraySettings dustAndSpray;
   flight::GearSettings gear;
   elevation::ElevationSettings elevation;      // of elevation files, where there are some
   terrain::GroundPictureSettings aerialImage;  // of aerial images, where there are some

@@ -1,0 +1,3 @@
+#include "spray/wake.glsl"
+
+void main() { gl_Position = wakeCorner(gl_VertexID); }
