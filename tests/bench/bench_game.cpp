@@ -67,7 +67,8 @@ double BenchGame::draw(const app::Pose& pose) {
   const auto begin = std::chrono::steady_clock::now();
   sceneRenderer_.camera().setPose(pose.position, glm::radians(pose.yawDegrees),
                                   glm::radians(pose.pitchDegrees), glm::radians(pose.rollDegrees));
-  const game::Snapshot& snapshot = simulation_.world().now();
+  game::Snapshot snapshot = simulation_.world().now();
+  snapshot.bursts = bursts_;
   const app::OverlayResult built = overlay_.build({snapshot, kFrameSize, 1.0 / 60, run_->table});
   if (built.fontsChanged) sceneRenderer_.uploadFonts();
   sceneRenderer_.draw(snapshot, kFrameSize, app::Streaming::asItComes);

@@ -35,6 +35,10 @@ class BenchGame {
   // As with --set while flying, from the next frame on.
   void set(const std::string& assignment);
 
+  // What is thrown up in the frames from now on (seconds of simulated time: World::now()).
+  void show(const std::vector<game::SurfaceBurst>& bursts) { bursts_ = bursts; }
+  double seconds() const { return simulation_.world().now().simulatedSeconds; }
+
   // One frame from there, in ms. Metres; degrees as in app::Pose.
   double draw(const app::Pose& pose);
 
@@ -58,6 +62,7 @@ class BenchGame {
   app::PreparedResources prepared_;
   app::SceneRenderer sceneRenderer_;
   app::Overlay overlay_;
+  std::vector<game::SurfaceBurst> bursts_;
 };
 
 }  // namespace skydrop::bench

@@ -94,6 +94,15 @@ std::vector<std::string> village(const std::string& place, const std::string& he
   return words;
 }
 
+// A moment of a flight of tests/golden, whose log brings its scene.
+std::vector<std::string> replayed(const std::string& log, const std::string& seconds,
+                                  const std::vector<std::string>& view) {
+  std::vector<std::string> words =
+      withoutHud({"--replay", std::string(sourceDir()) + "/tests/golden/" + log, "--time", seconds});
+  words.insert(words.end(), view.begin(), view.end());
+  return words;
+}
+
 // From a place to another, over elevation data, in the weather of a file at 13:00 UTC.
 std::vector<std::string> viewOfBern(const std::string& from, const std::string& to) {
   return withoutHud({"--scene", "bern", "--place", from, "--look-at", to, "--weather",
@@ -193,6 +202,18 @@ const std::vector<Golden>& goldens() {
       {"lowSunOverWater",
        withoutHud({"--scene", "lagoon", "--time", "40", "--pose=4400,12,4300,20,-5,0", "--set",
                    "render.sun.elevationDegrees=6", "--set", "render.sun.azimuthDegrees=110"})},
+      // What flies up: a package that falls into the sea, from 15 m, and its rings later; one that lands on a
+      // beach; a touch-down on a strip; a ditching, its wake; a crash.
+      {"splashOfAPackage", replayed("packageOnWater.log", "11.95", {"--pose=4494,3,4248,-30,1,0"})},
+      {"ringsOfAPackage", replayed("packageOnWater.log", "15", {"--pose=4490,7,4250,-30,-12,0"})},
+      {"dustOfAPackage", replayed("packageOnSand.log", "12.2", {"--pose=2708,6,2603,-25,-8,0"})},
+      {"dustOfATouchDown",
+       replayed("touchDown.log", "5.6",
+                {"--camera=-2085,5,4435", "--above-ground", "--heading", "228", "--pitch=-6"})},
+      {"ditching", replayed("ditching.log", "5", {"--pose=4528,5,4248,-62,-5,0"})},
+      {"wakeOfADitching", replayed("ditching.log", "9", {"--pose=4515,12,4250,-50,-16,0"})},
+      {"crashOnAMeadow", replayed("crash.log", "6.4",
+                                  {"--camera=4240,8,-700", "--above-ground", "--heading", "5", "--pitch=2"})},
       {"moonlitLake", withoutHud({"--pose=0,600,0,46,14,0", "--set", "sky.sun=clock", "--set",
                                   "sky.utc=2026-09-26T21:00Z", "--set", "stars.twinkle=0"})},
       {"starsOverTheRange", withoutHud({"--pose=0,600,0,-60,25,0", "--set", "sky.sun=clock", "--set",
@@ -350,8 +371,10 @@ TEST_P(GoldenFrame, isThePictureThatWasBlessed) {
                                     backend ? backend : "egl"};
   if (std::ranges::find(golden.words, "--size") == golden.words.end())
     words.insert(words.end(), {"--size", "320x180"});
-  if (std::ranges::find(golden.words, "--scene") == golden.words.end())
-    words.insert(words.end(), {"--scene", "terrain"});
+  const auto names = [&](const char* word) {
+    return std::ranges::find(golden.words, word) != golden.words.end();
+  };
+  if (!names("--scene") && !names("--replay")) words.insert(words.end(), {"--scene", "terrain"});
   words.insert(words.end(), golden.words.begin(), golden.words.end());
   const ProcessResult result = runSkydrop(words);
   if (result.exitCode == 3) GTEST_SKIP() << result.err;
