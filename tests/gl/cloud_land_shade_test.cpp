@@ -123,6 +123,7 @@ TEST_F(CloudLandShadeGLTest, aLayerAboveTheSummitsAndAHighSunHaveNoShade) {
   settings_.sun = {80, 90};
   const Light high = clouds(view);
   const auto idle = textures();
+  drawFollowing(view);
   const std::uint64_t made = renderer().shaders().madeSoFar();
   settings_.sun = {6, 90};
   const Light low = clouds(view);

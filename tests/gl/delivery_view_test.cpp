@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <vector>
 
-#include "app/measure/stopwatch.h"
 #include "app/session/package_camera.h"
 #include "app/session/run_config.h"
 #include "app/session/scene_renderer.h"
@@ -93,8 +93,9 @@ TEST_F(DeliveryViewGLTest, whatItNeedsGoesWithIt) {
 }
 
 TEST_F(DeliveryViewGLTest, theSmallPictureCostsLessThanAFrame) {
-  // At 640 x 360, frames with and without it in turn: the least of either. It is
-  // a fourteenth of the pixels; the land's triangles are drawn twice.
+  // At 640 x 360, frames with and without it in turn: the least of either, by processor time of all threads,
+  // which other programs disturb less. It is a fourteenth of the pixels; the land's triangles are drawn
+  // twice.
   constexpr Size kFrame{640, 360}, kInset{166, 93};
   ASSERT_TRUE(camera_.begin(now()));
   const auto view = camera_.view(now(), run_->settings.render.camera, kInset, simulation_->ground().get());
@@ -104,12 +105,12 @@ TEST_F(DeliveryViewGLTest, theSmallPictureCostsLessThanAFrame) {
   std::vector<double> plain, both;
   for (int i = 0; i < 14; ++i) {
     renderer_->renderer().finish();
-    const Stopwatch watch;
+    const std::clock_t begin = std::clock();
     if (i % 2 == 1) renderer_->drawInset(now(), *view);
     renderer_->draw(now(), kFrame, Streaming::asItComes);
     if (i % 2 == 1) renderer_->showInset(400, 200);
     renderer_->renderer().finish();
-    (i % 2 == 1 ? both : plain).push_back(watch.ms());
+    (i % 2 == 1 ? both : plain).push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   }
   std::ranges::sort(plain), std::ranges::sort(both);
   const double ratio = both[0] / plain[0];

@@ -133,6 +133,7 @@ TEST_F(SheetLandShadeGLTest, aPlaneAboveTheSummitsAndAHighSunHaveNoShade) {
   settings_.sun = {80, 90};
   planes(view, 1);
   const std::int64_t idle = textures();
+  drawFollowing(view);
   const std::uint64_t made = renderer().shaders().madeSoFar();
   settings_.sun = {6, 90};
   const Light low = planes(view, 1);

@@ -35,6 +35,12 @@ class FrameTest : public GLTest {
   }
   // Of the game as snapshot_ has it.
   core::Image draw(const render::View& view) { return draw(render::gameFrame(snapshot_, view, features_)); }
+  // As a frame of a flight, which follows others and compiles what later ones may need.
+  void drawFollowing(const render::View& view) {
+    render::FrameInput input = render::gameFrame(snapshot_, view, features_);
+    input.followsLast = true;
+    draw(input);
+  }
   core::Image draw(const render::FrameInput& input) {
     renderer_->apply(settings_);
     renderer_->draw(input);
