@@ -212,9 +212,18 @@ TEST_P(SceneSoak, staysWhatItIsHoweverLongItIsFlown) {
   const Held first = std::exchange(held, {});
   flight.flyTo(seconds, 60, seconds / 40, show);
   if (HasFatalFailure()) return;
-  const double grown = held.resident() - first.resident();
   EXPECT_LE(held.mostGpuBytes, first.mostGpuBytes);
-  EXPECT_LE(grown, seconds >= kLongSeconds ? 0.01 * first.resident() : kCacheMiB * kMiB);
+  double grown = held.resident() - first.resident();
+  const bool isLong = seconds >= kLongSeconds;
+  if (!isLong && grown > kCacheMiB * kMiB) {
+    // On a busy machine a light volume may still be worked out, which holds memory once; what is left behind
+    // grows again.
+    const Held second = std::exchange(held, {});
+    flight.flyTo(1.5 * seconds, 60, seconds / 40, show);
+    if (HasFatalFailure()) return;
+    grown = held.resident() - second.resident();
+  }
+  EXPECT_LE(grown, isLong ? 0.01 * first.resident() : kCacheMiB * kMiB);
   EXPECT_GE(frames, 30);
   std::printf("%s: %.0f s, %lld drops, %u starts; GPU %.1f MiB; resident %.1f and %.1f MiB (%+.2f %%)\n",
               GetParam().c_str(), seconds, static_cast<long long>(flight.now().drops),
