@@ -8,9 +8,6 @@
 #include "render/clouds/placing_shader.h"
 #include "render/places/place_map_data.h"
 #include "render/places/place_meshes.h"
-#include "skydrop/render/clouds/cloud_shadow_map.h"
-#include "skydrop/render/clouds/ice_shade.h"
-#include "skydrop/render/shadows/land_shadow_map.h"
 
 namespace skydrop::render {
 namespace {

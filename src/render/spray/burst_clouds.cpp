@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "skydrop/core/guards.h"
+#include "skydrop/core/shared_spray.h"
 
 namespace skydrop::render {
 namespace {
@@ -14,7 +15,7 @@ using game::SurfaceBurst;
 using Look = BurstCloud::Look;
 
 constexpr glm::dvec3 kFoamAlbedo{0.82, 0.84, 0.85}, kSmokeAlbedo{0.035, 0.033, 0.032};
-constexpr double kGravity = 9.80665;
+constexpr double kGravity = core::shared::f64::kGravityMps2;
 // Speeds of a body that a burst is scaled by, m/s: a package under its parachute, wheels and a hull at
 // landing.
 constexpr double kPackageMps = 7, kHullMps = 28;
@@ -299,7 +300,7 @@ std::vector<BurstCloud> cloudsOf(const SurfaceBurst& burst, double seconds, doub
   return all.take();
 }
 
-std::vector<BurstWake> wakeOf(const SurfaceBurst& burst, double seconds, double amount) {
+std::optional<BurstWake> wakeOf(const SurfaceBurst& burst, double seconds, double amount) {
   if (!burst.onWater || !isUsable(burst, seconds) || !(amount > 0)) return {};
   const double age = seconds - burst.seconds;
   if (age < 0 || age > game::kBurstSeconds) return {};
@@ -339,7 +340,7 @@ std::vector<BurstWake> wakeOf(const SurfaceBurst& burst, double seconds, double 
   wake.foamM += spreadMps * age;
   // Waves run at the speed of the longest that the body makes, some ahead of them.
   wake.reachM = 3 * wake.radiusM + 1.6 * std::sqrt(kGravity * wake.radiusM) * age + wake.foamM;
-  return {wake};
+  return wake;
 }
 
 }  // namespace skydrop::render

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "skydrop/game/surface_burst.h"
@@ -50,7 +51,7 @@ struct BurstWake {
   double foamM = 1, foam = 0;  // radius and cover
   double reachM = 10;          // of its waves by now
 };
-// One or none: land, over, not finite.
-std::vector<BurstWake> wakeOf(const game::SurfaceBurst& burst, double seconds, double amount);
+// None of one on land, of one that is over or before it happened, and of what is not finite.
+std::optional<BurstWake> wakeOf(const game::SurfaceBurst& burst, double seconds, double amount);
 
 }  // namespace skydrop::render

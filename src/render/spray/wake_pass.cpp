@@ -28,10 +28,9 @@ std::vector<BurstWake> seenWakes(const FrameInput& frame, const DustAndSpraySett
   if (!frame.game || frame.view.position.y <= 0) return wakes;
   const auto& bursts = frame.game->bursts;
   for (auto burst = bursts.rbegin(); burst != bursts.rend() && wakes.size() < WakePass::kMostWakes; ++burst) {
-    for (const BurstWake& wake : wakeOf(*burst, frame.simulatedSeconds, settings.amount)) {
-      const bool isNear = glm::distance(frame.view.position, wake.place) < settings.reachM + wake.reachM;
-      if (isNear && isPotentiallyVisible(frame.view, wake.place, wake.reachM)) wakes.push_back(wake);
-    }
+    const std::optional<BurstWake> wake = wakeOf(*burst, frame.simulatedSeconds, settings.amount);
+    if (!wake || glm::distance(frame.view.position, wake->place) >= settings.reachM + wake->reachM) continue;
+    if (isPotentiallyVisible(frame.view, wake->place, wake->reachM)) wakes.push_back(*wake);
   }
   return wakes;
 }

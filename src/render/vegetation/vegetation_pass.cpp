@@ -9,10 +9,6 @@
 #include "render/vegetation/tree_tiles.h"
 #include "skydrop/core/shared_woods.h"
 #include "skydrop/game/snapshot.h"
-#include "skydrop/render/clouds/cloud_shadow_map.h"
-#include "skydrop/render/clouds/ice_shade.h"
-#include "skydrop/render/frame/place_map.h"
-#include "skydrop/render/shadows/land_shadow_map.h"
 
 namespace skydrop::render {
 namespace {
