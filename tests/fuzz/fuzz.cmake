@@ -16,17 +16,13 @@ add_library(fuzz_inputs STATIC ${fuzz_dir}/fuzz_input.cpp ${fuzz_dir}/model_inpu
   ${fuzz_dir}/elevation_input.cpp support/paths.cpp)
 target_link_libraries(fuzz_inputs PUBLIC skydrop_test_paths skydrop::render skydrop::audio skydrop::accuracy
   skydrop::forecast skydrop::elevation)
-set(fuzz_of_app command_line judged presets scene settings)  # that need the whole program
 skydrop_precompile(fuzz_inputs)
 
 if(SKYDROP_FUZZERS)
   add_custom_target(fuzzers)
   foreach(name ${fuzz_names})
     add_executable(fuzz_${name} ${fuzz_dir}/targets/${name}.cpp)
-    target_link_libraries(fuzz_${name} PRIVATE fuzz_inputs)
-    if(name IN_LIST fuzz_of_app)
-      target_link_libraries(fuzz_${name} PRIVATE skydrop::app)
-    endif()
+    target_link_libraries(fuzz_${name} PRIVATE fuzz_inputs skydrop::app)
     target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
     add_dependencies(fuzzers fuzz_${name})
   endforeach()

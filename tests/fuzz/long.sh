@@ -49,9 +49,12 @@ queue() {
   local folder=$1 seconds=${2:-600} root number=0 seeds name pattern
   shift $(($# < 2 ? $# : 2))
   root=$(cd "$(dirname "$0")/../.." && pwd)
-  mkdir -p "$folder"/{waiting,taken,logs,findings,corpus,seeds,temporary}
-  folder=$(cd "$folder" && pwd)
+  folder=$(realpath -m "$folder")
   cd "$root"
+  for name in "$@"; do
+    grep -q "^$name " tests/fuzz/targets.txt || { echo "long.sh: no target $name in targets.txt" >&2 && exit 2; }
+  done
+  mkdir -p "$folder"/{waiting,taken,logs,findings,corpus,seeds,temporary}
   cp -r tests/fuzz/dictionaries tests/fuzz/targets.txt "$folder/"
   mkdir -p "$folder/tests"
   cp -r assets shaders "$folder/"  # what the targets read at run time

@@ -57,7 +57,7 @@ PlaceMapPass::Map& PlaceMapPass::mapFor(const FrameInput& frame, const Cell& cel
   framesWithoutInset_ = frame.isInset ? 0 : std::min(framesWithoutInset_ + 1, kKeptFrames);
   if (framesWithoutInset_ >= kKeptFrames) inset_.reset();
   if (!frame.isInset || !scene_.cell || scene_.cell == cell) return scene_;
-  if (!inset_) inset_.emplace();
+  if (!inset_) inset_ = Map{};
   return *inset_;
 }
 
