@@ -1,8 +1,8 @@
 #include "precipitation/veil_seen.glsl"
 
-in vec4 depths;
-in vec4 lightAndDistance;
-in vec2 rayScaleAndReach;
+noperspective in vec4 depths;
+noperspective in vec4 lightAndDistance;
+noperspective in vec2 rayScaleAndReach;
 out vec4 color;
 
 void main() {

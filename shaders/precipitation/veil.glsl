@@ -60,6 +60,9 @@ float reachOf(FallField field, float rise) {
 
 // Where the spans of a ray end, as shares of its reach.
 const vec4 kSpanEnds = vec4(1.0 / 64.0, 1.0 / 16.0, 0.25, 1.0);
+// A share of the reach times the one less the other goes from 0 to 1 over a span.
+const vec4 kSpanScales = vec4(64.0, 64.0 / 3.0, 16.0 / 3.0, 4.0 / 3.0);
+const vec4 kSpanOffsets = vec4(0.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
 
 vec2 gridPlace(int vertex) {
   ivec2 corner = ivec2(vertex % (gridSize.x + 1), vertex / (gridSize.x + 1));

@@ -1,8 +1,8 @@
 #include "precipitation/veil.glsl"
 
-out vec4 depths;
-out vec4 lightAndDistance;
-out vec2 rayScaleAndReach;
+noperspective out vec4 depths;
+noperspective out vec4 lightAndDistance;
+noperspective out vec2 rayScaleAndReach;
 
 void main() {
   vec2 place = gridPlace(gl_VertexID);

@@ -20,8 +20,6 @@ float throughNearerClouds(float distanceM) { return 1.0; }
 // rayScale: length of the ray whose component along the view axis is 1, interpolated: within 1e-3.
 vec4 veilBefore(Veil veil, float rayScale) {
   float lengthM = distanceOfDepth(texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r, frame.eye.y, rayScale);
-  vec4 ends = veil.reachM * kSpanEnds;
-  vec4 begins = vec4(0.0, ends.xyz);
-  float depth = dot(veil.depths, clamp((lengthM - begins) / (ends - begins), 0.0, 1.0));
+  float depth = dot(veil.depths, clamp(lengthM / veil.reachM * kSpanScales - kSpanOffsets, 0.0, 1.0));
   return vec4(veil.light, 1.0) * ((1.0 - exp(-depth)) * throughNearerClouds(veil.seenM));
 }
