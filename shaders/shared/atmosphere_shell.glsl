@@ -138,13 +138,13 @@ FN Real skyTableRow(Real sine, Real horizon, Real airEnds) {
   return isAbove ? Real(kSkyRowsBelow) + share * Real(kSkyRowsAbove - 1) : Real(kSkyRowsBelow - 1) * (Real(1.0) - share);
 }
 
-// The sine that a row is made for.
-FN Real skyTableSine(int row, Real horizon, Real airEnds) {
-  if (row >= kSkyRowsBelow) {
-    Real above = Real(row - kSkyRowsBelow) / Real(kSkyRowsAbove - 1);
+// The sine that a row is made for; between rows of one side of the horizon too.
+FN Real skyTableSine(Real row, Real horizon, Real airEnds) {
+  if (row >= Real(kSkyRowsBelow)) {
+    Real above = (row - Real(kSkyRowsBelow)) / Real(kSkyRowsAbove - 1);
     return horizon + (airEnds - horizon) * above * above;
   }
-  Real below = Real(1.0) - Real(row) / Real(kSkyRowsBelow - 1);
+  Real below = Real(1.0) - row / Real(kSkyRowsBelow - 1);
   return horizon - (horizon + Real(1.0)) * below * below;
 }
 
@@ -167,4 +167,28 @@ FN Real skyTableDistance(int slice) {
 // As skyTableRow.
 FN Real skyTableColumn(Real cosAzimuth) {
   return (cosAzimuth * Real(0.5) + Real(0.5)) * Real(kSkyColumns - 1);
+}
+
+// The table of the air on the GPU has the haze's phase function in it, which is steep towards the light: columns by the
+// sine of half the azimuth from there, and below the horizon a row between any two.
+CONST int kAirColumns = 64;
+CONST int kAirRows = 2 * kSkyRowsBelow - 1 + kSkyRowsAbove;
+
+// As skyTableRow: from towards the light, 0, to away from it.
+FN Real airTableColumn(Real cosAzimuth) {
+  return sqrt(saturate(Real(0.5) - Real(0.5) * cosAzimuth)) * Real(kAirColumns - 1);
+}
+
+// The cosine of the azimuth that a column is made for.
+FN Real airTableCosAzimuth(int column) {
+  Real share = Real(column) / Real(kAirColumns - 1);
+  return Real(1.0) - Real(2.0) * share * share;
+}
+
+// Of a row of skyTableRow.
+FN Real airTableRow(Real skyRow) { return skyRow + min(skyRow, Real(kSkyRowsBelow - 1)); }
+
+// The row of skyTableRow that a row is made for.
+FN Real airTableSkyRow(int row) {
+  return row < 2 * kSkyRowsBelow - 1 ? Real(0.5) * Real(row) : Real(row - (kSkyRowsBelow - 1));
 }

@@ -73,24 +73,26 @@ vec3 behindDeck(vec3 sky, vec3 direction) {
 // transmittance.
 layout(binding = 15) uniform sampler2DArray skyTables;
 const float kSkyEven = 0.0, kSkyHaze = 1.0, kSkyLeft = 2.0;
-// Of the air up to a distance: slices of the first and then of the second, as means along the ray.
-layout(binding = 14) uniform sampler3D airTables;
+// Of the air up to a distance, a slice each: mean light along the ray, the haze's phase function included.
+layout(binding = 14) uniform sampler3D airTable;
 
-// In texels, from the middle of the first.
-vec2 skyTableTexels(vec3 direction) {
+// Cosine of the azimuth from the glow, and row of skyTableRow().
+vec2 skyTableAngles(vec3 direction) {
   float cosAzimuth = dot(direction.xz, frame.skyTable.zw) * inversesqrt(max(dot(direction.xz, direction.xz), 1e-12));
-  return vec2(skyTableColumn(cosAzimuth), skyTableRow(direction.y, frame.skyTable.x, frame.skyTable.y));
+  return vec2(cosAzimuth, skyTableRow(direction.y, frame.skyTable.x, frame.skyTable.y));
 }
 
-vec2 skyTablePlace(vec3 direction) {
-  return (skyTableTexels(direction) + 0.5) / vec2(float(kSkyColumns), float(kSkyRows));
+vec3 airTablePlace(vec3 direction, float distanceM) {
+  vec2 angles = skyTableAngles(direction);
+  vec3 at = vec3(airTableColumn(angles.x), airTableRow(angles.y), skyTableSlice(distanceM));
+  return (at + 0.5) / vec3(float(kAirColumns), float(kAirRows), float(kSkySlices));
 }
 
 // The sky's own layers have texels between those of the tables, but none across the horizon (src/render/frame/sky_tables.cpp).
 const float kFinerColumns = 6.0, kFinerRows = 3.0;
 
 vec2 skyLayerPlace(vec3 direction) {
-  vec2 at = skyTableTexels(direction);
+  vec2 angles = skyTableAngles(direction), at = vec2(skyTableColumn(angles.x), angles.y);
   float acrossHorizon = float(kSkyRowsBelow) - 0.5;
   at.y = at.y * kFinerRows - (at.y > acrossHorizon ? kFinerRows - 1.0 : 0.0);
   return (vec2(at.x * kFinerColumns, at.y) + 0.5) /
@@ -113,10 +115,7 @@ vec3 skyWithoutGlow(vec3 direction) { return skyByTable(direction, 0.0); }
 
 // What air of any opacity sends towards the eye, up to a distance, is its opacity times this: the mean along the ray.
 vec3 airRadiance(vec3 direction, float distanceM) {
-  vec3 place = vec3(skyTablePlace(direction), (skyTableSlice(distanceM) + 0.5) / float(2 * kSkySlices));
-  return airBelowClouds(textureLod(airTables, place, 0.0).xyz +
-                        textureLod(airTables, place + vec3(0.0, 0.0, 0.5), 0.0).xyz *
-                            henyeyGreenstein(dot(direction, frame.skyGlow.xyz), frame.airHaze.w));
+  return airBelowClouds(textureLod(airTable, airTablePlace(direction, distanceM), 0.0).xyz);
 }
 
 // Light of the air before something at a distance that the sky is seen behind, by the air's transmittance.

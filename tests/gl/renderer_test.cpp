@@ -147,8 +147,8 @@ TEST_F(FrameTest, statisticsCountDrawsObjectsAndBytes) {
     return statistics.gl.programs;
   };
   namespace shared = core::shared::f32;
-  // Those of the air as they are, those of the sky with six times the columns and three times the rows.
-  const std::size_t tables = (2 * shared::kSkySlices * shared::kSkyRows * shared::kSkyColumns +
+  // That of the air, and those of the sky with six times the columns and three times the rows.
+  const std::size_t tables = (shared::kSkySlices * shared::kAirRows * shared::kAirColumns +
                               3 * (3 * shared::kSkyRows - 4) * (6 * shared::kSkyColumns - 5)) *
                              sizeof(glm::vec4);
   // The sky's program of each model, and the curve's.

@@ -67,6 +67,8 @@ HUNTED(skyTableRow, (signedUnit(), in(-1e30, 1e30, {100000.0f})), (out(0, 79, 0,
        r[0] = skyTableRow(a[0], horizonSine(a[1]), airEndsSine(a[1])))
 HUNTED(skyTableSlice, (in(0, 1e30)), (out(0, 4, 1e-6)), r[0] = skyTableSlice(a[0]))
 HUNTED(skyTableColumn, (signedUnit()), (out(0, 15, 1e-6, 2e-6)), r[0] = skyTableColumn(a[0]))
+HUNTED(airTableColumn, (in(-1.001, 1.001)), (out(0, 63, 1e-3, 3e-2)), r[0] = airTableColumn(a[0]))
+HUNTED(airTableRow, (in(0, 79)), (out(0, 94, 1e-6, 1e-5)), r[0] = airTableRow(a[0]))
 
 // tone_map.glsl
 HUNTED(toneMap, (in(0, 65504), in(0, 65504), in(0, 65504)), (share(), share(), share()),

@@ -44,7 +44,7 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& light, double simu
   u.horizonRayleigh = rgb(light.horizon.rayleigh * light.sunOutside * e);
   u.horizonHaze = rgb(light.horizon.haze * light.sunOutside * e);
   u.horizonIsotropic = rgb((light.horizon.isotropic * light.sunOutside + night) * e);
-  const glm::dvec3& glow = light.moonGlow > 0 ? light.moon->toMoon : light.toSun;
+  const glm::dvec3& glow = light.toGlow();
   const double across = std::hypot(glow.x, glow.z), perAcross = across > 1e-6 ? 1 / across : 0;
   const sky::SkyView* sky = light.view.get();
   u.skyTable =

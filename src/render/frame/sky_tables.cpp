@@ -64,7 +64,9 @@ void refine(const glm::vec4* from, int count, int stride, int finer, glm::vec4* 
 void SkyTables::bind(gl::Context& context, const SkyLight& light) {
   assert(light.isShell());
   const std::shared_ptr<const sky::SkyView> moon = light.moon ? light.moon->view : nullptr;
-  if (light.view != view_ || moon != moon_ || light.exposure != exposure_) write(context, light);
+  const bool isWritten = light.view == view_ && moon == moon_ && light.exposure == exposure_;
+  if (!isWritten) write(context, light);
+  if (!isWritten || light.toGlow().y != glowSine_ || light.air.hazeAnisotropy != anisotropy_) writeAir(light);
   sky_.bind(kSkyTablesUnit);
   air_.bind(kAirTablesUnit);
 }
@@ -110,7 +112,8 @@ const std::vector<glm::vec4>& SkyTables::finer(std::span<const glm::vec4> texels
 void SkyTables::write(gl::Context& context, const SkyLight& light) {
   if (!sky_) {
     sky_ = gl::Texture::make2DArray(context, GL_RGBA32F, kSkyWidth, kSkyHeight, kAir, "sky tables");
-    air_ = gl::Texture::make3D(context, GL_RGBA32F, kColumns, kRows, 2 * kSlices, "air tables");
+    air_ =
+        gl::Texture::make3D(context, GL_RGBA32F, shared::kAirColumns, shared::kAirRows, kSlices, "air table");
   }
   texels_ = light.view->texels;
   const glm::vec4 night(glm::vec3(light.night * light.exposure), 0);
@@ -127,10 +130,61 @@ void SkyTables::write(gl::Context& context, const SkyLight& light) {
     const auto texels = all.subspan(static_cast<std::size_t>(layer) * kLayerTexels, kLayerTexels);
     sky_.uploadLayer(layer, GL_RGBA, GL_FLOAT, std::as_bytes(std::span(finer(texels))));
   }
-  air_.upload(GL_RGBA, GL_FLOAT, std::as_bytes(all.subspan(kAir * kLayerTexels)));
   view_ = light.view;
   moon_ = light.moon ? light.moon->view : nullptr;
   exposure_ = light.exposure;
+}
+
+// Between texels of the view as a sampler mixes them, at each texel of the finer table.
+void SkyTables::writeAir(const SkyLight& light) {
+  constexpr int kWidth = shared::kAirColumns, kHeight = shared::kAirRows;
+  constexpr std::size_t kSlice = static_cast<std::size_t>(kWidth * kHeight);
+  airTexels_.resize(kSlice * kSlices);
+  glowSine_ = light.toGlow().y;
+  anisotropy_ = light.air.hazeAnisotropy;
+  const float glowSine = static_cast<float>(glowSine_), g = static_cast<float>(anisotropy_);
+  const float glowAcross = std::sqrt(std::max(1 - glowSine * glowSine, 0.0f));
+  struct Column {
+    float cosAzimuth, share;
+    std::size_t first;
+  };
+  std::array<Column, kWidth> columns{};
+  for (int c = 0; c < kWidth; ++c) {
+    const float cosAzimuth = shared::airTableCosAzimuth(c), at = shared::skyTableColumn(cosAzimuth);
+    const int first = std::min(static_cast<int>(at), kColumns - 2);
+    columns[static_cast<std::size_t>(c)] = {cosAzimuth, at - static_cast<float>(first),
+                                            static_cast<std::size_t>(first)};
+  }
+  const std::span<const glm::vec4> air = std::span<const glm::vec4>(texels_).subspan(kAir * kLayerTexels);
+  std::array<float, kWidth> phases{};
+  for (int row = 0; row < kHeight; ++row) {
+    const float at = shared::airTableSkyRow(row);
+    const float sine = shared::skyTableSine(at, static_cast<float>(light.view->horizon),
+                                            static_cast<float>(light.view->airEnds));
+    const float across = std::sqrt(std::max(1 - sine * sine, 0.0f));
+    for (std::size_t c = 0; c < kWidth; ++c) {
+      const float cosAngle = sine * glowSine + across * glowAcross * columns[c].cosAzimuth;
+      phases[c] = shared::henyeyGreenstein(std::clamp(cosAngle, -1.0f, 1.0f), g);
+    }
+    const auto first = static_cast<std::size_t>(at) * kColumns;
+    const bool isBetween = at != std::floor(at);
+    for (int slice = 0; slice < kSlices; ++slice) {
+      const glm::vec4* even = air.data() + static_cast<std::size_t>(slice) * kLayerTexels + first;
+      const glm::vec4* haze = even + kSlices * kLayerTexels;
+      glm::vec4* to = airTexels_.data() + static_cast<std::size_t>(slice) * kSlice +
+                      static_cast<std::size_t>(row) * kWidth;
+      for (std::size_t c = 0; c < kWidth; ++c) {
+        const auto mixed = [&](const glm::vec4* of) {
+          const glm::vec4* at0 = of + columns[c].first;
+          const glm::vec4 lower = glm::mix(at0[0], at0[1], columns[c].share);
+          return isBetween ? 0.5f * (lower + glm::mix(at0[kColumns], at0[kColumns + 1], columns[c].share))
+                           : lower;
+        };
+        to[c] = mixed(even) + mixed(haze) * phases[c];
+      }
+    }
+  }
+  air_.upload(GL_RGBA, GL_FLOAT, std::as_bytes(std::span<const glm::vec4>(airTexels_)));
 }
 
 }  // namespace skydrop::render

@@ -46,6 +46,8 @@ struct SkyLight : sky::SkyLight {
   // the rest is the same towards all azimuths. One of the two is 0, for the tables hold one direction: that
   // of the light of which the sky has more, and while one overtakes the other none.
   double sunGlow = 1, moonGlow = 0;
+  // Where that is: around it the sky is bright.
+  const glm::dvec3& toGlow() const { return moonGlow > 0 ? moon->toMoon : toSun; }
   Overcast overcast{};  // that the day is darkened by
   // What exposure follows: illuminance of level ground and of the horizon together below the clouds, klx, no
   // less than what the eye adapts to at most.
