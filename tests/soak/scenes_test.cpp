@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -232,21 +231,24 @@ TEST_P(SceneSoak, staysWhatItIsHoweverLongItIsFlown) {
 }
 
 TEST_P(SceneSoak, endsInTheSameStateAtAnyFrameRateAndNumberOfWorkers) {
-  // At 30, 60 and 144 frames a second, drawn with land that 1, 2 and 8 workers make.
+  // At 30, 144 and, where all is tried, 60 frames a second, drawn with land that 1, 8 and 2 workers make.
+  struct Run {
+    double framesPerSecond;
+    int workers;
+  };
+  std::vector<Run> runs = {{30, 1}, {144, 8}};
+  if (test::triesAll()) runs.push_back({60, 2});
   const double seconds = flightSeconds();
-  const std::array<double, 3> rates{30, 60, 144};
-  const std::array<int, 3> workers{1, 2, 8};
-  std::array<std::uint64_t, 3> hashes{};
-  for (std::size_t i = 0; i < rates.size(); ++i) {
+  std::vector<std::uint64_t> hashes;
+  for (const Run& run : runs) {
     Flight flight(GetParam());
-    Drawing drawing(context(), flight, workers[i]);
-    flight.flyTo(seconds, rates[i], seconds / 3, [&] { drawing.draw(Streaming::asItComes); });
+    Drawing drawing(context(), flight, run.workers);
+    flight.flyTo(seconds, run.framesPerSecond, seconds / 3, [&] { drawing.draw(Streaming::asItComes); });
     if (HasFatalFailure()) return;
-    hashes[i] = flight.stateHash();
+    hashes.push_back(flight.stateHash());
   }
-  EXPECT_NE(hashes[0], Flight(GetParam()).stateHash()) << "nothing has moved";
-  EXPECT_EQ(hashes[0], hashes[1]);
-  EXPECT_EQ(hashes[0], hashes[2]);
+  EXPECT_NE(hashes.front(), Flight(GetParam()).stateHash()) << "nothing has moved";
+  for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes.front());
 }
 
 }  // namespace

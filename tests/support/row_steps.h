@@ -20,7 +20,7 @@
 namespace skydrop::test {
 
 // The ends of the slider's tenths (by ratios where it is logarithmic), all its powers of two, both values of
-// a flag, each name of a choice. Whole numbers once each. Of tenths only four ends in a quick run.
+// a flag, each name of a choice. Whole numbers once each. Of tenths only four ends unless all are tried.
 inline std::vector<double> rowSteps(const core::Field& field) {
   std::vector<double> steps;
   const double low = field.sliderMin, high = field.sliderMax;
@@ -31,7 +31,7 @@ inline std::vector<double> rowSteps(const core::Field& field) {
       steps.push_back(value);
   } else {
     for (int i = 0; i <= 10; ++i) {
-      if (quick() && i != 0 && i != 3 && i != 7 && i != 10) continue;
+      if (!triesAll() && i != 0 && i != 3 && i != 7 && i != 10) continue;
       double value = field.logarithmic ? low * std::pow(high / low, 0.1 * i) : low + (high - low) * 0.1 * i;
       if (i == 10) value = high;
       if (field.kind == core::FieldKind::integer) value = std::round(value);

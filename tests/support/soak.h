@@ -1,6 +1,6 @@
 // How much a test may take its time: soak tests are short by default and long under SKYDROP_SOAK=1; what
-// tries every combination or every step of every row tries a part of them under SKYDROP_QUICK=1 (test.sh
-// --quick).
+// tries every combination or every step of every row tries a third of them unless SKYDROP_ALL=1 (test.sh
+// --all) or soaking.
 #pragma once
 
 #include <cstdlib>
@@ -14,6 +14,6 @@ inline bool isOne(const char* variable) {
 }
 
 inline bool soaking() { return isOne("SKYDROP_SOAK"); }
-inline bool quick() { return isOne("SKYDROP_QUICK") && !soaking(); }
+inline bool triesAll() { return isOne("SKYDROP_ALL") || soaking(); }
 
 }  // namespace skydrop::test
