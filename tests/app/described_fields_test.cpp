@@ -127,6 +127,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
   using render::AtmosphereSettings;
   using render::CameraSettings;
   using render::DustAndSpraySettings;
+  using render::GroundCoverSettings;
   using render::GroundFogSettings;
   using render::HaloSettings;
   using render::LandingLightSettings;
@@ -220,6 +221,7 @@ TEST(DescribedFields, everyFieldOfEveryStructIsDescribedOnce) {
       SKYDROP_STRUCT(PlacesViewSettings),
       SKYDROP_STRUCT(WaterDetailSettings),
       SKYDROP_STRUCT(DustAndSpraySettings),
+      SKYDROP_STRUCT(GroundCoverSettings),
       SKYDROP_STRUCT(LightningSettings),
       SKYDROP_STRUCT(ElevationSettings),
       SKYDROP_STRUCT(GroundPictureSettings),

@@ -50,6 +50,7 @@ constexpr std::string_view kElsewhere[] = {
     "groundDetail.",           // tests/gl/ground_detail_test.cpp
     "waterDetail.",            // tests/gl/water_detail_test.cpp
     "dustAndSpray.",           // tests/gl/dust_and_spray_test.cpp
+    "groundCover.",            // tests/gl/ground_cover_test.cpp
 };
 
 // Of the tries here, not of the rows: what a budget has room for once everything is there.
@@ -113,9 +114,10 @@ constexpr const char* kGroups[] = {"gear.",    "strips.",    "woods.",       "vi
                                    "wind.",    "weather.",   "weatherFile.", "lightning.", "live."};
 // Tried by tests/gl/settings_effect_test.cpp alone.
 constexpr const char* kGroupsOfPictures[] = {
-    "cloudPlanes.",   "cloudDome.",   "groundFog.",      "stars.",        "landShadows.", "halo.",
-    "rainbow.",       "lightShafts.", "aircraftLights.", "landingLight.", "sky.",         "iceClouds.",
-    "precipitation.", "vegetation.",  "groundDetail.",   "waterDetail.",  "places.",      "dustAndSpray."};
+    "cloudPlanes.", "cloudDome.", "groundFog.",     "stars.",          "landShadows.",
+    "halo.",        "rainbow.",   "lightShafts.",   "aircraftLights.", "landingLight.",
+    "sky.",         "iceClouds.", "precipitation.", "vegetation.",     "groundDetail.",
+    "waterDetail.", "places.",    "dustAndSpray.",  "groundCover."};
 
 INSTANTIATE_TEST_SUITE_P(Groups, SettingsEffect, testing::ValuesIn(kGroups), [](const auto& group) {
   std::string name = group.param;

@@ -101,6 +101,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"lightning", effect},
             {"vegetation", terrain},
             {"places", terrain},
+            {"ground_cover", terrain},
             {"water", effect},
             {"spray", effect},
             {"terrain", terrain}}}};

@@ -40,6 +40,7 @@ enum class Effect {
   waterDetail,     // water close by: waves of the wind, foam, the ground below, mirrored land
   places,          // villages: houses, fields, roads, lit windows at night
   dustAndSpray,    // what flies up where something touches land or water, and wakes
+  groundCover,     // grass, flowers, reeds, stones that stand near the eye
   count_           // how many there are; no effect itself, and always the last
 };
 
@@ -50,7 +51,7 @@ inline constexpr auto kEffectNames = std::to_array<std::string_view>(
      "groundFog",    "moon",          "stars",       "landShadows",    "halo",
      "rainbow",      "weather",       "lightShafts", "aircraftLights", "landingLight",
      "iceClouds",    "precipitation", "lightning",   "groundHandling", "vegetation",
-     "groundDetail", "waterDetail",   "places",      "dustAndSpray"});
+     "groundDetail", "waterDetail",   "places",      "dustAndSpray",   "groundCover"});
 static_assert(kEffectNames.size() == static_cast<std::size_t>(Effect::count_), "one name for each effect");
 
 class EffectSet {
@@ -81,6 +82,7 @@ inline constexpr std::array kEffectNeeds = {
     EffectNeed{Effect::groundDetail, Effect::terrain},     // that it is the look of
     EffectNeed{Effect::waterDetail, Effect::terrain},      // that has the sea
     EffectNeed{Effect::places, Effect::terrain},           // that they lie in
+    EffectNeed{Effect::groundCover, Effect::terrain},      // that it stands on
 };
 
 inline constexpr std::string_view nameOf(Effect effect) {

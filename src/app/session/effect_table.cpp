@@ -5,6 +5,7 @@
 #include "app/session/cloud_effect.h"
 #include "app/session/cloud_planes_effect.h"
 #include "app/session/dust_and_spray_effect.h"
+#include "app/session/ground_cover_effect.h"
 #include "app/session/ground_detail_effect.h"
 #include "app/session/ground_fog_effect.h"
 #include "app/session/ice_clouds_effect.h"
@@ -202,6 +203,10 @@ const std::vector<EffectDescriptor>& effectTable() {
        .addPasses = addPlaces,
        .apply = applyPlaces,
        .menuSections = {{"places", "Villages"}, {"villages", "Places of the land"}}},
+      {.effect = Effect::groundCover,
+       .addPasses = addGroundCover,
+       .apply = applyGroundCover,
+       .menuSections = {{"groundCover", "Grass and stones"}}},
       {.effect = Effect::groundDetail,
        .addPasses = addGroundDetail,
        .apply = applyGroundDetail,

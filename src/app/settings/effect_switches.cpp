@@ -62,6 +62,9 @@ std::string_view helpOf(Effect effect) {
       return "Villages: houses that stand in the way, fields with hedges, roads that follow the land, "
              "jetties, "
              "lit windows at night.";
+    case Effect::groundCover:
+      return "What stands on the ground near by: grass and flowers in patches, reeds at shores, stones and "
+             "boulders.";
     case Effect::dustAndSpray:
       return "Dust and smoke on land, drops, rings and wakes on water, where packages, wheels, hull or wreck "
              "touch it.";

@@ -117,6 +117,7 @@ void describe(core::SettingsVisitor& visitor, Settings& settings) {
   visitor.group("waterDetail", settings.waterDetail, "How water close by is drawn.");
   visitor.group("dustAndSpray", settings.dustAndSpray,
                 "What flies up where something touches land or water.");
+  visitor.group("groundCover", settings.groundCover, "Grass, flowers, reeds and stones near by.");
   visitor.group("gear", settings.gear, "The landing gear: what it bears, and what it stands.");
   visitor.group("elevation", settings.elevation, "Where elevation data lie, and how they end.");
   visitor.group("aerialImage", settings.aerialImage, "How the land wears aerial images.");

@@ -33,6 +33,7 @@
 #include "skydrop/render/fog/ground_fog_settings.h"
 #include "skydrop/render/frame/camera.h"
 #include "skydrop/render/frame/render_settings.h"
+#include "skydrop/render/ground_cover/ground_cover_settings.h"
 #include "skydrop/render/models/aircraft_lights_settings.h"
 #include "skydrop/render/places/places_settings.h"
 #include "skydrop/render/precipitation/precipitation_settings.h"
@@ -117,6 +118,7 @@ struct Settings {
   terrain::GroundDetailSettings groundDetail;
   render::WaterDetailSettings waterDetail;
   render::DustAndSpraySettings dustAndSpray;
+  render::GroundCoverSettings groundCover;
   flight::GearSettings gear;
   elevation::ElevationSettings elevation;      // of elevation files, where there are some
   terrain::GroundPictureSettings aerialImage;  // of aerial images, where there are some

@@ -1,0 +1,14 @@
+// Something on the ground as it is drawn: written by ground_cover/place.comp, read as attributes of instances.
+struct CoverInstance {
+  vec4 foot;    // relative to the eye; height (m)
+  vec4 form;    // radius (m), turn (rad), kind, its bits: 24 of them as a number
+  vec4 normal;  // of the ground; share of fine detail, [0, 1]
+  vec4 sun;     // radiance of a white side that faces the sun, as it reaches the eye; from green to straw
+  vec4 above;   // by the light from above; its own tint
+  vec4 below;   // by the light from below; share that is grown
+  vec4 air;     // light of the air before it; distance (m)
+  vec4 albedo;  // of the ground there; the colour of a patch of flowers, [0, 1)
+  vec4 bend;    // how far the wind has moved its top (m, east and south); how far tips tremble (m); where they are (rad)
+};
+
+const int kCoverLists = 6;  // tufts with fine blades, tufts, flowers, reeds, stones, boulders

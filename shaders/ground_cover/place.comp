@@ -1,0 +1,5 @@
+#include "ground_cover/place.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+void main() { placeCover(tiles[gl_WorkGroupID.x], ivec2(gl_LocalInvocationID.xy)); }

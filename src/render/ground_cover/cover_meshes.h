@@ -1,0 +1,23 @@
+// The meshes of what stands on the ground, made by code. Plants are numbers that
+// shaders/ground_cover/plant.glsl makes blades of, stones are balls that stone.glsl dents.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <vector>
+
+namespace skydrop::render {
+
+struct CoverMesh {
+  std::vector<glm::vec4> vertices;
+  std::vector<std::uint16_t> indices;  // three a triangle
+};
+
+inline constexpr std::size_t kCoverLists = 6;  // as in shaders/ground_cover/instance.glsl
+inline constexpr std::size_t kPlantLists = 4;  // the first of them
+
+// Tufts with fine blades, tufts, flowers, reeds, stones, boulders. The same bits at every call.
+std::array<CoverMesh, kCoverLists> makeCoverMeshes();
+
+}  // namespace skydrop::render
