@@ -10,7 +10,7 @@ layout(location = 0) in vec4 plantVertex;
 
 const float kHeadPart = 1.0;   // of a flower or a reed
 const float kStalkPart = 2.0;  // that bears one
-const float kFirstRareBlade = 5.0;  // from this number on blades of a tuft are seen close by alone; as in cover_meshes.cpp
+const float kFirstRareBlade = 12.0;  // from this number on blades of a tuft are seen close by alone; as in cover_meshes.cpp
 
 struct PlantVertex {
   vec3 relative;
@@ -35,12 +35,12 @@ Blade bladeOf(float number, float kind) {
   float outwards = sqrt(b);
   Blade blade;
   blade.heightM = coverFoot.w * mix(0.55, 1.0, c);
-  vec2 at = aside * (coverForm.x * (kind == float(kTuft) ? 0.5 : 0.9) * outwards);
+  vec2 at = aside * (coverForm.x * (kind == float(kTuft) ? 0.75 : 0.95) * outwards);
   blade.root = vec3(at.x, -dot(at, coverNormal.xz) / max(coverNormal.y, 0.3), at.y);
   float bowed = kind == float(kTuft) ? 0.25 + 0.65 * outwards : 0.08 + 0.22 * d;
   vec2 turned = normalize(aside + 0.9 * vec2(d - 0.5, fract(7.0 * d) - 0.5));
   blade.lean = vec3(turned.x, 0.0, turned.y) * (bowed * blade.heightM);
-  blade.wideM = (kind == float(kReeds) ? 0.016 : 0.05 * coverFoot.w + 0.006) * mix(0.7, 1.2, d);
+  blade.wideM = (kind == float(kReeds) ? 0.016 : min(0.035 * coverForm.x + 0.004, 0.009 + 0.0016 * coverAir.w)) * mix(0.7, 1.2, d);
   blade.straw = saturate(coverSun.w * 1.5 - 0.55 + 0.7 * (fract(13.0 * c) - 0.5));
   blade.tint = fract(5.0 * a + 3.0 * d);
   return blade;
@@ -65,10 +65,10 @@ vec3 acrossView(vec3 along, vec3 relative) {
 
 // The colour of grass: that of the ground, darker at the root, lighter towards the tip, some blades straw.
 vec3 bladeAlbedo(Blade blade, float t) {
-  vec3 green = coverAlbedo.rgb * mix(vec3(0.90, 1.02, 0.85), vec3(1.16, 1.06, 1.05), blade.tint);
+  vec3 green = coverAlbedo.rgb * mix(vec3(0.62, 0.98, 0.60), vec3(1.25, 1.20, 0.95), 0.3 * blade.tint + 0.7 * coverAbove.w);
   float bright = dot(coverAlbedo.rgb, vec3(0.33));
   vec3 straw = bright * vec3(1.95, 1.55, 0.85);
-  return mix(green, straw, blade.straw * (0.35 + 0.65 * t)) * mix(0.55, 1.75, t);
+  return mix(green, straw, blade.straw * (0.35 + 0.65 * t)) * mix(0.42, 2.0, t);
 }
 
 vec3 petalAlbedo(float patchColor, float own) {
@@ -97,7 +97,7 @@ PlantVertex bladeVertex(float kind, bool isStalk) {
   result.relative = at + acrossView(along, at) * (wide * plantVertex.z);
   // Against the sun tips let light through.
   float against = saturate(dot(normalize(at), frame.toSun.xyz));
-  vec3 albedo = kind == float(kReeds) ? mix(vec3(0.070, 0.088, 0.026), vec3(0.19, 0.165, 0.072), saturate(blade.straw + 0.25 * t)) *
+  vec3 albedo = kind == float(kReeds) ? mix(vec3(0.058, 0.092, 0.026), vec3(0.19, 0.165, 0.072), saturate(0.8 * blade.straw - 0.1 + 0.25 * t)) *
                                             mix(0.6, 1.35, t)
                                       : bladeAlbedo(blade, t);
   result.light = litPlant(albedo, 0.30 * t * against * against);
@@ -112,8 +112,8 @@ PlantVertex headVertex(float kind) {
   // A flower lies open to the sky, half turned to who looks at it; a reed's head is part of its stalk.
   vec3 up = isReed ? along : normalize(cross(normalize(mix(vec3(0.0, 1.0, 0.0), towards, 0.6)), across));
   float grown = smoothstep(0.0, 0.4, coverBelow.w);
-  float wide = isReed ? 0.022 : mix(0.014, 0.030, blade.tint);
-  wide = max(wide, 0.55 * pixelM(coverAir.w)) * grown;
+  float wide = isReed ? 0.022 : mix(0.020, 0.042, blade.tint);
+  wide = max(wide, 0.75 * pixelM(coverAir.w)) * grown;
   float tall = isReed ? max(0.11, wide) * grown : wide;
   PlantVertex result;
   result.relative = top + across * (wide * plantVertex.y) + up * (tall * plantVertex.z);

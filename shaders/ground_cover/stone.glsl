@@ -27,7 +27,7 @@ StoneVertex stoneVertex() {
   float heightM = coverFoot.w * 0.62;
   vec3 aside = vec3(turned.x, -(turned.x * up.x + turned.z * up.z) / max(up.y, 0.3), turned.z) * coverForm.x;
   StoneVertex result;
-  result.relative = coverFoot.xyz + aside + up * (heightM * (turned.y + 0.45));
+  result.relative = coverFoot.xyz + aside + up * (heightM * (turned.y + 0.6));
   result.inStone = shape * coverForm.x;
   return result;
 }

@@ -17,11 +17,11 @@ vec3 facetOf(vec3 relative) {
 vec3 stoneColor(StoneLight light, vec3 ground, vec3 relative, vec3 inStone, vec3 own) {
   uint bits = uint(own.y);
   vec4 grain = simplexNoise(uvec3(bits & 0xfffu, bits >> 12, 9u), inStone * 11.0);
-  vec3 normal = normalize(facetOf(relative) - 0.16 * grain.xyz);
-  vec3 grey = mix(vec3(0.115, 0.108, 0.098), vec3(0.23, 0.215, 0.19), own.x);
+  vec3 normal = normalize(facetOf(relative) - 0.045 * grain.xyz);
+  vec3 grey = mix(vec3(0.13, 0.122, 0.112), vec3(0.31, 0.29, 0.255), own.x);
   vec3 albedo = mix(grey, ground, 0.25) * (1.0 + 0.28 * grain.w);
   float up = 0.5 + 0.5 * normal.y;
-  float open = 0.35 + 0.65 * smoothstep(-0.05, 0.22, relative.y - own.z);  // the ground hides the sky from its foot
+  float open = 0.6 + 0.4 * smoothstep(-0.05, 0.18, relative.y - own.z);  // the ground hides the sky from its foot
   vec3 lit = light.sun * max(dot(normal, frame.toSun.xyz), 0.0) + mix(light.below, light.above, up) * open;
   return albedo * lit + light.air;
 }

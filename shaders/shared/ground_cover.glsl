@@ -6,9 +6,9 @@
 #endif
 
 CONST int kCoverLevels = 4;             // lattices
-CONST Real kCoverCellM = Real(0.75);    // of the finest; one thing to a cell at most
-CONST int kCoverCellsPerChunk = 1280;   // of the finest, along a side of a chunk of level 0
-CONST Real kCoverCellsSeen = Real(25.0);  // from so many cells' widths a lattice is seen at density 1
+CONST Real kCoverCellM = Real(0.6);     // of the finest; one thing to a cell at most
+CONST int kCoverCellsPerChunk = 1600;   // of the finest, along a side of a chunk of level 0
+CONST Real kCoverCellsSeen = Real(34.0);  // from so many cells' widths a lattice is seen at density 1
 CONST Real kTallestCoverM = Real(2.4);  // above the ground
 CONST Real kWidestCoverM = Real(1.5);   // from the middle
 
@@ -53,7 +53,7 @@ FN Real coverReach(int level, Real reachM, Real density) {
 // its lattice, at a distance of its own (own: [0, 1)).
 FN Real coverGrown(Real distanceM, Real reachM, Real own) {
   Real end = reachM * (Real(0.55) + Real(0.45) * own);
-  return smoothRise(end, end - Real(0.3) * reachM, distanceM);
+  return smoothRise(end, end - max(Real(0.3) * reachM, Real(1e-6)), distanceM);
 }
 
 // Of a cell of a lattice, counted from anywhere as long as all count alike (wrapped at 2^32).
@@ -77,7 +77,7 @@ FN Real reedShare(CoverSite site) {
 // The share of a place that is meadow or heath.
 FN Real grassShare(CoverSite site) {
   Real others = site.land.litter + site.land.scree + site.land.rock + site.land.sand + site.land.snow;
-  return saturate(Real(1.0) - others) * smoothRise(Real(0.45), Real(0.10), site.wooded) *
+  return smoothRise(Real(0.35), Real(0.95), Real(1.0) - others) * smoothRise(Real(0.45), Real(0.10), site.wooded) *
          smoothRise(Real(0.62), Real(0.76), site.normalUp) * smoothRise(Real(0.4), Real(1.2), site.heightM);
 }
 
@@ -93,7 +93,8 @@ FN Cover coverOf(Uint bits, int level, CoverSite site) {
   cover.tint = Real(more >> Uint(24u)) * Real(3.90625e-3);
 
   Real grass = grassShare(site);
-  Real larger = level == 0 ? Real(1.0) : (level == 1 ? Real(1.25) : (level == 2 ? Real(1.6) : Real(2.1)));
+  Real larger = level == 0 ? Real(1.0) : (level == 1 ? Real(1.35) : (level == 2 ? Real(1.8) : Real(2.4)));
+  Real wider = Real(1.0) + Real(0.40) * Real(level);  // the wide lattices have fewer that cover more
   Real stable = smoothRise(Real(0.50), Real(0.68), site.normalUp);
   Real aside = smoothRise(Real(0.10), Real(0.50), site.patches.y);  // stones of a meadow lie together
   cover.dry = saturate(Real(0.36) + Real(0.40) * site.region + Real(0.30) * site.tuft + Real(0.30) * site.patches.y +
@@ -121,17 +122,17 @@ FN Cover coverOf(Uint bits, int level, CoverSite site) {
 
   // Lush patches are taller; few are much taller than most.
   Real lush = saturate(Real(0.5) + Real(0.7) * site.patches.x + Real(0.3) * site.tuft);
-  Real tuft = mix(Real(0.10), Real(0.26), size * size) * mix(Real(0.75), Real(1.45), lush);
+  Real tuft = mix(Real(0.17), Real(0.46), size * size) * mix(Real(0.65), Real(1.40), lush);
   Real height = cover.kind == kReeds     ? mix(Real(1.0), Real(2.0), size)
                 : cover.kind == kBoulder ? mix(Real(0.35), Real(0.95), size * size)
-                : cover.kind == kStone   ? mix(Real(0.07), Real(0.24), size * size) * larger
-                : cover.kind == kFlowers ? mix(Real(0.18), Real(0.40), size)
+                : cover.kind == kStone   ? mix(Real(0.09), Real(0.30), size * size) * larger
+                : cover.kind == kFlowers ? mix(Real(0.22), Real(0.46), size)
                                          : tuft * larger;
   Real wide = cover.kind == kReeds     ? mix(Real(0.20), Real(0.34), cover.tint)
-              : cover.kind == kBoulder ? mix(Real(0.70), Real(1.20), cover.tint)
-              : cover.kind == kStone   ? mix(Real(0.65), Real(1.15), cover.tint)
-              : cover.kind == kFlowers ? mix(Real(0.9), Real(1.5), cover.tint)
-                                       : mix(Real(0.75), Real(1.15), cover.tint);
+              : cover.kind == kBoulder ? mix(Real(0.65), Real(1.0), cover.tint)
+              : cover.kind == kStone   ? mix(Real(0.60), Real(0.95), cover.tint)
+              : cover.kind == kFlowers ? mix(Real(0.9), Real(1.6), cover.tint) * wider
+                                       : mix(Real(0.95), Real(1.40), cover.tint) * wider;
   cover.heightM = height * stands;
   cover.radiusM = min(height * wide, kWidestCoverM) * stands;
   return cover;

@@ -11,7 +11,7 @@ namespace {
 
 // As in shaders/ground_cover/plant.glsl.
 constexpr float kBlade = 0, kHead = 1, kStalk = 2;
-constexpr int kUsualBlades = 5, kFineBlades = 11;
+constexpr int kUsualBlades = 12, kFineBlades = 18;
 
 void add(CoverMesh& mesh, std::size_t first, std::initializer_list<int> triangles) {
   for (const int i : triangles)
@@ -91,8 +91,8 @@ CoverMesh ball(int splits) {
 std::array<CoverMesh, kCoverLists> makeCoverMeshes() {
   return {tuft(kFineBlades, true),
           tuft(kUsualBlades, false),
-          headed(3, false, 6),
-          headed(9, true, 3),
+          headed(4, false, 7),
+          headed(12, true, 4),
           ball(1),
           ball(2)};
 }
