@@ -99,7 +99,7 @@ TEST_F(GroundCoverGLTest, Q01_theSameThingsStandWhereverTheFrameCountsFrom) {
       return near;
     };
     const auto one = around(-0.4), other = around(0.4);
-    if (corner.x < 1e6) EXPECT_GT(one.size(), 20u);
+    EXPECT_GT(one.size(), corner.x < 1e6 ? 20u : 0u);
     double farthest = 0;
     for (const auto& [foot, height] : one) {
       double nearest = 1e9;

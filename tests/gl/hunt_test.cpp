@@ -70,6 +70,7 @@ class HuntGLTest : public test::GLTest {
 #include "shared/tone_map.glsl"
 #include "shared/places.glsl"
 #include "shared/woods.glsl"
+#include "shared/ground_cover.glsl"
 #include "shared/water.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer In { float argumentsOf[]; };

@@ -96,6 +96,10 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("lagoon", {"effects.places=true"});
   draw("thunderstorm", {"effects.waterDetail=true", "effects.dustAndSpray=true"});
   draw("plane3", {"effects.dustAndSpray=true", "effects.haze=false"});
+  draw("terrain", {"effects.groundCover=true"});
+  draw("village", {"effects.groundCover=true"});
+  draw("cirrus", {"effects.groundCover=true", "effects.haze=false"});
+  draw("thunderstorm", {"effects.groundCover=true"});
   draw("coldFront", {});
   draw("thunderstorm", {});
   draw("fair", {"clouds.march.history=quarter"});

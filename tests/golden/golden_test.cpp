@@ -196,6 +196,11 @@ const std::vector<Golden>& goldens() {
       {"rockAt20", closeBy("3900,20,-2700", "330")},
       {"shoreAt5", closeBy("2696,5,2597", "60")},
       {"meadowAt20Low", closeBy("4420,20,-530", "320", {"quality=low"})},
+      // What stands on the ground: a meadow with flowers from 2 and 5 m, boulders from 5, reeds from 3.
+      {"meadowAt2", closeBy("4300,2,-700", "190")},
+      {"flowersAt5", closeBy("4300,5,-700", "190")},
+      {"bouldersAt5", closeBy("3020,5,-3010", "250")},
+      {"reedsAt3", closeBy("2752,3,2621", "40")},
       // Water close by: a beach from 5 m, a shore from 20, open water under a low sun.
       {"waterAtTheBeach", withoutHud({"--scene", "lagoon", "--time", "40", "--pose=3960,5,6735,75,-12,0"})},
       {"shoreAt20", withoutHud({"--scene", "lagoon", "--time", "40", "--pose=3930,20,6690,110,-10,0"})},

@@ -3,6 +3,7 @@
 #include "skydrop/core/shared_clouds.h"
 #include "skydrop/core/shared_flash.h"
 #include "skydrop/core/shared_glitter.h"
+#include "skydrop/core/shared_ground_cover.h"
 #include "skydrop/core/shared_ground_detail.h"
 #include "skydrop/core/shared_guard_marks.h"
 #include "skydrop/core/shared_ice.h"

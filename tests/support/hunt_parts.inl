@@ -161,6 +161,25 @@ HUNTED(treeOf, (whole(0, 16777216), in(-1e4, 1e30), unit(), signedUnit(), signed
 HUNTED(treeWidthAt, (whole(0, 2), in(0, 26), in(0, 5.4), in(-1e30, 1e30)), (out(0, 5.4, 1e-4, 1e-3)),
        Tree t; t.kind = int(a[0]); t.heightM = a[1]; t.radiusM = a[2]; r[0] = treeWidthAt(t, a[3]))
 
+// ground_cover.glsl
+HUNTED(coverCellM, (whole(0, 3)), (out(0.6, 4.8, 1e-5)), r[0] = coverCellM(int(a[0])))
+HUNTED(coverReach, (whole(0, 3), in(0, 1e4), in(-1, 1e4)), (out(0, 1e4, 1e-5)), r[0] = coverReach(int(a[0]), a[1], a[2]))
+HUNTED(coverGrown, (in(0, 1e30), in(1, 1e4), unit()), (share(1e-4)), r[0] = coverGrown(a[0], a[1], a[2]))
+HUNTED(coverStem, (whole(0, 16777216)), (out(0, 1), out(0, 1)),
+       Vec2 s = coverStem(Uint(a[0]) * Uint(0x9e3779b1u)); r[0] = s.x; r[1] = s.y)
+HUNTED(reedShare, (in(-1e4, 1e30), unit(), signedUnit(), signedUnit()), (share(1e-4)),
+       CoverSite s; s.heightM = a[0]; s.normalUp = a[1]; s.tuft = a[2]; s.patches = Vec2(a[3], a[2]); r[0] = reedShare(s))
+HUNTED(grassShare, (in(-1e4, 1e30), unit(), unit(), unit(), unit()), (share(1e-4)),
+       CoverSite s; s.heightM = a[0]; s.normalUp = a[1]; s.wooded = a[2]; s.land.litter = a[3] * a[4];
+       s.land.scree = Real(0.0); s.land.rock = a[4] * (Real(1.0) - a[3]); s.land.sand = Real(0.0);
+       s.land.snow = Real(0.0); r[0] = grassShare(s))
+// Its kind and size turn at borders between kinds: Q07 has their bounds.
+HUNTED(coverOf, (whole(0, 16777216), whole(0, 3), signedUnit(), signedUnit(), signedUnit()), (out(0, 1), out(0, 1, 0, 1e-5)),
+       CoverSite s; s.heightM = Real(40.0); s.normalUp = Real(1.0); s.wooded = Real(0.0); s.land.litter = Real(0.0);
+       s.land.scree = Real(0.0); s.land.rock = Real(0.0); s.land.sand = Real(0.0); s.land.snow = Real(0.0);
+       s.region = a[2]; s.tuft = a[3]; s.patches = Vec2(a[3], a[4]);
+       Cover c = coverOf(Uint(a[0]) * Uint(0x9e3779b1u), int(a[1]), s); r[0] = c.turn; r[1] = c.dry)
+
 // ground_detail.glsl
 HUNTED(detailShare, (in(0, 1e30), in(0, 10)), (share(1e-4)), r[0] = detailShare(a[0], a[1]))
 HUNTED(detailFootprint, (in(0, 1e9), in(1e-6, 1), signedUnit()), (out(0, 1e11, 1e-5)), r[0] = detailFootprint(a[0], a[1], a[2]))

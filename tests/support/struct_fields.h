@@ -27,7 +27,7 @@ struct IsArray<std::array<T, N>> : std::true_type {};
 
 }  // namespace detail
 
-inline constexpr std::size_t kMostFields = 44;
+inline constexpr std::size_t kMostFields = 48;
 
 // Of an aggregate: the most values that it can be initialised with.
 template <class Struct, std::size_t N = kMostFields>
@@ -126,6 +126,18 @@ void forEachField(Struct& object, const Visit& visit) {
   SKYDROP_FIELDS(44, f0, f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18, f19,
                  f20, f21, f22, f23, f24, f25, f26, f27, f28, f29, f30, f31, f32, f33, f34, f35, f36, f37,
                  f38, f39, f40, f41, f42, f43)
+  SKYDROP_FIELDS(45, f0, f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18, f19,
+                 f20, f21, f22, f23, f24, f25, f26, f27, f28, f29, f30, f31, f32, f33, f34, f35, f36, f37,
+                 f38, f39, f40, f41, f42, f43, f44)
+  SKYDROP_FIELDS(46, f0, f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18, f19,
+                 f20, f21, f22, f23, f24, f25, f26, f27, f28, f29, f30, f31, f32, f33, f34, f35, f36, f37,
+                 f38, f39, f40, f41, f42, f43, f44, f45)
+  SKYDROP_FIELDS(47, f0, f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18, f19,
+                 f20, f21, f22, f23, f24, f25, f26, f27, f28, f29, f30, f31, f32, f33, f34, f35, f36, f37,
+                 f38, f39, f40, f41, f42, f43, f44, f45, f46)
+  SKYDROP_FIELDS(48, f0, f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18, f19,
+                 f20, f21, f22, f23, f24, f25, f26, f27, f28, f29, f30, f31, f32, f33, f34, f35, f36, f37,
+                 f38, f39, f40, f41, f42, f43, f44, f45, f46, f47)
 }
 
 #undef SKYDROP_FIELDS

@@ -33,7 +33,7 @@ TEST(Scene, theScenesWithWeatherAreTheLandWithClouds) {
     EffectSet required = requiredEffects(scene);
     for (const Effect ofFair :
          {Effect::aircraftLights, Effect::landingLight, Effect::vegetation, Effect::groundDetail,
-          Effect::waterDetail, Effect::places, Effect::dustAndSpray}) {
+          Effect::waterDetail, Effect::places, Effect::dustAndSpray, Effect::groundCover}) {
       EXPECT_EQ(required.contains(ofFair), scene.name == "fair") << name;
       required.erase(ofFair);
     }
