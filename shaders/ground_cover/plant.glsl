@@ -65,10 +65,10 @@ vec3 acrossView(vec3 along, vec3 relative) {
 
 // The colour of grass: that of the ground, darker at the root, lighter towards the tip, some blades straw.
 vec3 bladeAlbedo(Blade blade, float t) {
-  vec3 green = coverAlbedo.rgb * mix(vec3(0.62, 0.98, 0.60), vec3(1.25, 1.20, 0.95), 0.3 * blade.tint + 0.7 * coverAbove.w);
+  vec3 green = coverAlbedo.rgb * mix(vec3(0.68, 0.92, 0.62), vec3(1.22, 1.14, 0.95), 0.3 * blade.tint + 0.7 * coverAbove.w);
   float bright = dot(coverAlbedo.rgb, vec3(0.33));
   vec3 straw = bright * vec3(1.95, 1.55, 0.85);
-  return mix(green, straw, blade.straw * (0.35 + 0.65 * t)) * mix(0.42, 2.0, t);
+  return mix(green, straw, blade.straw * (0.35 + 0.65 * t)) * mix(0.40, 1.6, t);
 }
 
 vec3 petalAlbedo(float patchColor, float own) {

@@ -53,7 +53,7 @@ FN Real coverReach(int level, Real reachM, Real density) {
 // its lattice, at a distance of its own (own: [0, 1)).
 FN Real coverGrown(Real distanceM, Real reachM, Real own) {
   Real end = reachM * (Real(0.55) + Real(0.45) * own);
-  return smoothRise(end, end - max(Real(0.3) * reachM, Real(1e-6)), distanceM);
+  return smoothRise(end, end - max(Real(0.35) * reachM, Real(1e-6)), distanceM);
 }
 
 // Of a cell of a lattice, counted from anywhere as long as all count alike (wrapped at 2^32).
@@ -95,7 +95,8 @@ FN Cover coverOf(Uint bits, int level, CoverSite site) {
   Real grass = grassShare(site);
   Real larger = level == 0 ? Real(1.0) : (level == 1 ? Real(1.35) : (level == 2 ? Real(1.8) : Real(2.4)));
   Real wider = Real(1.0) + Real(0.40) * Real(level);  // the wide lattices have fewer that cover more
-  Real stable = smoothRise(Real(0.50), Real(0.68), site.normalUp);
+  Real stable = smoothRise(Real(0.50), Real(0.68), site.normalUp) *
+                smoothRise(Real(-1.5), Real(-0.3), site.heightM);  // below that the water hides stones
   Real aside = smoothRise(Real(0.10), Real(0.50), site.patches.y);  // stones of a meadow lie together
   cover.dry = saturate(Real(0.36) + Real(0.40) * site.region + Real(0.30) * site.tuft + Real(0.30) * site.patches.y +
                        Real(0.55) * (cover.tint - Real(0.5)));

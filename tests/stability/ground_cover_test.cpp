@@ -59,7 +59,7 @@ TEST(Stability, Q08_thingsGrowInsideTheirReachAlone) {
           }
           if (far > 1e-3) {
             EXPECT_EQ(before, 0);
-            EXPECT_EQ(core::shared::f64::coverGrown(0.2 * far, far, own), 1);
+            EXPECT_EQ(core::shared::f64::coverGrown(0.19 * far, far, own), 1);
           }
         }
       }

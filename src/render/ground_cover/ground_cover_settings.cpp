@@ -10,7 +10,7 @@ void describe(core::SettingsVisitor& visitor, GroundCoverSettings& s) {
                   .min = 0,
                   .max = 300,
                   .help = "How far away grass, flowers, stones and reeds stand.",
-                  .slider = Range{20, 200},
+                  .slider = Range{20, 160},
                   .aliases = "meadow, plants, rocks, view distance"});
   visitor.number("density", s.density,
                  {.unit = "1",
