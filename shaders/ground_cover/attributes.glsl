@@ -1,13 +1,18 @@
-// An instance as vertex attributes (ground_cover/instance.glsl).
-layout(location = 1) in vec4 coverFoot;
-layout(location = 2) in vec4 coverForm;
-layout(location = 3) in vec4 coverNormal;
-layout(location = 4) in vec4 coverSun;
-layout(location = 5) in vec4 coverAbove;
-layout(location = 6) in vec4 coverBelow;
-layout(location = 7) in vec4 coverAir;
-layout(location = 8) in vec4 coverAlbedo;
-layout(location = 9) in vec4 coverBend;
+// What a vertex belongs to (ground_cover/instance.glsl), by its number.
+#include "ground_cover/instance.glsl"
+
+layout(location = 1) in uint coverNumber;
+layout(std430, binding = 1) readonly buffer Instances { CoverInstance instances[]; };
+
+#define coverFoot instances[coverNumber].foot
+#define coverForm instances[coverNumber].form
+#define coverNormal instances[coverNumber].normal
+#define coverSun instances[coverNumber].sun
+#define coverAbove instances[coverNumber].above
+#define coverBelow instances[coverNumber].below
+#define coverAir instances[coverNumber].air
+#define coverAlbedo instances[coverNumber].albedo
+#define coverBend instances[coverNumber].bend
 
 // Radiance of a white matt surface of a unit normal.
 vec3 coverIrradiance(vec3 normal) {

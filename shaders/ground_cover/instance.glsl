@@ -1,4 +1,5 @@
-// Something on the ground as it is drawn: written by ground_cover/place.comp, read as attributes of instances.
+// Something on the ground as it is drawn: written by ground_cover/place.comp, one to a cell, read by
+// vertex shaders, whose instances are numbers of them in a list of each kind.
 struct CoverInstance {
   vec4 foot;    // relative to the eye; height (m)
   vec4 form;    // radius (m), turn (rad), kind, its bits: 24 of them as a number

@@ -2,4 +2,4 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-void main() { placeCover(tiles[gl_WorkGroupID.x], ivec2(gl_LocalInvocationID.xy)); }
+void main() { placeCover(gl_WorkGroupID.x, gl_LocalInvocationIndex); }

@@ -7,6 +7,7 @@
 
 layout(std430, binding = 0) readonly buffer Tiles { ivec4 tiles[]; };  // north-west cell, counted from the base; lattice
 layout(std430, binding = 1) writeonly buffer Instances { CoverInstance instances[]; };
+layout(std430, binding = 3) writeonly buffer Lists { uint numbers[]; };  // of instances
 layout(std430, binding = 2) buffer Commands { DrawCommand commands[kCoverLists]; };
 
 uniform vec4 coverReaches;   // of the lattices, m
@@ -61,10 +62,13 @@ int listOf(int kind, float distanceM) {
   return kind == kTuft ? (distanceM < coverFineM ? 0 : 1) : kind + 1;
 }
 
-void placeCover(ivec4 tile, ivec2 number) {
+const uint kTileCells = 8u;  // along a side
+
+void placeCover(uint tileNumber, uint cellNumber) {
+  ivec4 tile = tiles[tileNumber];
   int level = tile.z;
   float cellM = coverCellM(level), reachM = coverReaches[level];
-  ivec2 cell = tile.xy + number;
+  ivec2 cell = tile.xy + ivec2(cellNumber % kTileCells, cellNumber / kTileCells);
   uint bits = coverBits(uvec2(baseChunk * (kCoverCellsPerChunk >> level) + cell), level);
   vec2 place = (vec2(cell) + coverStem(bits)) * cellM;
   float heightM = drawnHeight(place);
@@ -78,8 +82,9 @@ void placeCover(ivec4 tile, ivec2 number) {
   if (cover.kind == kNoCover || grown <= 0.0 || texel.metres <= 0.0 || heightM <= -1e5 ||
       !isInView(foot + vec3(0.0, 0.5 * cover.heightM, 0.0), cover.heightM + cover.radiusM) || isBare(place))
     return;
-  CoverInstance made = instanceOf(cover, site, place, foot, normal, grown, bits);
+  uint number = tileNumber * kTileCells * kTileCells + cellNumber;
+  instances[number] = instanceOf(cover, site, place, foot, normal, grown, bits);
   int list = listOf(cover.kind, distanceM);
   uint slot = atomicAdd(commands[list].instanceCount, 1u);
-  instances[commands[list].baseInstance + slot] = made;
+  numbers[commands[list].baseInstance + slot] = number;
 }

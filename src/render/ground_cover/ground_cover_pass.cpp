@@ -97,10 +97,11 @@ void GroundCoverPass::makeRoom(std::size_t tiles) {
     tiles_ = gl::Buffer(context_, tiles * sizeof(glm::ivec4), gl::Buffer::Use::write, "ground cover squares");
   if (instances_ && tiles * kCellsInTile <= room_) return;
   room_ = tiles * kCellsInTile;
-  instances_ =
-      gl::Buffer(context_, kLists * room_ * sizeof(Instance), gl::Buffer::Use::fixed, "ground cover");
-  cover_.setVertexBuffer(1, instances_, 0, sizeof(Instance), 1);
-  for (GLuint i = 0; i < 9; ++i) cover_.setAttribute(1 + i, 1, 4, GL_FLOAT, i * sizeof(glm::vec4));
+  instances_ = gl::Buffer(context_, room_ * sizeof(Instance), gl::Buffer::Use::fixed, "ground cover");
+  lists_ =
+      gl::Buffer(context_, kLists * room_ * sizeof(GLuint), gl::Buffer::Use::fixed, "ground cover lists");
+  cover_.setVertexBuffer(1, lists_, 0, sizeof(GLuint), 1);
+  cover_.setIntegerAttribute(1, 1, 1, GL_UNSIGNED_INT, 0);
 }
 
 void GroundCoverPass::place(FrameContext& context, const LandGround& land, std::size_t tiles) {
@@ -131,8 +132,10 @@ void GroundCoverPass::place(FrameContext& context, const LandGround& land, std::
   tiles_.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
   instances_.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
   commands_.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
+  lists_.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
   shader.dispatch(static_cast<GLuint>(tiles), 1);
-  context_.api().MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  context_.api().MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                               GL_COMMAND_BARRIER_BIT);
 }
 
 std::array<std::uint32_t, GroundCoverPass::kLists> GroundCoverPass::drawn() const {
@@ -145,11 +148,13 @@ std::array<std::uint32_t, GroundCoverPass::kLists> GroundCoverPass::drawn() cons
 }
 
 std::vector<glm::vec4> GroundCoverPass::feet(std::size_t list) const {
-  std::vector<Instance> read(drawn()[list]);
-  if (!read.empty())
-    instances_.read(list * room_ * sizeof(Instance), std::as_writable_bytes(std::span(read)));
+  std::vector<GLuint> numbers(drawn()[list]);
+  if (numbers.empty()) return {};
+  lists_.read(list * room_ * sizeof(GLuint), std::as_writable_bytes(std::span(numbers)));
+  std::vector<Instance> all(room_);
+  instances_.read(0, std::as_writable_bytes(std::span(all)));
   std::vector<glm::vec4> feet;
-  for (const Instance& one : read) feet.push_back(one.rows[0]);
+  for (const GLuint number : numbers) feet.push_back(all[number].rows[0]);
   return feet;
 }
 

@@ -52,9 +52,9 @@ class GroundCoverPass final : public Pass {
   std::shared_ptr<const terrain::HeightSource> ground_;
   GroundCoverSettings settings_;
   std::array<Mesh, kLists> meshes_;
-  gl::Buffer vertices_, indices_, tiles_, instances_, commands_;
+  gl::Buffer vertices_, indices_, tiles_, instances_, lists_, commands_;
   gl::VertexArray cover_;
-  std::size_t room_ = 0;  // instances of each list
+  std::size_t room_ = 0;  // cells, each an instance that may be; and so many numbers in each list
 };
 
 }  // namespace skydrop::render
