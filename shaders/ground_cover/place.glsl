@@ -7,8 +7,8 @@
 
 layout(std430, binding = 0) readonly buffer Tiles { ivec4 tiles[]; };  // north-west cell, counted from the base; lattice
 layout(std430, binding = 1) writeonly buffer Instances { CoverInstance instances[]; };
-layout(std430, binding = 3) writeonly buffer Lists { uint numbers[]; };  // of instances
 layout(std430, binding = 2) buffer Commands { DrawCommand commands[kCoverLists]; };
+layout(std430, binding = 3) writeonly buffer Lists { uint numbers[]; };  // of instances
 
 uniform vec4 coverReaches;   // of the lattices, m
 uniform float coverFineM;    // tufts are drawn with fine blades up to this distance

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "skydrop/scene/effect.h"
 #include "support/process.h"
 #include "window/flown_game.h"
 
@@ -53,8 +54,9 @@ TEST_F(EffectsWindow, comeAndGoWhileFlying) {
   set("effects.targets=false");
   EXPECT_TRUE(waitFor([](const json& s) { return !flies(s, "targets") && !draws(s, "marker"); }));
   // What rests on land goes before it.
-  for (const char* effect : {"vegetation", "groundDetail", "waterDetail", "places"})
-    set("effects." + std::string(effect) + "=false");
+  for (const scene::EffectNeed& need : scene::kEffectNeeds)
+    if (need.needs == scene::Effect::terrain)
+      set("effects." + std::string(scene::nameOf(need.effect)) + "=false");
   EXPECT_TRUE(waitFor([](const json& s) { return !flies(s, "places") && !draws(s, "vegetation"); }));
   set("effects.terrain=false");
   EXPECT_TRUE(waitFor([](const json& s) {

@@ -1,10 +1,8 @@
 #include "render/ground_cover/cover_meshes.h"
 
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-#include <map>
-#include <utility>
+#include <initializer_list>
+
+#include "render/frame/icosphere.h"
 
 namespace skydrop::render {
 namespace {
@@ -56,33 +54,11 @@ CoverMesh headed(int blades, bool areFine, int heads) {
   return mesh;
 }
 
-CoverMesh ball(int splits) {
-  const float g = (1 + std::sqrt(5.0f)) / 2;
-  std::vector<glm::vec3> places = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                                   {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-  std::vector<std::uint16_t> indices = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
-                                        4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
-                                        6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
-  for (int split = 0; split < splits; ++split) {
-    std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint16_t> middles;
-    const auto middle = [&](std::uint16_t a, std::uint16_t b) {
-      const auto [at, isNew] =
-          middles.try_emplace(std::minmax(a, b), static_cast<std::uint16_t>(places.size()));
-      if (isNew) places.push_back(0.5f * (places[a] + places[b]));
-      return at->second;
-    };
-    std::vector<std::uint16_t> finer;
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
-      const std::uint16_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
-      const std::uint16_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      finer.insert(finer.end(), {a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca});
-    }
-    indices = std::move(finer);
-    for (glm::vec3& place : places) place = glm::normalize(place);
-  }
+CoverMesh ball(int divisions) {
+  const auto& [points, faces] = icosphere(divisions);
   CoverMesh mesh;
-  for (const glm::vec3& place : places) mesh.vertices.emplace_back(glm::normalize(place), 0.0f);
-  mesh.indices = std::move(indices);
+  for (const glm::vec3& point : points) mesh.vertices.emplace_back(point, 0.0f);
+  for (const auto& [a, b, c] : faces) add(mesh, 0, {a, b, c});
   return mesh;
 }
 

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "render/frame/visibility.h"
+
 namespace skydrop::render {
 namespace {
 
@@ -14,22 +16,6 @@ namespace shared = core::shared::f64;
 constexpr double kSteepest = 1.75;  // of the land from a square's middle, m a metre
 
 double tileM(std::size_t level) { return kCoverTileCells * shared::coverCellM(static_cast<int>(level)); }
-
-using Planes = std::array<glm::dvec4, 5>;
-
-// Of what is in view, relative to the eye: inside where all are positive; of the length of their normals 1.
-Planes planesOf(const View& view) {
-  const glm::dmat4 m(viewProjection(view));
-  const auto row = [&](int i) { return glm::dvec4(m[0][i], m[1][i], m[2][i], m[3][i]); };
-  Planes planes{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3)};
-  for (glm::dvec4& p : planes) p /= std::max(glm::length(glm::dvec3(p)), 1e-12);
-  return planes;
-}
-
-bool mayBeSeen(const Planes& planes, const glm::dvec3& middle, double radius) {
-  return std::ranges::all_of(
-      planes, [&](const glm::dvec4& p) { return glm::dot(glm::dvec3(p), middle) + p.w > -radius; });
-}
 
 struct Tile {
   glm::ivec4 corner{0};
@@ -57,7 +43,6 @@ std::size_t mostCoverTiles(const CoverReaches& reaches) {
 
 std::vector<glm::ivec4> coverTiles(const View& view, const glm::dvec2& base,
                                    const terrain::HeightSource& ground, const CoverReaches& reaches) {
-  const Planes planes = planesOf(view);
   const glm::dvec2 eye = glm::dvec2(view.position.x, view.position.z) - base;
   std::vector<glm::ivec4> tiles;
   std::vector<Tile> seen;
@@ -77,7 +62,8 @@ std::vector<glm::ivec4> coverTiles(const View& view, const glm::dvec2& base,
         const double height = ground.height(base + eye + middle);
         const glm::dvec3 place(middle.x, height - view.position.y, middle.y);
         const double away = glm::length(place);
-        if (away - around > reach || height + around < -1 || !mayBeSeen(planes, place, around)) continue;
+        if (away - around > reach || height + around < -1) continue;
+        if (!isPotentiallyVisible(view, view.position + place, around)) continue;
         seen.push_back({{glm::ivec2(x, z) * kCoverTileCells, static_cast<int>(level), 0}, away});
       }
     }

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numbers>
 #include <utility>
 
+#include "render/frame/icosphere.h"
 #include "skydrop/core/hash.h"
 
 namespace skydrop::render {
@@ -76,10 +76,7 @@ class Builder {
   // A lump of leaves: an icosahedron, divided once or not, with dents. `middle` and `radii` in the unit tree;
   // normals lean towards those of the whole crown, so that its lumps are one crown.
   void lump(const glm::vec3& middle, const glm::vec3& radii, bool fine, const glm::vec3& crown) {
-    std::vector<glm::vec3> points;
-    std::vector<std::array<int, 3>> faces;
-    icosahedron(points, faces);
-    if (fine) divide(points, faces);
+    const auto& [points, faces] = icosphere(fine ? 1 : 0);
     const float turn = random(0, kTwoPi);
     const int first = static_cast<int>(mesh.vertices.size());
     for (const glm::vec3& p : points) {
@@ -100,50 +97,6 @@ class Builder {
   TreeMesh mesh;
 
  private:
-  static void icosahedron(std::vector<glm::vec3>& points, std::vector<std::array<int, 3>>& faces) {
-    const float g = std::numbers::phi_v<float>;
-    for (const float a : {-1.0f, 1.0f}) {
-      for (const float b : {-g, g}) {
-        points.push_back(glm::normalize(glm::vec3(0, a, b)));
-        points.push_back(glm::normalize(glm::vec3(a, b, 0)));
-        points.push_back(glm::normalize(glm::vec3(b, 0, a)));
-      }
-    }
-    // Any three that are neighbours (1.05 apart) are a face.
-    const auto isEdge = [&](std::size_t i, std::size_t j) {
-      return glm::distance(points[i], points[j]) < 1.2f;
-    };
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t j = i + 1; j < points.size(); ++j) {
-        for (std::size_t k = j + 1; k < points.size(); ++k) {
-          if (!isEdge(i, j) || !isEdge(j, k) || !isEdge(i, k)) continue;
-          const glm::vec3 normal = glm::cross(points[j] - points[i], points[k] - points[i]);
-          const bool outwards = glm::dot(normal, points[i]) > 0;
-          const int a = static_cast<int>(i), b = static_cast<int>(j), c = static_cast<int>(k);
-          faces.push_back({a, outwards ? b : c, outwards ? c : b});
-        }
-      }
-    }
-  }
-
-  static void divide(std::vector<glm::vec3>& points, std::vector<std::array<int, 3>>& faces) {
-    std::map<std::pair<int, int>, int> middles;
-    const auto middleOf = [&](int a, int b) {
-      const auto [found, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<int>(points.size()));
-      if (isNew)
-        points.push_back(
-            glm::normalize(points[static_cast<std::size_t>(a)] + points[static_cast<std::size_t>(b)]));
-      return found->second;
-    };
-    std::vector<std::array<int, 3>> finer;
-    for (const auto& [a, b, c] : faces) {
-      const int ab = middleOf(a, b), bc = middleOf(b, c), ca = middleOf(c, a);
-      for (const std::array<int, 3>& f : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
-        finer.push_back(f);
-    }
-    faces = std::move(finer);
-  }
-
   core::RandomStream random_;
 };
 

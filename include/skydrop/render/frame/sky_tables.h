@@ -22,8 +22,8 @@ inline constexpr GLuint kSkyTablesUnit = 15, kAirTablesUnit = 14;
 // six times the columns and three times the rows of sky::SkyView, on curves, so that mixing two texels shows
 // no kink. The air up to each distance is one layer, the haze's multiplied by its phase function, so that a
 // pixel asks once; its columns are dense towards the light, where that is steep (airTableColumn()): with the
-// default haze (anisotropy .7) mixing texels errs by 1 % of the glow. 1.5 MB in RGBA32F:
-// half floats would show their steps in the sky.
+// default haze (anisotropy .7) mixing texels errs by 1 % of the glow. 1.5 MB in RGBA32F: half floats would show
+// their steps in the sky.
 class SkyTables {
  public:
   // Makes the textures where there are none, writes what has changed since the last call, and binds them.
