@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds and runs every test, and the sanitizers over what they can see.
-#   test.sh [--quick|--all]   --quick leaves out the sanitizer builds; --all tries every combination where a third is tried
+#   test.sh [--quick|--all]   --quick leaves out the sanitizer builds; --all tries every combination where a part is tried
 #                             otherwise (SKYDROP_ALL), and also runs what OSMesa repeats of EGL (label twin)
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -74,6 +74,10 @@ gl_smoke() {
   rm -f "$picture"
   build/dev/tests/gl_tests --gtest_brief=1 --gtest_filter='EffectSetGLTest.*'
 }
+
+# Programs that Mesa has compiled are kept beside those of the compiler cache, for the next build and the next clone. Tests
+# of what a cold cache costs have their own.
+export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/skydrop-test-shaders}"
 
 phase "install" ./install_dependencies.sh
 phase "build" build ci all

@@ -18,6 +18,8 @@ using namespace render;
 std::unique_ptr<gl::Context> openForTest(gl::Backend backend, std::string& why) {
   const char* driver = std::getenv("SKYDROP_TEST_DRIVER");
   if (!driver || std::string_view(driver) != "any") setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+  // llvmpipe draws in the thread that asks: suites run side by side, and frames of tests are small.
+  setenv("LP_NUM_THREADS", "0", 0);
   try {
     return gl::openHeadless(backend);
   } catch (const core::GraphicsUnavailable& error) {
