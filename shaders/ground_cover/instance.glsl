@@ -12,4 +12,5 @@ struct CoverInstance {
   vec4 bend;    // how far the wind has moved its top (m, east and south); how far tips tremble (m); where they are (rad)
 };
 
-const int kCoverLists = 6;  // tufts with fine blades, tufts, flowers, reeds, stones, boulders
+// Tufts with fine blades, tufts, flowers, reeds, stones of few pixels, stones, boulders close by.
+const int kCoverLists = 7;

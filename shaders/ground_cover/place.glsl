@@ -51,15 +51,24 @@ CoverInstance instanceOf(Cover cover, CoverSite site, vec2 place, vec3 foot, vec
   made.normal = vec4(normal, 1.0 - smoothstep(0.55 * coverFineM, coverFineM, distanceM));
   made.sun = vec4(frame.sunLight.xyz * shares.x * passed, cover.dry);
   made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares)) * passed, cover.tint);
-  made.below = vec4(frame.groundLight.xyz * shares.y * passed, grown);
+  // From below comes what the ground around it throws back.
+  vec3 onGround = made.sun.xyz * max(dot(normal, frame.toSun.xyz), 0.0) + made.above.xyz;
+  made.below = vec4(site.land.albedo * onGround, grown);
   made.air = vec4(hazeAlone, distanceM);
   made.albedo = vec4(site.land.albedo, fract(1.7 * site.patches.y + 2.3 * site.tuft + 0.23 * cover.tint));
   made.bend = coverBend(place, made.foot.w, cover.tint);
   return made;
 }
 
-int listOf(int kind, float distanceM) {
-  return kind == kTuft ? (distanceM < coverFineM ? 0 : 1) : kind + 1;
+// Stones and boulders by how many pixels their radius takes: a software renderer pays for each triangle, and most for those
+// of less than a few pixels.
+const float kFarStone = 8.0;
+const float kFineBoulder = 16.0;
+
+int listOf(int kind, float distanceM, float radiusM) {
+  float pixels = radiusM / max(distanceM * frame.depthToSea.w, 1e-6);
+  int stone = pixels < kFarStone ? 4 : (kind == kBoulder && pixels > kFineBoulder ? 6 : 5);
+  return kind == kTuft ? (distanceM < coverFineM ? 0 : 1) : (kind == kStone || kind == kBoulder ? stone : kind + 1);
 }
 
 const uint kTileCells = 8u;  // along a side
@@ -84,7 +93,7 @@ void placeCover(uint tileNumber, uint cellNumber) {
     return;
   uint number = tileNumber * kTileCells * kTileCells + cellNumber;
   instances[number] = instanceOf(cover, site, place, foot, normal, grown, bits);
-  int list = listOf(cover.kind, distanceM);
+  int list = listOf(cover.kind, distanceM, cover.radiusM * grown);
   uint slot = atomicAdd(commands[list].instanceCount, 1u);
   numbers[commands[list].baseInstance + slot] = number;
 }

@@ -10,7 +10,7 @@ layout(location = 0) in vec4 plantVertex;
 
 const float kHeadPart = 1.0;   // of a flower or a reed
 const float kStalkPart = 2.0;  // that bears one
-const float kFirstRareBlade = 12.0;  // from this number on blades of a tuft are seen close by alone; as in cover_meshes.cpp
+const float kFirstRareBlade = 8.0;   // from this number on blades of a tuft are seen close by alone; as in cover_meshes.cpp
 
 struct PlantVertex {
   vec3 relative;
@@ -90,7 +90,10 @@ PlantVertex bladeVertex(float kind, bool isStalk) {
   float shown = number < kFirstRareBlade || kind != float(kTuft) ? 1.0 : coverNormal.w;
   blade.heightM *= mix(0.4, 1.0, shown);
   vec3 at = bladeAt(blade, t), along = bladeAt(blade, min(t + 0.3, 1.3)) - at;
-  float wide = isStalk ? 0.004 + 0.004 * coverFoot.w : blade.wideM * (1.0 - 0.35 * t);
+  float few = kind == float(kTuft) ? 1.0 - coverNormal.w : 0.0;
+  // Where blades end to be fine they are straight, as those of few corners, and the few that are left are wider.
+  at = mix(at, mix(bladeAt(blade, 0.0), bladeAt(blade, 1.0), t), few);
+  float wide = isStalk ? 0.004 + 0.004 * coverFoot.w : blade.wideM * (1.0 - 0.35 * t) * (1.0 + 0.4 * few);
   float seen = (isStalk ? 0.35 : 0.65) * pixelM(coverAir.w) * smoothstep(0.0, 0.4, coverBelow.w);
   wide = max(wide, seen) * (t >= 1.0 ? 0.0 : 1.0) * shown;
   PlantVertex result;
@@ -113,17 +116,23 @@ PlantVertex headVertex(float kind) {
   vec3 up = isReed ? along : normalize(cross(normalize(mix(vec3(0.0, 1.0, 0.0), towards, 0.6)), across));
   float grown = smoothstep(0.0, 0.4, coverBelow.w);
   float wide = isReed ? 0.022 : mix(0.020, 0.042, blade.tint);
-  wide = max(wide, 0.75 * pixelM(coverAir.w)) * grown;
+  float thin = wide;
+  wide = max(wide, 0.75 * pixelM(coverAir.w));
+  float share = thin / wide;  // of what is drawn; the rest is what stands around it
+  wide *= grown;
   float tall = isReed ? max(0.11, wide) * grown : wide;
   PlantVertex result;
   result.relative = top + across * (wide * plantVertex.y) + up * (tall * plantVertex.z);
   float middle = 1.0 - max(abs(plantVertex.y), abs(plantVertex.z));
   vec3 petal = petalAlbedo(coverAlbedo.w, fract(blade.tint * 3.0 + coverAbove.w));
   vec3 albedo = isReed ? vec3(0.085, 0.046, 0.022) * mix(0.8, 1.3, blade.tint)
-                       : mix(petal, vec3(0.42, 0.27, 0.03), 0.8 * middle);
+                       : mix(coverAlbedo.rgb, mix(petal, vec3(0.42, 0.27, 0.03), 0.8 * middle), share);
   result.light = litPlant(albedo, 0.0);
   return result;
 }
+
+// Of a tuft, which has blades alone.
+PlantVertex tuftVertexAt() { return bladeVertex(float(kTuft), false); }
 
 PlantVertex plantVertexAt() {
   float kind = coverForm.z;

@@ -8,6 +8,7 @@ layout(location = 0) in vec4 ballPlace;
 struct StoneVertex {
   vec3 relative;
   vec3 inStone;  // place in the stone, m
+  vec3 outwards;  // a normal of the dented ball
 };
 
 StoneVertex stoneVertex() {
@@ -29,5 +30,7 @@ StoneVertex stoneVertex() {
   StoneVertex result;
   result.relative = coverFoot.xyz + aside + up * (heightM * (turned.y + 0.6));
   result.inStone = shape * coverForm.x;
+  vec3 bent = ball - 0.6 * (dents.xyz - ball * dot(dents.xyz, ball));
+  result.outwards = normalize(vec3(bent.x * c - bent.z * s, 0.0, bent.x * s + bent.z * c) + up * bent.y);
   return result;
 }

@@ -1,4 +1,5 @@
-// What the effects of low flight cost a frame: trees, the ground close by, water close by, villages.
+// What the effects of low flight cost a frame: trees, the ground close by and what stands on it, water close
+// by, villages.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -145,7 +146,7 @@ app::Pose legPose(const BenchGame& game, const Leg& leg, int place) {
   return pose;
 }
 
-// All four effects together against none of them over one path, below clouds (as flights begin) or below a
+// All five effects together against none of them over one path, below clouds (as flights begin) or below a
 // clear sky, where a frame costs half as much: the sum of the path's frames, each the fastest of some by the
 // processor time of all threads of the process, which other programs disturb less than the wall clock.
 void lowFlight(benchmark::State& state, const char* quality, const char* clouds, double mostShare) {
@@ -156,6 +157,7 @@ void lowFlight(benchmark::State& state, const char* quality, const char* clouds,
                                     "effects.groundDetail=" + on,
                                     "effects.waterDetail=" + on,
                                     "effects.places=" + on,
+                                    "effects.groundCover=" + on,
                                     std::string("effects.clouds=") + clouds,
                                     "view.hud=false"};
   };
@@ -188,7 +190,7 @@ void lowFlight(benchmark::State& state, const char* quality, const char* clouds,
     state.counters["added"] = share;
     std::printf("low flight of quality %s, clouds %s: %.0f %% more\n", quality, clouds, 100 * share);
     expect(share <= mostShare,
-           "trees, ground, water and villages together add more to low flight than their share");
+           "trees, ground, grass, water and villages together add more to low flight than their share");
   }
   state.SetLabel(with.renderer());
 }

@@ -130,6 +130,13 @@ TEST_F(GroundCoverGLTest, Q02_feetStandOnTheLand) {
                             test::atMost(0.02), "of the feet"))
         << off << " of " << all.size();
   }
+  // Stones of more pixels, and boulders of many, are where one stands before them.
+  for (int i = 0; i < 120 && (seen[kLists - 2] == 0 || seen[kLists - 1] == 0); ++i) {
+    look(kScree + glm::dvec2(1.5 * i, 0), 0.7, 40, -30);
+    frame();
+    const auto counts = pass().drawn();
+    for (std::size_t list = kLists - 2; list < kLists; ++list) seen[list] += counts[list];
+  }
   for (std::size_t i = 0; i < kLists; ++i) EXPECT_GT(seen[i], 0u) << i;
 }
 
@@ -197,9 +204,9 @@ TEST_F(GroundCoverGLTest, Q05_lightStaysWithinHalfFloats) {
 TEST_F(GroundCoverGLTest, Q06_whatThereIsMostOfIsBounded) {
   // With the most density and reach, from all heights and sides: no more things than cells of the squares
   // that room is made for, and no more squares.
-  begin({"groundCover.density=3", "groundCover.reachM=300"});
+  begin({"groundCover.density=64", "groundCover.reachM=300"});
   test::noFaults("Q06", "numbers of things");
-  const render::CoverReaches reaches = render::coverReaches(300, 3);
+  const render::CoverReaches reaches = render::coverReaches(300, 64);
   const std::size_t most = render::mostCoverTiles(reaches);
   for (const double above : {0.5, 5.0, 60.0}) {
     for (const double pitch : {-3.0, -45.0, -90.0}) {

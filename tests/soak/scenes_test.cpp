@@ -1,5 +1,6 @@
 // Long flights: every scene that comes with the program, flown by the autopilot and drawn now and then. Six
-// simulated seconds by default, 12 where all is tried; three hours with SKYDROP_SOAK=1, or SKYDROP_SOAK_SECONDS (docs/soak.md).
+// simulated seconds by default, 12 where all is tried; three hours with SKYDROP_SOAK=1, or
+// SKYDROP_SOAK_SECONDS (docs/soak.md).
 #include <gtest/gtest.h>
 
 #include <algorithm>

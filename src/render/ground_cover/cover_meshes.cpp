@@ -9,7 +9,7 @@ namespace {
 
 // As in shaders/ground_cover/plant.glsl.
 constexpr float kBlade = 0, kHead = 1, kStalk = 2;
-constexpr int kUsualBlades = 12, kFineBlades = 18;
+constexpr int kUsualBlades = 8, kFineBlades = 18;
 
 void add(CoverMesh& mesh, std::size_t first, std::initializer_list<int> triangles) {
   for (const int i : triangles)
@@ -69,6 +69,7 @@ std::array<CoverMesh, kCoverLists> makeCoverMeshes() {
           tuft(kUsualBlades, false),
           headed(4, false, 7),
           headed(12, true, 4),
+          ball(0),
           ball(1),
           ball(2)};
 }

@@ -17,7 +17,7 @@ namespace shared = core::shared::f64;
 constexpr std::size_t kCellsInTile = kCoverTileCells * kCoverTileCells;
 constexpr double kAroundStripM = 1.5;  // no plant stands nearer to what is mown
 constexpr double kStripReachM = 2500;  // no strip reaches farther from its middle
-constexpr double kFineShare = 0.75;    // of the reach of the finest lattice, up to which blades are fine
+constexpr double kFineShare = 0.5;     // of the reach of the finest lattice, up to which blades are fine
 constexpr double kLowestM = -0.7;      // reeds stand no deeper
 
 struct Instance {
@@ -76,18 +76,26 @@ void GroundCoverPass::draw(FrameContext& context) {
   const std::vector<glm::ivec4> tiles = coverTiles(context.frame.view, land.base(), *ground_, reaches);
   makeRoom(std::max(tiles.size(), mostCoverTiles(reaches)));
   if (!tiles.empty()) tiles_.write(0, std::as_bytes(std::span(tiles)));
+  gl::Shader& tufts =
+      context.shaders.shader("ground_cover/tuft.vert", "ground_cover/plant.frag", context.defines);
   gl::Shader& plants =
       context.shaders.shader("ground_cover/plant.vert", "ground_cover/plant.frag", context.defines);
+  gl::Shader& farStones =
+      context.shaders.shader("ground_cover/far_stone.vert", "ground_cover/far_stone.frag", context.defines);
   gl::Shader& stones =
       context.shaders.shader("ground_cover/stone.vert", "ground_cover/stone.frag", context.defines);
   place(context, land, tiles.size());
   if (tiles.empty() && !context.frame.warmsUp) return;
   cover_.bind();
-  plants.use();
-  context_.drawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, commands_, 0, kPlantLists, sizeof(Command));
-  stones.use();
-  context_.drawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, commands_, kPlantLists * sizeof(Command),
-                                kLists - kPlantLists, sizeof(Command));
+  const auto drawLists = [&](gl::Shader& shader, std::size_t first, std::size_t last) {
+    shader.use();
+    context_.drawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, commands_, first * sizeof(Command),
+                                  static_cast<GLsizei>(last - first), sizeof(Command));
+  };
+  drawLists(tufts, 0, kTuftLists);
+  drawLists(plants, kTuftLists, kPlantLists);
+  drawLists(farStones, kPlantLists, kSmallLists);
+  drawLists(stones, kSmallLists, kLists);
 }
 
 // A cell has one thing at most, so no list can run over. The room is that of all squares within reach,

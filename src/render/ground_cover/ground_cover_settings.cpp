@@ -15,7 +15,7 @@ void describe(core::SettingsVisitor& visitor, GroundCoverSettings& s) {
   visitor.number("density", s.density,
                  {.unit = "1",
                   .min = 0,
-                  .max = 3,
+                  .max = 64,
                   .help = "How many tufts, flowers, stones and reeds are in view; 0: none.",
                   .slider = Range{0, 2},
                   .aliases = "meadow, plants, rocks, quality"});

@@ -18,7 +18,8 @@ namespace skydrop::render {
 
 class GroundCoverPass final : public Pass {
  public:
-  static constexpr std::size_t kLists = 6;  // tufts with fine blades, tufts, flowers, reeds, stones, boulders
+  // Tufts with fine blades, tufts, flowers, reeds, stones of few pixels, stones, boulders close by.
+  static constexpr std::size_t kLists = 7;
 
   // `ground`: the land that is drawn, not null.
   GroundCoverPass(gl::Context& context, std::shared_ptr<const terrain::HeightSource> ground,

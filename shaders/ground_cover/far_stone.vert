@@ -1,0 +1,9 @@
+#include "ground_cover/far_stone.glsl"
+
+flat out vec3 light;
+
+void main() {
+  StoneVertex vertex = stoneVertex();
+  gl_Position = frame.viewProjection * vec4(vertex.relative, 1.0);
+  light = lightOfFarStone(vertex);
+}
