@@ -39,14 +39,15 @@ class NextSkyGLTest : public test::FrameTest {
     const auto views = sky::SkyViews::of(atmosphereOf(settings_.atmosphere));
     return views->missingRows(places.sun) + (places.moon ? views->missingRows(*places.moon) : 0);
   }
-  // Follows until all is there; returns after how many frames. No frame makes more than a slice.
+  // Follows until all is there; returns after how many frames. No frame makes more than a slice; what has
+  // been begun for another sun is finished first.
   int framesUntilThere() {
     int frames = 0;
     for (int before = missing(); before > 0 && frames < 100; ++frames) {
       frame(true);
       const int now = missing();
       EXPECT_LE(before - now, NextSky::kRowsAFrame);
-      EXPECT_LT(now, before);
+      EXPECT_LE(now, before);
       before = now;
     }
     return frames;
@@ -97,7 +98,7 @@ TEST_F(NextSkyGLTest, aSunThatRunsIsFollowed) {
     shown = now;
   }
   EXPECT_LT(most, 8);
-  framesUntilThere();
+  EXPECT_LE(framesUntilThere(), 2 * 320 / NextSky::kRowsAFrame);
   const auto now = frame(true);
   EXPECT_EQ(frame(false), now);
 }

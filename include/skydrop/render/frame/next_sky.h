@@ -15,8 +15,8 @@ namespace skydrop::render {
 // discs, their light, shadows) is where it belongs at once.
 class NextSky {
  public:
-  // Rows of tables made in a frame: 2 ms. A sun that jumps takes 320 of them, with a moon 640.
-  static constexpr int kRowsAFrame = 80;
+  // Rows of tables made in a frame: 2 to 4 ms. A sun that jumps takes 320 of them, with a moon 640.
+  static constexpr int kRowsAFrame = 40;
 
   // Where the tables of a frame with these settings are seen from: in a frame that follows another
   // (FrameInput::followsLast) the newest whose tables are done or need no more than a slice, and a slice of
