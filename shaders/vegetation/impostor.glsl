@@ -32,6 +32,9 @@ ImpostorCorner impostorCorner(int vertex) {
   ImpostorCorner result;
   result.inView = corner;
   result.relative = middle + (right * (corner.x * wide) + up * corner.y) * (shape.y * heightM);
+  // Blown as its mesh is, whose top has the whole way: a rectangle leans instead of bending.
+  float share = clamp((result.relative.y - treeFoot.y) / max(heightM, 1e-3), 0.0, 1.1);
+  result.relative.xz += treeBend.xy * share;
   vec2 turn = treeForm.yz;
   vec3 own = vec3(towards.x * turn.x - towards.z * turn.y, max(towards.y, 0.0), towards.z * turn.x + towards.x * turn.y);
   result.views = hemiOctOf(normalize(own + vec3(0.0, 1e-4, 0.0))) * (impostorViews - 1.0);
