@@ -35,7 +35,6 @@ constexpr Size kSize{96, 54};
 constexpr int kCacheMiB = 16;
 constexpr double kLongSeconds = 900;
 constexpr double kMiB = 1 << 20;
-constexpr int kPictures = 24;  // of a flight
 
 double flightSeconds() {
   if (const char* seconds = std::getenv("SKYDROP_SOAK_SECONDS")) return std::strtod(seconds, nullptr);
@@ -43,6 +42,9 @@ double flightSeconds() {
   if (test::kInstrumented) return 2;
   return test::triesAll() ? 12 : 6;
 }
+
+// Of a flight.
+int pictures() { return test::triesAll() ? 40 : 24; }
 
 std::vector<std::string> sceneNames() {
   std::vector<std::string> names;
@@ -209,10 +211,10 @@ TEST_P(SceneSoak, staysWhatItIsHoweverLongItIsFlown) {
     held.mostGpuBytes = std::max(held.mostGpuBytes, context().resources().bytes());
     held.residentBytes.push_back(static_cast<double>(test::residentBytes()) - drawing.landBytes());
   };
-  flight.flyTo(seconds / 2, 60, seconds / kPictures, show);
+  flight.flyTo(seconds / 2, 60, seconds / pictures(), show);
   if (HasFatalFailure()) return;
   const Held first = std::exchange(held, {});
-  flight.flyTo(seconds, 60, seconds / kPictures, show);
+  flight.flyTo(seconds, 60, seconds / pictures(), show);
   if (HasFatalFailure()) return;
   EXPECT_LE(held.mostGpuBytes, first.mostGpuBytes);
   double grown = held.resident() - first.resident();
@@ -221,12 +223,12 @@ TEST_P(SceneSoak, staysWhatItIsHoweverLongItIsFlown) {
     // On a busy machine a light volume may still be worked out, which holds memory once; what is left behind
     // grows again.
     const Held second = std::exchange(held, {});
-    flight.flyTo(1.5 * seconds, 60, seconds / kPictures, show);
+    flight.flyTo(1.5 * seconds, 60, seconds / pictures(), show);
     if (HasFatalFailure()) return;
     grown = held.resident() - second.resident();
   }
   EXPECT_LE(grown, isLong ? 0.01 * first.resident() : kCacheMiB * kMiB);
-  EXPECT_GE(frames, 3 * kPictures / 4);
+  EXPECT_GE(frames, 3 * pictures() / 4);
   std::printf("%s: %.0f s, %lld drops, %u starts; GPU %.1f MiB; resident %.1f and %.1f MiB (%+.2f %%)\n",
               GetParam().c_str(), seconds, static_cast<long long>(flight.now().drops),
               flight.now().aircraft.spawnCount, static_cast<double>(held.mostGpuBytes) / kMiB,
