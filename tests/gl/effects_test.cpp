@@ -201,7 +201,7 @@ class Flight {
     line.verb = Verb::render;
     // Land that is soon made: what is proven hangs on no land in particular.
     line.set = {"quality=low", "streaming.farDistanceM=5000", "streaming.viewDistanceM=1000",
-                "landShadows.detail=coarse", "clouds.light=octaves"};
+                "landShadows.detail=coarse"};
     for (const Effect effect : allEffects()) {
       line.set.push_back("effects." + std::string(scene::nameOf(effect)) + "=" +
                          (effects.contains(effect) ? "true" : "false"));
