@@ -158,6 +158,7 @@ void lowFlight(benchmark::State& state, const char* quality, const char* clouds,
                                     "effects.waterDetail=" + on,
                                     "effects.places=" + on,
                                     "effects.groundCover=" + on,
+                                    "render.picture.smoothEdges=" + on,
                                     std::string("effects.clouds=") + clouds,
                                     "view.hud=false"};
   };

@@ -11,6 +11,7 @@
 #include "app/measure/stopwatch.h"
 #include "app/session/compile_ahead.h"
 #include "app/session/photo_seen.h"
+#include "skydrop/render/edges/edge_smoothing_pass.h"
 #include "skydrop/render/frame/tone_map_pass.h"
 #include "skydrop/render/models/model_layer.h"
 #include "skydrop/render/shadows/land_shadow_pass.h"
@@ -19,7 +20,7 @@
 namespace skydrop::app {
 namespace {
 
-constexpr std::string_view kShadowGroup = "shadows";
+constexpr std::string_view kShadowGroup = "shadows", kEdgesGroup = "edges";
 // Of frames that nobody sees: small, because programs do not depend on a size. But a software renderer
 // compiles one program for textures whose sides are powers of two and another for those whose are not.
 Size unseenSize(Size size) {
@@ -41,6 +42,7 @@ SceneRenderer::SceneRenderer(render::gl::Context& context, const Setup& setup, c
   camera_.setMode(settings.view.camera);
   renderer_.setLayer(std::make_unique<render::ModelLayer>());
   for (const Part& part : partsOf(setup_.effects)) addPart(part);
+  resetEdges();
   renderer_.add(std::make_unique<render::ToneMapPass>(context));
 }
 
@@ -95,6 +97,15 @@ void SceneRenderer::removePart(const Part& part) {
   std::erase(parts_, part);
 }
 
+void SceneRenderer::resetEdges() {
+  renderer_.removeGroup(kEdgesGroup);
+  if (!settings_->render.smoothEdges) return;
+  const render::Renderer::Group owner = renderer_.group();
+  renderer_.setGroup({std::string(kEdgesGroup), 0});
+  renderer_.add(std::make_unique<render::EdgeSmoothingPass>());
+  renderer_.setGroup(owner);
+}
+
 void SceneRenderer::castShadow(render::ShadowSource source) {
   const render::Renderer::Group owner = renderer_.group();
   if (!renderer_.find<render::ShadowPass>()) {
@@ -121,7 +132,10 @@ void SceneRenderer::beginSwitch(const scene::EffectSet& effects,
   for (auto part = present.rbegin(); part != present.rend(); ++part) {  // first what needs another
     if (std::ranges::find(wanted, *part) == wanted.end()) removePart(*part);
   }
-  if (parts_ != present) renderer_.setLayer(std::make_unique<render::ModelLayer>());
+  if (parts_ != present) {
+    renderer_.setLayer(std::make_unique<render::ModelLayer>());
+    resetEdges();
+  }
   if (before == effects && !switch_) return;
   renderer_.endWarmUp();
   if (switch_ && switch_->ahead) {
@@ -207,6 +221,7 @@ void SceneRenderer::apply(const SettingsChange& change) {
     if (camera_.mode() == render::CameraMode::free) freeCamera();
   }
   if (change.touches("render")) renderer_.apply(settings_->render);
+  if (change.touches("render.picture.smoothEdges")) resetEdges();
   for (const Part& part : std::vector(parts_)) {
     if (!part.joint && part.row->apply) part.row->apply(*this, change);
   }
@@ -437,6 +452,7 @@ core::EffectStatistics SceneRenderer::billOfFrame(const core::FrameStatistics& f
     bill.gpuBytes += static_cast<std::int64_t>(held.bytes);
   };
   add("");
+  add(kEdgesGroup);
   if (!setup_.effects.contains(scene::Effect::hud)) add(scene::nameOf(scene::Effect::hud));
   bill.threads = 1;
   return bill;

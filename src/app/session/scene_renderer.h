@@ -190,6 +190,8 @@ class SceneRenderer {
   std::vector<Part> partsOf(const scene::EffectSet& effects) const;
   void addPart(const Part& part);
   void removePart(const Part& part);
+  // The pass that smooths edges, made anew where the settings ask for it: what it held goes.
+  void resetEdges();
   std::vector<WarmUpFrame> warmUpFrames(const game::Snapshot& snapshot, Size size) const;
   // Whether what comes may be compiled here. Begins to have it compiled elsewhere at the first call.
   bool isCompiledAhead(const game::Snapshot& snapshot);

@@ -29,13 +29,16 @@ class DrawnScene {
   void set(const Settings& settings, const accuracy::StudyCase& where);
 
   // With all its land there. Of a flight (StudyCase::flight) the last frame, after those before it where it
-  // depends on them.
-  void draw();
-  core::Image picture() { return renderer_->renderer().readBack(); }
-  std::vector<float> radiance() { return renderer_->renderer().readRadiance(); }
+  // depends on them. A frame of more samples is drawn so many times, seen through as many places of each
+  // pixel (a Fibonacci lattice).
+  void draw(int samples = 1);
+  core::Image picture();
+  // Linear light; of several samples that which is shown as the mean of what they show
+  // (shaders/shared/tone_map.glsl).
+  std::vector<float> radiance();
 
-  // Of one more frame (of a flight: the next), ms: all of it by the wall clock, or one pass by the passes'
-  // clock. A pass that is not there, or does nothing, takes 0.
+  // Of one more frame of one sample (of a flight: the next), ms: all of it by the wall clock, or one pass by
+  // the passes' clock. A pass that is not there, or does nothing, takes 0.
   double timeFrame();
   double timePass(const std::string& name);
   std::string passClock() const { return passClock_; }
@@ -43,7 +46,9 @@ class DrawnScene {
 
  private:
   bool usesFramesBefore() const;
+  game::Snapshot snapshotOf(int frame) const;
   void drawFrame(int frame, Streaming streaming);
+  void drawSamples(int samples);
 
   std::unique_ptr<RunConfig> run_;
   Size size_;
@@ -53,7 +58,8 @@ class DrawnScene {
   std::unique_ptr<SceneRenderer> renderer_;
   std::string passClock_ = "none";
   accuracy::StudyCase where_;
-  int frame_ = 0;  // of a flight: the last that was drawn
+  int frame_ = 0;                // of a flight: the last that was drawn
+  std::vector<float> radiance_;  // of several samples; empty of one
 };
 
 }  // namespace skydrop::app

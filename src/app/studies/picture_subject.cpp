@@ -1,5 +1,8 @@
 #include "app/studies/picture_subject.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "app/measure/system_info.h"
@@ -12,11 +15,32 @@ namespace {
 
 constexpr std::size_t kMostScenes = 8;  // each holds its land and textures
 
+// What a study turns beside the program's settings.
+struct Sampling {
+  std::int64_t samples = 1;  // a pixel, each a frame of its own
+};
+
+void describe(core::SettingsVisitor& visitor, Sampling& s) {
+  visitor.integer("samples", s.samples, {.unit = "1", .min = 1, .max = 1024, .help = "Samples a pixel."});
+}
+
+bool isOfSampling(const std::string& assignment) { return assignment.starts_with("samples="); }
+
+// Throws core::RangeError.
+Sampling samplingOf(const accuracy::Experiment& experiment) {
+  Sampling sampling;
+  const core::SettingsTable table(sampling);
+  for (const std::string& one : experiment.set) {
+    if (isOfSampling(one)) core::setField(table, one);
+  }
+  return sampling;
+}
+
 std::unique_ptr<RunConfig> runOf(const accuracy::Experiment& experiment) {
   CommandLine line;
   line.verb = Verb::accuracy;
   if (!experiment.where.scene.empty()) line.scene = experiment.where.scene;
-  line.set = experiment.set;
+  std::ranges::remove_copy_if(experiment.set, std::back_inserter(line.set), isOfSampling);
   return prepareRun(line);
 }
 
@@ -51,7 +75,10 @@ accuracy::Assignments PictureSubject::checked(const accuracy::Experiment& experi
   if (experiment.timed == "cpu") throw core::RangeError("timed: a picture is timed by frame or pass NAME");
   const std::unique_ptr<RunConfig> run = runOf(experiment);
   accuracy::Assignments all;
+  if (const Sampling sampling = samplingOf(experiment); sampling.samples > 1)
+    all.push_back("samples=" + std::to_string(sampling.samples));
   for (const std::string& one : experiment.set) {
+    if (isOfSampling(one)) continue;
     const core::Field& field = run->table.at(one.substr(0, one.find('=')));
     all.push_back(field.path + "=" + core::fieldText(field));
   }
@@ -70,12 +97,12 @@ DrawnScene& PictureSubject::shown(const accuracy::Experiment& experiment) {
     found = scenes_.emplace(key, std::move(scene)).first;
   }
   found->second->set(settings, experiment.where);
-  found->second->draw();
   return *found->second;
 }
 
 accuracy::Observation PictureSubject::observe(const accuracy::Experiment& experiment) {
   DrawnScene& scene = shown(experiment);
+  scene.draw(static_cast<int>(samplingOf(experiment).samples));
   core::Image display = scene.picture();
   accuracy::Observation observation = observedPicture(scene.radiance(), display.width, display.height);
   observation.display = std::move(display);
@@ -84,10 +111,12 @@ accuracy::Observation PictureSubject::observe(const accuracy::Experiment& experi
 
 double PictureSubject::timeOnce(const accuracy::Experiment& experiment) {
   DrawnScene& scene = shown(experiment);
-  if (!isPass(experiment)) return scene.timeFrame();
+  scene.draw();
+  const auto samples = static_cast<double>(samplingOf(experiment).samples);
+  if (!isPass(experiment)) return samples * scene.timeFrame();
   const double ms = scene.timePass(experiment.timed.substr(5));
   passClock_ = scene.passClock();
-  return ms;
+  return samples * ms;
 }
 
 std::string PictureSubject::clock(const accuracy::Experiment& experiment) const {

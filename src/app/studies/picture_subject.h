@@ -1,4 +1,5 @@
-// Pictures of scenes as a subject of studies: any setting of the program is turned, by its path. Main thread.
+// Pictures of scenes as a subject of studies: any setting of the program is turned, by its path, and `samples`
+// a pixel: as many frames (DrawnScene::draw). Main thread.
 #pragma once
 
 #include <map>

@@ -156,10 +156,12 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
   visitor.number("scale", s.scale,
                  {.unit = "1",
                   .min = 0.25,
-                  .max = 1,
-                  .help = "Share of the picture's width and height in which the scene is drawn before it is "
-                          "stretched; less is faster and blurred. The interface stays sharp.",
-                  .aliases = "resolution, render scale, upscaling, pixels"});
+                  .max = 4,
+                  .help = "In which share of the picture's width and height the scene is drawn; less is "
+                          "faster and blurred, more means several pixels for each and takes their square in "
+                          "time and memory. The interface stays sharp.",
+                  .slider = core::Range{0.25, 2},
+                  .aliases = "resolution, render scale, upscaling, supersampling, SSAA, pixels"});
   visitor.number("interfaceAtNight", s.interfaceAtNight,
                  {.unit = "1",
                   .min = 0.2,
@@ -170,6 +172,22 @@ void describe(core::SettingsVisitor& visitor, RenderSettings& s) {
                {.help = "Draws the edges of aircraft and packages with four samples a pixel; off, they are "
                         "jagged.",
                 .aliases = "AA, antialiasing, MSAA, multisampling"});
+  visitor.flag("smoothEdges", s.smoothEdges,
+               {.help = "Blends the pixels beside edges of land, trees and houses by the share that the "
+                        "other side has of them; off, edges are stair steps.",
+                .takesEffect = core::TakesEffect::variant,
+                .aliases = "AA, antialiasing, SMAA, MLAA, FXAA, jagged, horizon"});
+  visitor.number(
+      "leastEdge", s.leastEdge,
+      {.unit = "1",
+       .min = 0.002,
+       .max = 0.9,
+       .help = "Which edges are smoothed: those at which the distance changes by this share or "
+               "more; less smooths trees before trees too, and takes longer.",
+       .logarithmic = true,
+       .slider = core::Range{0.01, 0.5},
+       .aliases = "AA, antialiasing, edges, quality",
+       .note = core::noteWhile([&s] { return !s.smoothEdges; }, "Does nothing: no edges are smoothed.")});
   visitor.flag(
       "guardMarks", s.guardMarks,
       {.help = "Darkens the picture and marks pixels whose light was cut (yellow), negative (cyan) or "

@@ -83,7 +83,7 @@ void Renderer::resize(const View& scene, const View& picture) {
 
 void Renderer::bindTarget(RenderStage stage) {
   Targets& t = *targets_;
-  const bool readsDepth = stage >= RenderStage::clouds && stage <= RenderStage::weatherEffects;
+  const bool readsDepth = stage >= RenderStage::clouds && stage <= RenderStage::edges;
   if (readsDepth && !t.sceneColorOnly) {
     t.sceneColorOnly = gl::FrameBuffer(context_, &t.scene.colorTexture(), nullptr, "scene colour");
   }
@@ -108,11 +108,11 @@ bool Renderer::beginLayer(const FrameInput& input, Which which) {
   return true;
 }
 
-void Renderer::composeLayer(std::exception_ptr& failure) {
+void Renderer::composeLayer(FrameContext& context, std::exception_ptr& failure) {
   skipped_.erase(std::string(layer_->name()));
   bindTarget(layer_->stage());
   context_.setDefaultState();
-  tried(layer_->name(), {}, failure, [&] { layer_->compose(context_, shaders_); });
+  tried(layer_->name(), {}, failure, [&] { layer_->compose(context); });
 }
 
 void Renderer::settle(const FrameInput& input) {
@@ -167,7 +167,7 @@ bool Renderer::warmUp(const FrameInput& asked, double budgetMs, std::size_t& dra
 std::optional<std::vector<float>> Renderer::drawUnseen(const FrameInput& input) {
   std::vector<float> radiance;
   const bool complete = unseen(0, [&] {
-    drawPasses(input, Which::drawn, nullptr, {.last = RenderStage::weatherEffects});
+    drawPasses(input, Which::drawn, nullptr, {.last = RenderStage::edges});
     radiance = radianceOf(unseen_);
   });
   return complete ? std::optional(std::move(radiance)) : std::nullopt;
@@ -187,7 +187,7 @@ void Renderer::drawOverlays(const FrameInput& input, std::string_view reason) {
 
 bool Renderer::isLit() const {
   return std::ranges::any_of(passes_,
-                             [](const Entry& entry) { return entry.pass->stage() < RenderStage::toneMap; });
+                             [](const Entry& entry) { return entry.pass->stage() < RenderStage::edges; });
 }
 
 // The darkest that any pass makes of it.
@@ -279,7 +279,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
       continue;
     }
     if (layered && pass.stage() > layer_->stage()) {
-      composeLayer(failure);
+      composeLayer(sceneFrame, failure);
       layered = false;
     }
     if (!layered && layer_ && pass.stage() == layer_->stage()) layered = beginLayer(input, which);
@@ -291,7 +291,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
       break;
     }
   }
-  if (layered) composeLayer(failure);
+  if (layered) composeLayer(sceneFrame, failure);
   if (failure) std::rethrow_exception(failure);
   if (light.isShell() && targets_ == &screen_)
     light.views->prepare(light.heightM, light.toSun.y, kSkyRowsAhead);

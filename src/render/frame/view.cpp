@@ -65,7 +65,7 @@ glm::mat4 projection(const View& view) {
 
 View scaled(const View& view, double share) {
   const auto side = [share](int pixels) {
-    return std::max(1, static_cast<int>(std::lround(share * pixels)));
+    return std::clamp(static_cast<int>(std::lround(share * pixels)), 1, kMaxSide);
   };
   View result = view;
   result.width = side(view.width);

@@ -41,9 +41,11 @@ void ModelLayer::begin(gl::Context& context, const View& view, const PixelBox& b
   context.api().Viewport(-box.lowX, -box.lowY, view.width, view.height);
 }
 
-void ModelLayer::compose(gl::Context& context, gl::ShaderCache& shaders) {
-  const gl::Functions& api = context.api();
-  gl::Shader& shader = shaders.shader("fullscreen.vert", "models/layer.frag");
+void ModelLayer::compose(FrameContext& context) {
+  const gl::Functions& api = context.gl.api();
+  cover_ = {&target_.colorTexture(), box_};
+  context.resources.publish(cover_);
+  gl::Shader& shader = context.shaders.shader("fullscreen.vert", "models/layer.frag");
   shader.use();
   shader.setIvec2("layerLow", glm::ivec2(box_.lowX, box_.lowY));
   target_.colorTexture().bind(kColorUnit);

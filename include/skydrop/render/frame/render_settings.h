@@ -70,9 +70,11 @@ struct RenderSettings {
   AtmosphereSettings atmosphere;
   SkySettings sky;
   double exposureStops = 0;       // EV, -6 .. 6, on top of the automatic exposure
-  double scale = 1;               // of the sides in which the scene is drawn, .25 .. 1 of the picture's
+  double scale = 1;               // of the sides in which the scene is drawn, .25 .. 4 of the picture's
   double interfaceAtNight = 0.5;  // brightness of the interface at night, 0.2 .. 1
   bool smoothModels = true;       // four samples a pixel for aircraft and packages
+  bool smoothEdges = true;        // blends pixels at edges of what is drawn with one
+  double leastEdge = 0.03;        // of the distance, by which surfaces at an edge differ, 0.002 .. 0.9
   bool guardMarks = false;        // shows where a guard of the shading fired
   LandDetail landDetail = LandDetail::rich;
   bool wireframe = false;       // the land as lines

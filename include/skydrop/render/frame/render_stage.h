@@ -9,7 +9,7 @@ namespace skydrop::render {
 //                            skySheets: what lies before the sky at infinity
 //   clouds, cloudSheets,     the scene's colour alone: depth can be read as a texture
 //   translucents,            (FrameContext::sceneDepth). cloudSheets: clouds without thickness, veiled by
-//   weatherEffects           those that have some
+//   weatherEffects, edges    those that have some. edges: what is done to the finished scene
 //   toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
 enum class RenderStage {
   shadows,
@@ -21,6 +21,7 @@ enum class RenderStage {
   cloudSheets,
   translucents,
   weatherEffects,
+  edges,
   toneMap,
   hud,
   menu

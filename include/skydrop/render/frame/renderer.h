@@ -164,7 +164,7 @@ class Renderer {
   void bindTarget(RenderStage stage);
   // Whether the passes of the layer's stage go into it in this frame; it is then the target.
   bool beginLayer(const FrameInput& input, Which which);
-  void composeLayer(std::exception_ptr& failure);
+  void composeLayer(FrameContext& context, std::exception_ptr& failure);
   void measured(std::string_view name, const Group& group, const std::function<void()>& draw);
   // measured(), but what the pass throws of core::DataError is kept in `failure`, unless there is one.
   void tried(std::string_view name, const Group& group, std::exception_ptr& failure,

@@ -5,14 +5,22 @@
 #include <string>
 #include <string_view>
 
+#include "skydrop/render/frame/pass.h"
 #include "skydrop/render/frame/pixel_box.h"
 #include "skydrop/render/frame/render_settings.h"
 #include "skydrop/render/frame/render_stage.h"
 #include "skydrop/render/frame/view.h"
 #include "skydrop/render/gl/context.h"
-#include "skydrop/render/gl/shader_cache.h"
+#include "skydrop/render/gl/texture.h"
 
 namespace skydrop::render {
+
+// Which pixels of the scene are a layer's: a resource of the frame (FrameResources), published when the layer
+// has been laid over it.
+struct LayerCover {
+  const gl::Texture* color = nullptr;  // four samples a texel, alpha 0 where the layer has nothing
+  PixelBox box;                        // its first texel is the lower left pixel of this
+};
 
 // Main thread, on the context's thread. For each frame the renderer asks for skipReason(); where there is
 // none it calls begin() before the first pass of the stage and compose() after the last.
@@ -31,9 +39,9 @@ class StageLayer {
   // Clears the layer and makes it the target for what lies within `box`. Positions and viewport are those of
   // the whole picture, so shaders must not ask for gl_FragCoord.
   virtual void begin(gl::Context& context, const View& view, const PixelBox& box) = 0;
-  // Lays it over the scene, whose buffer with colour and depth is bound, in the default state. Throws
-  // core::DataError (shader).
-  virtual void compose(gl::Context& context, gl::ShaderCache& shaders) = 0;
+  // Lays it over the scene, whose buffer with colour and depth is bound, in the default state, and publishes
+  // a LayerCover. Throws core::DataError (shader).
+  virtual void compose(FrameContext& context) = 0;
 };
 
 }  // namespace skydrop::render

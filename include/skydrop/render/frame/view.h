@@ -42,7 +42,7 @@ void requireValid(const View& view);
 // reach beyond the whole. Of pixel size 1 its rays are those of the whole, but for rounding.
 View partOf(const View& whole, const glm::ivec2& corner, int side, int pixelSize);
 
-// The same picture of fewer pixels: of either side this share, rounded, at least one.
+// The same picture of fewer or more pixels: of either side this share, rounded, within the range above.
 View scaled(const View& view, double share);
 
 // Clip space of OpenGL with glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE).

@@ -22,7 +22,7 @@ class ModelLayer final : public StageLayer {
   RenderStage stage() const override { return RenderStage::models; }
   std::optional<std::string> skipReason(const RenderSettings& settings, const PixelBox& box) const override;
   void begin(gl::Context& context, const View& view, const PixelBox& box) override;
-  void compose(gl::Context& context, gl::ShaderCache& shaders) override;
+  void compose(FrameContext& context) override;
 
  private:
   // At least as large as it was.
@@ -32,6 +32,7 @@ class ModelLayer final : public StageLayer {
   gl::FrameBuffer target_;
   std::optional<FullscreenTriangle> triangle_;
   PixelBox box_;
+  LayerCover cover_;  // published
 };
 
 }  // namespace skydrop::render
