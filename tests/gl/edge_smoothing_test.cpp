@@ -6,13 +6,17 @@
 #include <functional>
 #include <vector>
 
+#include "app/measure/bill.h"
+#include "skydrop/core/assets.h"
 #include "skydrop/core/shared.h"
 #include "skydrop/render/edges/edge_smoothing_pass.h"
 #include "skydrop/render/frame/land_ground.h"
 #include "skydrop/render/frame/tone_map_pass.h"
+#include "skydrop/render/models/aircraft_pass.h"
 #include "support/frame_test.h"
 #include "support/light_probe.h"
 #include "support/margin.h"
+#include "support/scene_gl_test.h"
 
 namespace skydrop::render {
 namespace {
@@ -44,7 +48,7 @@ class ShapePass final : public Pass, public LandGround {
         const bool covers = shape_(x + 0.5, y + 0.5);
         int end = x;
         while (end < width && shape_(end + 0.5, y + 0.5) == covers) ++end;
-        clear(x, y, end - x, covers ? nearLight : farLight, covers ? 0.01f : 0.0f);
+        clear(x, y, end - x, covers ? nearLight : farLight, covers ? 0.001f : 0.0f);
         x = end;
       }
     }
@@ -216,6 +220,84 @@ TEST_F(EdgeSmoothingGLTest, E03_anEdgeThatCreepsDoesNotCrawl) {
     }
     EXPECT_TRUE(test::holds("E03", largest, test::below(0.4), "of the step between the two")) << slope;
   }
+}
+
+TEST_F(EdgeSmoothingGLTest, modelsKeepTheirFourSamples) {
+  // An aircraft 30 m ahead of land without edges: smoothed or not the picture is the same. Drawn with one
+  // sample it has edges like the land's.
+  const auto model = std::make_shared<const Model>(
+      context(), importModel(core::assetPath("models/airplane.glb")), "airplane");
+  const auto lightOf = [&](bool smoothModels, bool smoothEdges) {
+    std::vector<glm::vec4> light;
+    Renderer renderer(context(), settings_, false);
+    renderer.setLayer(std::make_unique<ModelLayer>());
+    renderer.add(std::make_unique<ShapePass>(shape_));
+    renderer.add(std::make_unique<AircraftPass>(model));
+    if (smoothEdges) renderer.add(std::make_unique<EdgeSmoothingPass>());
+    renderer.add(std::make_unique<test::LightProbe>(light));
+    RenderSettings settings = settings_;
+    settings.smoothModels = smoothModels;
+    renderer.apply(settings);
+    renderer.draw(gameFrame(snapshot_, pose({0, 100, 0}, 0, 0, 0), features_));
+    return light;
+  };
+  shape_ = [](double, double) { return true; };
+  snapshot_.aircraft.present = true;
+  snapshot_.aircraft.position = {30, 98, 0};
+  EXPECT_EQ(lightOf(true, true), lightOf(true, false));
+  EXPECT_NE(lightOf(false, true), lightOf(false, false));
+}
+
+class EdgesOfSceneGLTest : public test::SceneGLTest {
+ protected:
+  core::Image draw() {
+    sceneRenderer_->draw(simulation_->world().now(), {160, 90}, app::Streaming::settled);
+    return sceneRenderer_->renderer().readBack();
+  }
+  std::uint64_t bytes() { return context().resources().ownedBy("edges").bytes; }
+  std::string skipped() {
+    core::FrameStatistics statistics;
+    sceneRenderer_->writeTo(statistics);
+    for (const auto& [name, row] : statistics.passes) {
+      if (name == "edges") return row.skipped;
+    }
+    return "not there";
+  }
+};
+
+TEST_F(EdgesOfSceneGLTest, switchedOffNothingOfItIsThere) {
+  beginScene(lineOf("terrain", {"view.hud=false", "render.picture.smoothEdges=false"}));
+  const core::Image without = draw();
+  EXPECT_EQ(skipped(), "not there");
+  EXPECT_EQ(context().resources().ownedBy("edges").objects, 0);
+  set("render.picture.smoothEdges=true");
+  const core::Image with = draw();
+  EXPECT_EQ(skipped(), "");
+  EXPECT_GT(bytes(), 0u);
+  EXPECT_NE(with.rgba, without.rgba);
+  set("render.picture.smoothEdges=false");
+  EXPECT_EQ(draw().rgba, without.rgba);
+  EXPECT_EQ(bytes(), 0u);
+  set("render.picture.smoothEdges=true");
+  EXPECT_EQ(draw().rgba, with.rgba);
+}
+
+TEST_F(EdgesOfSceneGLTest, withoutLandItDoesNothing) {
+  beginScene(lineOf("terrain", {"view.hud=false", "effects.terrain=false", "effects.targets=false"}));
+  draw();
+  EXPECT_EQ(skipped(), "no land has been drawn");
+  EXPECT_EQ(context().resources().ownedBy("edges").objects, 0);
+}
+
+TEST_F(EdgesOfSceneGLTest, itIsPaidForByTheFrame) {
+  beginScene(lineOf("terrain", {"view.hud=false"}));
+  draw();
+  core::FrameStatistics statistics;
+  sceneRenderer_->writeTo(statistics);
+  const auto row = std::ranges::find(statistics.bill, app::kFrameRow, &core::EffectStatistics::name);
+  ASSERT_NE(row, statistics.bill.end());
+  EXPECT_GE(static_cast<std::uint64_t>(row->gpuBytes), bytes());
+  EXPECT_GE(row->dispatches, 5);
 }
 
 }  // namespace

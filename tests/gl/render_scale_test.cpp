@@ -65,6 +65,26 @@ TEST_F(RenderScaleGLTest, thePictureIsTheScenesLightStretchedAndThenToneMapped) 
   EXPECT_LE(largest, 2);
 }
 
+TEST_F(RenderScaleGLTest, ofMorePixelsThePictureShowsTheMeanOfWhatTheyShow) {
+  // The same in C++ (Stretch), but for the dither and the filter's rounding.
+  std::vector<std::string> log;
+  renderer().add(std::make_unique<SizePass>(RenderStage::clouds, log));
+  settings_.scale = 4;
+  const core::Image image = draw(pose({0, 500, 0}, 30, 10, 0, 80, 45));
+  EXPECT_THAT(log, ::testing::ElementsAre("320x180"));
+  EXPECT_EQ(image.width, 80);
+  const core::Image expected = app::seenPicture(renderer().readRadiance(), image.width, image.height);
+  int largest = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); ++i)
+    largest = std::max(largest, std::abs(image.rgba[i] - expected.rgba[i]));
+  EXPECT_LE(largest, 2);
+  settings_.scale = 1;
+  const core::Image whole = draw(pose({0, 500, 0}, 30, 10, 0, 80, 45));
+  double sum = 0;
+  for (std::size_t i = 0; i < whole.rgba.size(); ++i) sum += std::abs(whole.rgba[i] - image.rgba[i]);
+  EXPECT_LT(sum / static_cast<double>(whole.rgba.size()), 0.5) << "a smooth sky";
+}
+
 TEST_F(RenderScaleGLTest, aSmoothSkyLooksTheSameInAQuarterOfThePixelsAndAllOfThemComeBack) {
   // The mean difference is within the dither's level; of a picture that is shifted by a pixel of the scene,
   // or upside down, it is not.
