@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "app/measure/stopwatch.h"
@@ -107,6 +108,29 @@ TEST_F(PictureSubjectGLTest, whatIsSeenRoundsToWhatIsDrawn) {
   for (std::size_t i = 0; i < o.seen.size(); ++i)
     worst = std::max(worst, std::abs(o.seen[i] * 255 - o.display.rgba[i / 3 * 4 + i % 3]));
   EXPECT_LT(worst, 2);
+  context().makeCurrent();
+}
+
+TEST_F(PictureSubjectGLTest, severalSamplesAPixelConverge) {
+  // 64 and 32 samples agree better than either does with one, and the picture of one sample is as before.
+  PictureSubject subject(kSize);
+  const auto sampled = [&](const char* samples) {
+    return subject.observe(
+        experiment({std::string("samples=") + samples, "render.picture.smoothEdges=false"}));
+  };
+  const accuracy::Observation one = subject.observe(experiment({"render.picture.smoothEdges=false"}));
+  const accuracy::Observation many = sampled("64"), half = sampled("32");
+  const auto apart = [](const accuracy::Observation& a, const accuracy::Observation& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.seen.size(); ++i) sum += (a.seen[i] - b.seen[i]) * (a.seen[i] - b.seen[i]);
+    return std::sqrt(sum / static_cast<double>(a.seen.size()));
+  };
+  EXPECT_LT(apart(many, half), 0.25 * apart(many, one));
+  EXPECT_GT(apart(many, one), 0.003);
+  EXPECT_EQ(sampled("1").values, one.values);
+  EXPECT_EQ(sampled("64").values, many.values);
+  EXPECT_THROW((void)subject.checked(experiment({"samples=0"})), core::RangeError);
+  EXPECT_THROW((void)subject.checked(experiment({"samples=x"})), core::RangeError);
   context().makeCurrent();
 }
 
