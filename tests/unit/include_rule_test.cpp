@@ -92,6 +92,7 @@ std::map<std::string, std::map<std::string, Names>> allowedRooms() {
             {"noise", {"gl"}},
             {"lab", {"gl"}},
             {"clouds", clouds},
+            {"edges", effect},
             {"fog", effect},
             {"models", effect},
             {"overlay", effect},
