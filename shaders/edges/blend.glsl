@@ -3,7 +3,6 @@
 #include "shared/tone_map.glsl"
 #include "edges/lists.glsl"
 #include "edges/lights.glsl"
-#include "edges/shares.glsl"
 
 layout(binding = 0) uniform sampler2D sceneColor;
 
@@ -13,17 +12,18 @@ vec3 curveAt(ivec2 pixel) {
 }
 
 // Across the rows or across the columns, whichever edge takes more of the pixel.
-vec4 smoothedLight(ivec2 pixel) {
+vec3 smoothedLight(ivec2 pixel) {
   vec4 all = unpackedShares(imageLoad(shares, pixel).x);
   bool acrossRows = all[kUp] + all[kDown] >= all[kRight] + all[kLeft];
   ivec2 toNext = acrossRows ? ivec2(0, 1) : ivec2(1, 0);
   vec2 ofSides = acrossRows ? vec2(all[kDown], all[kUp]) : vec2(all[kLeft], all[kRight]);
-  vec4 own = texelFetch(sceneColor, pixel, 0);
-  vec3 curve = toneCurve(max(own.rgb, vec3(0.0))) * (1.0 - ofSides.x - ofSides.y) + curveAt(pixel - toNext) * ofSides.x +
+  vec3 curve = curveAt(pixel) * (1.0 - ofSides.x - ofSides.y) + curveAt(pixel - toNext) * ofSides.x +
                curveAt(pixel + toNext) * ofSides.y;
-  return vec4(lightOfToneCurve(curve), own.a);
+  return lightOfToneCurve(curve);
 }
 
 void blendListed(uint index) {
-  if (index < listedPixels.groups.w) keepLight(index, smoothedLight(pixelInList(index)));
+  if (index >= listedPixels.groups.w) return;
+  ivec2 pixel = pixelInList(index);
+  keepLight(index, pixel, smoothedLight(pixel));
 }

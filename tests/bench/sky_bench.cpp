@@ -3,7 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <ctime>
 #include <string>
 #include <string_view>
@@ -102,12 +105,16 @@ class AddedTimes {
         const auto timed = [](BenchGame& game, const app::Pose& from, double& longest, double& longestCpu) {
           const core::CpuClock cpu;
           longest = std::max(longest, game.draw(from));
-          longestCpu = std::max(longestCpu, cpu.ms());
+          const double ms = cpu.ms();
+          longestCpu = std::max(longestCpu, ms);
+          return ms;
         };
         change(period, frame, at);
-        timed(moving, at, movingMs, movingCpu);
-        timed(still, pose, stillMs, stillCpu);
-        timed(still, pose, againMs, againCpu);
+        const double ms = timed(moving, at, movingMs, movingCpu);
+        const double without = timed(still, pose, stillMs, stillCpu);
+        const double again = timed(still, pose, againMs, againCpu);
+        ofFrames_[static_cast<std::size_t>(frame)].push_back(ms - without);
+        ofFramesAtRest_[static_cast<std::size_t>(frame)].push_back(again - without);
       }
       added_.push_back(movingMs - stillMs);
       addedCpu_.push_back(movingCpu - stillCpu);
@@ -128,11 +135,23 @@ class AddedTimes {
     state.counters["addedCpuMsWorst"] = at(addedCpu_, 1);
     state.counters["atRestCpuMsOfNineInTen"] = at(atRestCpu_, 0.9);
     state.counters["atRestCpuMsWorst"] = at(atRestCpu_, 1);
+    // Which frames after a change take longer: the same frame of all periods.
+    for (std::size_t frame = 0; frame < kPeriod; ++frame) {
+      std::vector<double>& ms = ofFrames_[frame];
+      std::vector<double>& rest = ofFramesAtRest_[frame];
+      std::ranges::sort(ms);
+      std::ranges::sort(rest);
+      std::printf(
+          "  frame %2zu: %5.1f ms in the middle, %5.1f in nine of ten, %5.1f at worst; at rest %5.1f, %5.1f, "
+          "%5.1f\n",
+          frame, at(ms, 0.5), at(ms, 0.9), at(ms, 1), at(rest, 0.5), at(rest, 0.9), at(rest, 1));
+    }
     expect(at(addedCpu_, 1) < 8, promise);
   }
 
  private:
   std::vector<double> added_, addedCpu_, atRestCpu_;
+  std::array<std::vector<double>, kPeriod> ofFrames_, ofFramesAtRest_;  // CPU ms
 };
 
 // The eye climbs at 60 m/s and the sun sets at half a degree a second.

@@ -57,7 +57,7 @@ void EdgeSmoothingPass::resize(gl::Context& context, int width, int height) {
                  gl::Buffer::Use::write, "words with steps");
   pixels_ =
       gl::Buffer(context, sizeof(Groups) + all * sizeof(GLuint), gl::Buffer::Use::write, "pixels at edges");
-  lights_ = gl::Buffer(context, all * 2 * sizeof(GLuint), gl::Buffer::Use::fixed, "light at edges");
+  lights_ = gl::Buffer(context, all * sizeof(GLuint), gl::Buffer::Use::fixed, "light at edges");
   width_ = width, height_ = height;
 }
 
@@ -132,7 +132,7 @@ void EdgeSmoothingPass::blend(FrameContext& context) {
   shares_.bindImage(kSharesImage, GL_READ_WRITE);
   pixels_.bind(GL_DISPATCH_INDIRECT_BUFFER);
   context.gl.dispatchIndirect(0);
-  api.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  api.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 
   gl::ComputeShader& write = context.shaders.computeShader("edges/write.comp");
   write.use();

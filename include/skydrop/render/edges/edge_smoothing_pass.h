@@ -9,7 +9,7 @@ namespace skydrop::render {
 
 // Finds edges in the scene's depth and gives the pixels beside them what the other side has of them
 // (shaders/shared/edge_steps.glsl), mixed as the screen shows it. The pixels of a stage's layer (LayerCover)
-// stay as they are. After everything that is drawn into the scene. Holds 17 bytes a pixel of the scene, from
+// stay as they are. After everything that is drawn into the scene. Holds 13 bytes a pixel of the scene, from
 // the first frame that shows land. Publishes nothing.
 class EdgeSmoothingPass final : public Pass {
  public:
