@@ -1,5 +1,6 @@
 // Lists of what is to be marched: tiles of pixels with the interval in which there may be cloud, and single rays. TILE_SIDE:
 // pixels.
+#include "listed.glsl"
 #include "shared/dialect.glsl"
 
 struct Task {
@@ -18,11 +19,6 @@ const int kPlacesOfSpans = 16;
 #endif
 const int kMostSpans = kPlacesOfSpans - 1;
 
-// Groups of an indirect dispatch: rows of 1024.
-const uint kGroupsARow = 1024u;
-
-uint packedPlace(ivec2 at) { return uint(at.x) | uint(at.y) << 16u; }
-ivec2 unpackedPlace(uint at) { return ivec2(at & 0xffffu, at >> 16u); }
 // Set in a listed ray's place: it is filled well enough, should the last frame know nothing better.
 const uint kMayBeLeft = 0x80000000u;
 ivec2 taskPlace(Task task) { return unpackedPlace(task.at); }

@@ -72,5 +72,5 @@ void weighSteps(ivec2 pixel, bool isRightward) {
 void weighListed(uint index) {
   if (index >= listedWords.groups.w) return;
   uint at = listedWords.at[index];
-  weighSteps(ivec2((at & 0xffffu) << 5u, at >> 16u & 0x7fffu), (at & kIsRightward) != 0u);
+  weighSteps(unpackedPlace(at & ~kIsRightward) * ivec2(32, 1), (at & kIsRightward) != 0u);
 }

@@ -57,7 +57,7 @@ void CloudHistory::resize(gl::Context& context, const View& view, const clouds::
   };
   const std::size_t pixels = whole(view.width) * whole(view.height);
   const std::size_t widestBytes =
-      sizeof(Groups) + pixels / static_cast<std::size_t>(widest * widest) * sizeof(GLuint);
+      sizeof(ListGroups) + pixels / static_cast<std::size_t>(widest * widest) * sizeof(GLuint);
   const bool fits = depth_ && depth_.width() == view.width && depth_.height() == view.height &&
                     widestRays_.size() == widestBytes;
   if (fits) return;
@@ -69,7 +69,7 @@ void CloudHistory::resize(gl::Context& context, const View& view, const clouds::
   widestRays_ = gl::Buffer(context, widestBytes, gl::Buffer::Use::write, "widest cloud rays");
   candidates_ = {};
   if (widest > 1) {
-    candidates_ = gl::Buffer(context, sizeof(Groups) + pixels * sizeof(GLuint), gl::Buffer::Use::write,
+    candidates_ = gl::Buffer(context, sizeof(ListGroups) + pixels * sizeof(GLuint), gl::Buffer::Use::write,
                              "candidate cloud rays");
   }
 }
@@ -101,7 +101,7 @@ gl::ComputeShader& CloudHistory::prepare(FrameContext& context, const std::strin
                                          gl::Buffer& list) {
   std::vector<std::string> all(defines.begin(), defines.end());
   all.push_back("ROUND " + std::to_string(round));
-  list.writeValue(0, Groups{});
+  list.writeValue(0, ListGroups{});
   list.bindBase(GL_SHADER_STORAGE_BUFFER, kRaysBinding);
   rays_.light.bind(kLightUnit);
   rays_.distances.bind(kDistancesUnit);

@@ -26,7 +26,7 @@ namespace {
 constexpr GLuint kLightVolumesUnit = 4, kSceneDepthUnit = 6, kLightUnit = 7,
                  kDistancesUnit = 8;  // as in shaders/clouds
 struct TilesHeader {
-  Groups ofOne, ofFour;
+  ListGroups ofOne, ofFour;
 };
 
 // Whether no ray of the picture meets the layer before clouds have faded.
@@ -173,7 +173,8 @@ void CloudSystem::resize(const View& view) {
     if (spacing >= widest) continue;
     // Three of four texels in each tile, at most.
     const std::size_t most = all * static_cast<std::size_t>(side * side / (spacing * spacing));
-    list = gl::Buffer(context_, sizeof(Groups) + most * sizeof(GLuint), gl::Buffer::Use::write, "cloud rays");
+    list = gl::Buffer(context_, sizeof(ListGroups) + most * sizeof(GLuint), gl::Buffer::Use::write,
+                      "cloud rays");
   }
 }
 
@@ -358,7 +359,7 @@ void CloudSystem::refine(FrameContext& context, Defines defines, int spacing) {
   std::vector<std::string> all = withSpacing(defines, spacing);
   gl::Buffer& list = listedRays_[static_cast<std::size_t>(spacing) - 1];
   gl::Buffer& found = history_ ? history_->candidates() : list;
-  found.writeValue(0, Groups{});
+  found.writeValue(0, ListGroups{});
   found.bindBase(GL_SHADER_STORAGE_BUFFER, kRaysBinding);
   context_.api().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   raysApart(2 * spacing).light.bind(kLightUnit);
@@ -413,7 +414,7 @@ void CloudSystem::cover(FrameContext& context, Defines defines) {
 CloudSystem::Work CloudSystem::lastWork() const {
   Work work;
   const auto count = [](const gl::Buffer& list, std::size_t offset) {
-    Groups header;
+    ListGroups header;
     if (list) list.read(offset, std::as_writable_bytes(std::span(&header, 1)));
     return header.count;
   };

@@ -1,12 +1,12 @@
 // How the rays of a march are laid out over the picture and its tiles, and what of it the shaders are told.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "render/frame/list_groups.h"
 #include "skydrop/clouds/cloud_settings.h"
 #include "skydrop/render/gl/functions.h"
 
@@ -18,12 +18,6 @@ inline constexpr GLuint kTilesBinding = 0, kSpansBinding = 1, kUnderWayBinding =
 inline constexpr std::size_t kTaskBytes = 16, kSpansBytes = 128;  // of a tile
 // Where a list of tiles has the groups of a dispatch of four each.
 inline constexpr std::size_t kFourBytes = 16;
-
-// What a list of tiles or rays begins with: the groups of an indirect dispatch, and its length.
-struct Groups {
-  std::array<GLuint, 3> groups{0, 0, 1};
-  GLuint count = 0;
-};
 
 // Whether one dispatch may not reach the end of a ray.
 bool isMultiDispatch(const clouds::CloudSettings& settings);

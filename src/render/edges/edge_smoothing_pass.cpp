@@ -1,11 +1,11 @@
 #include "skydrop/render/edges/edge_smoothing_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <string>
 
+#include "render/frame/list_groups.h"
 #include "skydrop/render/frame/land_ground.h"
 #include "skydrop/render/frame/stage_layer.h"
 
@@ -19,12 +19,6 @@ constexpr GLuint kWordsImage = 0, kSceneImage = 0, kSharesImage = 1;            
 constexpr int kTile = 32, kRowsOfBlock = 16, kWordsARow = 1024;
 constexpr GLuint kBlocksOfGroup = 8;  // of mark.comp
 constexpr GLuint kWordsOfGroup = 16;  // of layer.comp
-
-// What a list begins with.
-struct Groups {
-  std::array<GLuint, 3> groups{0, 0, 1};
-  GLuint count = 0;
-};
 
 glm::ivec2 tilesOf(int width, int height) {
   return {(width + kTile - 1) / kTile, (height + kTile - 1) / kTile};
@@ -53,18 +47,18 @@ void EdgeSmoothingPass::resize(gl::Context& context, int width, int height) {
   const GLuint none = 0;
   context.api().ClearTexImage(shares_.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
   listedWords_ =
-      gl::Buffer(context, sizeof(Groups) + 2 * static_cast<std::size_t>(wordsOfPart) * sizeof(GLuint),
+      gl::Buffer(context, sizeof(ListGroups) + 2 * static_cast<std::size_t>(wordsOfPart) * sizeof(GLuint),
                  gl::Buffer::Use::write, "words with steps");
-  pixels_ =
-      gl::Buffer(context, sizeof(Groups) + all * sizeof(GLuint), gl::Buffer::Use::write, "pixels at edges");
+  pixels_ = gl::Buffer(context, sizeof(ListGroups) + all * sizeof(GLuint), gl::Buffer::Use::write,
+                       "pixels at edges");
   lights_ = gl::Buffer(context, all * sizeof(GLuint), gl::Buffer::Use::fixed, "light at edges");
   width_ = width, height_ = height;
 }
 
 void EdgeSmoothingPass::draw(FrameContext& context) {
   resize(context.gl, context.frame.view.width, context.frame.view.height);
-  listedWords_.writeValue(0, Groups{});
-  pixels_.writeValue(0, Groups{});
+  listedWords_.writeValue(0, ListGroups{});
+  pixels_.writeValue(0, ListGroups{});
   listedWords_.bindBase(GL_SHADER_STORAGE_BUFFER, kListedWordsBinding);
   pixels_.bindBase(GL_SHADER_STORAGE_BUFFER, kPixelsBinding);
   lights_.bindBase(GL_SHADER_STORAGE_BUFFER, kLightsBinding);
