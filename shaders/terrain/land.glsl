@@ -69,14 +69,20 @@ vec3 normalAt(LandTexel texel, vec2 aside) {
   return unpackedNormal(texture(chunkNormals, vec3(texel.at.xy + aside, texel.at.z)).rg);
 }
 
-// How much the normals diverge over 24 m (or a texel, where that is wider): ridges positive, hollows negative. Sums of
-// two neighbours on each axis, which every chunk has also for the places on its border.
-float landCurvature(LandTexel texel) {
-  if (texel.metres <= 0.0) return 0.0;
+// The land over 24 m (or two texels, where those are wider): two neighbours on each axis, which every chunk has also for the
+// places on its border.
+struct LandForm {
+  float curvature;  // how much the normals diverge: ridges positive, hollows negative
+  vec3 normal;      // the mean of theirs
+};
+
+LandForm landForm(LandTexel texel) {
+  if (texel.metres <= 0.0) return LandForm(0.0, vec3(0.0, 1.0, 0.0));
   float aside = max(kNormalReachM / texel.metres, 1.0) / float(kNormalSide);
-  vec2 east = vec2(aside, 0.0);
-  return 0.5 * (normalAt(texel, east).x - normalAt(texel, -east).x + normalAt(texel, east.yx).z -
-                normalAt(texel, -east.yx).z);
+  vec2 step = vec2(aside, 0.0);
+  vec3 east = normalAt(texel, step), west = normalAt(texel, -step);
+  vec3 south = normalAt(texel, step.yx), north = normalAt(texel, -step.yx);
+  return LandForm(0.5 * (east.x - west.x + south.z - north.z), 0.25 * (east + west + south + north));
 }
 
 const float kTreeMetres = 8.0;  // between trees
@@ -137,6 +143,9 @@ LandSurface belowTrees(LandSurface land, LandSight sight, LandNoise noise, float
 
 #ifdef GROUND_DETAIL
 #include "terrain/ground_detail.glsl"
+#ifdef RICH_LAND
+#include "terrain/erosion_lines.glsl"
+#endif
 #ifdef PLACES
 // Less of it where the ground is paved or trodden.
 Detail onPavement(Detail detail, float paved) {
@@ -187,9 +196,11 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   vec2 inside;
   latticeOf(sight.place, int(kChunkMetres / kTreeMetres), cell, inside);
   Crowns crowns = crownsAt(cell, inside);
+  LandForm form = landForm(sight.texel);
 #ifdef GROUND_DETAIL
   RockLayers layers = rockLayers(sight.heightM, faultsAt(sight, noise.grove), noise, sight.footprint);
-  vec2 strata = vec2(layers.tone, 0.0);
+  Erosion erosion = erosionAt(sight, form.normal, noise);
+  vec2 strata = vec2(erodedStrata(layers.tone, erosion), 0.0);
 #else
   vec2 strata = rockStrata(sight.heightM, 22.0 * noise.grove + 9.0 * noise.tuft, sight.footprint);
 #endif
@@ -198,7 +209,7 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
   sight.treeShare *= 1.0 - standingShare(length(relative));
 #endif
   LandSurface land =
-      landSurface(growthHeight(sight.heightM), normal.y, landCurvature(sight.texel), noise, strata.x, crowns, sight.treeShare);
+      landSurface(growthHeight(sight.heightM), normal.y, form.curvature, noise, strata.x, crowns, sight.treeShare);
 #ifdef PLACES
   PlaceLook places = placeLookAt(sight.place, land, length(relative), sight.footprint, noise);
   lightShares.xy *= lightPastHouses(sight.place, sight.heightM, length(relative), sight.footprint);
@@ -226,6 +237,12 @@ vec3 landLight(vec3 relative, vec3 lightShares) {
                vec3(0.0, strata.y * 3.0 * smoothstep(0.85, 0.6, normal.y), 0.0);
 #ifdef GROUND_DETAIL
   slope.y += layers.ledge * land.rock;
+  float wild = 1.0 - land.sand;
+#ifdef PLACES
+  wild *= 1.0 - places.share;
+#endif
+  slope.xz += erosion.slope * wild;
+  land = withRills(land, erosion.cut * wild);
   land.scree += land.rock * layers.rubble;
   land.rock *= 1.0 - layers.rubble;
   Detail detail = groundDetailAt(sight, land, length(relative));

@@ -98,6 +98,12 @@ void describe(core::SettingsVisitor& visitor, GroundDetailSettings& s) {
                   .max = 4,
                   .help = "How far away the ground's detail is drawn; 1: until a pixel covers half a metre.",
                   .aliases = "ground texture, distance, LOD"});
+  visitor.number("erosion", s.erosion,
+                 {.unit = "1",
+                  .min = 0,
+                  .max = 2,
+                  .help = "How deep running water has cut the slopes; drawn where render.land.detail is rich.",
+                  .aliases = "ground texture, rills, gullies, lines, slopes"});
   static constexpr std::array<std::string_view, 3> kNames{"coarse", "medium", "fine"};
   visitor.choice("texels", s.texels, kNames,
                  {.help = "Side of each material's square of 7.5 m: 128, 256 or 512 texels.",

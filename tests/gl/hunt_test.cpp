@@ -47,6 +47,7 @@ class HuntGLTest : public test::GLTest {
 #include "shared/gradient_noise.glsl"
 #include "shared/grass_strip.glsl"
 #include "shared/ground_detail.glsl"
+#include "shared/erosion_lines.glsl"
 #include "shared/ground_fog.glsl"
 #include "shared/ground_picture.glsl"
 #include "shared/guard_marks.glsl"

@@ -194,6 +194,10 @@ const std::vector<Golden>& goldens() {
       {"rockAt5",
        closeBy("3000,5,-3000", "330", {"render.sun.elevationDegrees=22", "render.sun.azimuthDegrees=240"})},
       {"rockAt20", closeBy("3900,20,-2700", "330")},
+      {"rillsOnARange",
+       withoutHud({"--scene", "lowlevel", "--no-effect", "targets", "--no-effect", "aircraft", "--set",
+                   "quality=high", "--pose=2500,700,-1200,-38,-12,0", "--set",
+                   "render.sun.elevationDegrees=16", "--set", "render.sun.azimuthDegrees=265"})},
       {"shoreAt5", closeBy("2696,5,2597", "60")},
       {"meadowAt20Low", closeBy("4420,20,-530", "320", {"quality=low"})},
       // What stands on the ground: a meadow with flowers from 2 and 5 m, boulders from 5, reeds from 3.

@@ -1,6 +1,7 @@
 #include "skydrop/core/light_shafts.h"
 #include "skydrop/core/shared.h"
 #include "skydrop/core/shared_clouds.h"
+#include "skydrop/core/shared_erosion_lines.h"
 #include "skydrop/core/shared_flash.h"
 #include "skydrop/core/shared_glitter.h"
 #include "skydrop/core/shared_ground_cover.h"

@@ -202,6 +202,16 @@ HUNTED(rockLayers, (in(-1e4, 1e4), in(-16, 16), in(0, 96), signedUnit(), signedU
        LandNoise n; n.region = a[3]; n.grove = a[4]; n.tuft = a[5]; n.clod = a[6]; n.grain = Real(0.0);
        RockLayers l = rockLayers(a[0], Vec2(a[1], a[2]), n, a[7]); r[0] = l.tone; r[1] = l.ledge; r[2] = l.rubble)
 
+// erosion_lines.glsl
+HUNTED(erosionShown, (in(1, 1e3), in(0, 1e30)), (share(1e-5)), r[0] = erosionShown(a[0], a[1]))
+HUNTED(erosionStrength, (unit(), signedUnit(), signedUnit()), (share(1e-4)),
+       LandNoise n; n.region = Real(0.0); n.grove = a[1]; n.tuft = a[2]; n.clod = Real(0.0); n.grain = Real(0.0);
+       r[0] = erosionStrength(a[0], n))
+HUNTED(erosionCut, (whole(0, 16777216), whole(0, 16777216), unit(), unit(), signedUnit(), signedUnit(), whole(0, 16777216)),
+       (share(2e-3), out(-15, 15, 0, 2e-2)),
+       Vec2 c = erosionCut(Uvec2(Uint(a[0]), Uint(a[1])), Vec2(a[2], a[3]), Vec2(a[4], a[5]), Uint(a[6])); r[0] = c.x;
+       r[1] = c.y)
+
 // lab
 HUNTED(blendOf, (in(-1e18, 1e18), in(-1e18, 1e18), unit()), (out(-1e18, 1e18, 1e-5)), r[0] = blendOf(a[0], a[1], a[2]))
 HUNTED(planeDistance, (in(-1e18, 1e18), in(-1e18, 1e18), in(-1e18, 1e18), direction(), in(-1, 1), in(-1, 1), in(-1e3, 1e3)),

@@ -26,6 +26,7 @@ struct GroundDetailSettings {
   double contrast = 1;  // of light and dark against the material's mean, [0, 2]
   double relief = 1;    // of the slopes that catch light, [0, 2]
   double reach = 1;     // how far away it is seen, in units of the shipped distance, [0, 3]
+  double erosion = 1;   // depth of the rills on slopes, in units of the shipped one, [0, 2]; rich land alone
   ReliefTexels texels = ReliefTexels::medium;
 
   bool operator==(const GroundDetailSettings&) const = default;

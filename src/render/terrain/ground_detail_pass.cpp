@@ -36,7 +36,7 @@ void GroundDetailPass::upload(const terrain::GroundRelief& relief) {
 
 void GroundDetailPass::draw(FrameContext& context) {
   detail_ = {&squares_, settings_.contrast, settings_.relief, settings_.reach,
-             terrain::kReliefTileM / squares_.width()};
+             terrain::kReliefTileM / squares_.width(), settings_.erosion};
   context.resources.publish(detail_);
 }
 

@@ -17,5 +17,5 @@ out vec4 color;
 void main() {
   LandTexel texel = texelInChunk(chunk, start + stride * floor(gl_FragCoord.x), level);
   vec3 normal = normalAt(texel, vec2(0.0));
-  color = gl_FragCoord.y < 1.0 ? vec4(normal, landCurvature(texel)) : vec4(texel.metres, normal.y, 0.0, 0.0);
+  color = gl_FragCoord.y < 1.0 ? vec4(normal, landForm(texel).curvature) : vec4(texel.metres, normal.y, 0.0, 0.0);
 }

@@ -18,6 +18,7 @@ struct GroundDetail {
   const gl::Texture* squares = nullptr;        // squares of terrain::GroundMaterial, a layer each
   double contrast = 1, relief = 1, reach = 1;  // as terrain::GroundDetailSettings
   double texelM = 1;                           // side of a texel of the first level, m
+  double erosion = 1;                          // as there
 
   static constexpr double kWideScale = 8, kWideReach = 0.35;  // of the larger squares of plain land, as there
   // From so far on plain land shows nothing of it, m. pixelAngleRad: of a pixel in the picture's middle.
@@ -29,6 +30,7 @@ struct GroundDetail {
   void set(gl::Shader& shader) const {
     squares->bind(kUnit);
     shader.setVec4("groundDetail", glm::vec4(contrast, relief, reach, texelM));
+    shader.setFloat("erosionDepth", static_cast<float>(erosion));
   }
 };
 
