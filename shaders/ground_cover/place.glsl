@@ -50,7 +50,7 @@ CoverInstance instanceOf(Cover cover, CoverSite site, vec2 place, vec3 foot, vec
   made.form = vec4(cover.radiusM * grown, 2.0 * kPi * cover.turn, float(cover.kind), float(bits & 0xffffffu));
   made.normal = vec4(normal, 1.0 - smoothstep(0.55 * coverFineM, coverFineM, distanceM));
   made.sun = vec4(frame.sunLight.xyz * shares.x * passed, cover.dry);
-  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares)) * passed, cover.tint);
+  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares) + lampsAt(foot)) * passed, cover.tint);
   // From below comes what the ground around it throws back.
   vec3 onGround = made.sun.xyz * max(dot(normal, frame.toSun.xyz), 0.0) + made.above.xyz;
   made.below = vec4(site.land.albedo * onGround, grown);

@@ -16,8 +16,9 @@ PlaceInstance lit(PlaceInstance made, vec3 middle, uint bits, float drawn) {
   vec3 hazeAlone = endingLandThroughAir(vec3(0.0), middle, leftOfLight(middle));
   vec3 passed = endingLandThroughAir(vec3(1.0), middle, leftOfLight(middle)) - hazeAlone;
   made.sun = vec4(frame.sunLight.xyz * shares.x * passed / kPi, float(bits >> 8));
-  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares)) * passed / kPi, drawn);
-  made.below = vec4(frame.groundLight.xyz * shares.y * passed / kPi, windowShare);
+  vec3 lamps = lampsAt(middle);
+  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares) + lamps) * passed / kPi, drawn);
+  made.below = vec4((frame.groundLight.xyz * shares.y + lamps) * passed / kPi, windowShare);
   made.air = vec4(hazeAlone, passed.y);
   return made;
 }

@@ -34,6 +34,21 @@ vec3 sharesAt(vec3 relative) {
   return shares;
 }
 
+// Of a lamp and a flash together: illuminance of what faces them, and what of it something round or thin as leaves and
+// blades has in the mean over its sides that are seen (a ball, lit from where one looks: 2/3).
+const float kLampShare = 0.6666667;
+
+vec3 lampsAt(vec3 relative) {
+  vec3 light = vec3(0.0);
+#ifdef SPOT_LIGHT
+  light += spotOn(relative, normalize(spotPlace - relative));
+#endif
+#ifdef FLASH_LIGHT
+  for (int i = 0; i < kFlashLights; ++i) light += flashOnFrom(i, relative, flashTowards(i, relative));
+#endif
+  return light * kLampShare;
+}
+
 // Whether a ball may be seen.
 bool isInView(vec3 middle, float radiusM) {
   vec4 clip = frame.viewProjection * vec4(middle, 1.0);

@@ -45,8 +45,9 @@ TreeInstance instanceOf(Tree tree, vec3 foot, float density, float phase, vec2 d
   made.foot = vec4(foot, tree.heightM);
   made.form = vec4(tree.radiusM, cos(angle), sin(angle), drawn.x);
   made.sun = vec4(frame.sunLight.xyz * shares.x * passed, float(tree.kind));
-  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares)) * passed, density);
-  made.below = vec4(frame.groundLight.xyz * shares.y * passed, phase);
+  vec3 lamps = lampsAt(middle);
+  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares) + lamps) * passed, density);
+  made.below = vec4((frame.groundLight.xyz * shares.y + lamps) * passed, phase);
   made.air = vec4(hazeAlone, drawn.y);
   made.bend = bentBy(tree.heightM, phase);
   return made;

@@ -30,10 +30,6 @@ class GroundDetailGLTest : public test::SceneGLTest {
     snapshot_.aircraft.present = false;
     sceneRenderer_->camera().setMode(render::CameraMode::free);
   }
-  void set(const std::string& assignment) {
-    core::setField(run_->table, assignment);
-    sceneRenderer_->apply(SettingsChange::ofAll(run_->table));
-  }
   core::Image look(const glm::dvec2& at, double above, double yawDeg, double pitchDeg, Size size = kSize) {
     const double ground = simulation_->ground()->height(at);
     sceneRenderer_->camera().setPose({at.x, ground + above, at.y}, yawDeg * kDegree, pitchDeg * kDegree, 0);

@@ -2,10 +2,12 @@
 // land, the light in the cockpit, the interface, and eyes that adapt.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "skydrop/core/hash.h"
 #include "skydrop/render/models/landing_light_pass.h"
 #include "skydrop/render/models/model_lamps.h"
+#include "skydrop/terrain/woods.h"
 #include "support/light_probe.h"
 #include "support/row_steps.h"
 #include "support/scene_gl_test.h"
@@ -180,6 +183,65 @@ TEST_F(NightFlightGLTest, theLandingLightLightsTheLandAheadAndNothingElse) {
   EXPECT_NEAR(addedByTwo / addedByOne / (2 * leftAt(200000) / leftAt(100000)), 1, 0.02);
 }
 
+TEST_F(NightFlightGLTest, theLandingLightLightsTheTreesInItsBeamAndNoOthers) {
+  // Looked at from beside the lamp, a tree in the middle of the beam sends back what its illuminance makes of
+  // foliage: albedos from .036 to .09, two thirds of them as a ball's mean over the side that is seen, .3 to
+  // 1 of that by how crowns stand open. One outside of the beam keeps its light, as the land above.
+  begin({"effects.vegetation=true", "aircraftLights.brightness=0"});
+  atRest();
+  snapshot_.aircraft.orientation *= glm::angleAxis(glm::radians(-4.0), glm::dvec3(1, 0, 0));
+  const render::SpotLight spot = render::landingSpot(snapshot_.aircraft, run_->settings.landingLight);
+  const terrain::Woods woods(simulation_->ground(), run_->settings.woods.density, false);
+  const glm::dvec3 eye = spot.position + 4.0 * spot.axis + glm::dvec3(0, 1, 0);
+  const auto middleOf = [](const terrain::StandingTree& tree) {
+    return tree.foot + glm::dvec3(0, 0.5 * tree.shape.heightM, 0);
+  };
+  // The nearest tree between two angles from the beam's axis.
+  const auto treeBetween = [&](double least, double most) {
+    std::optional<glm::dvec3> nearest;
+    for (const terrain::StandingTree& tree : woods.around({eye.x, eye.z}, 250)) {
+      const glm::dvec3 to = middleOf(tree) - spot.position;
+      const double angle = std::acos(glm::dot(glm::normalize(to), spot.axis));
+      if (glm::length(to) < 30 || angle < least || angle > most) continue;
+      if (!nearest || glm::length(to) < glm::distance(*nearest, spot.position)) nearest = middleOf(tree);
+    }
+    return nearest;
+  };
+  // What the lamp adds in the middle of a picture of a place.
+  const auto addedTo = [&](const glm::dvec3& place) {
+    const glm::dvec3 way = glm::normalize(place - eye);
+    sceneRenderer_->camera().setPose(eye, std::atan2(way.z, way.x), std::asin(way.y), 0);
+    set("landingLight.on=true");
+    const Light with = frame(render::CameraMode::free);
+    set("landingLight.on=false");
+    const Light without = frame(render::CameraMode::free);
+    glm::dvec3 added(0);
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x) {
+        const auto i = static_cast<std::size_t>((kSize.height / 2 + y) * kSize.width + kSize.width / 2 + x);
+        added += glm::dvec3(with[i] - without[i]) / 9.0;
+      }
+    }
+    return added.y;
+  };
+  const auto inBeam = treeBetween(0, 0.7 * spot.halfAngleRad);
+  const auto outside = treeBetween(5 * spot.halfAngleRad, 1.2);
+  ASSERT_TRUE(inBeam && outside);
+  const double exposure = render::skyLight(run_->settings.render, eye.y).exposure;
+  const glm::dvec3 to = *inBeam - spot.position;
+  const double angle = std::acos(glm::dot(glm::normalize(to), spot.axis));
+  const double illuminance = spot.intensity.y * exposure *
+                             render::shownShareOf(spot, snapshot_.aircraft.heightAboveGround, exposure) *
+                             std::exp(-std::log(2.0) * std::pow(angle / spot.halfAngleRad, 2)) /
+                             glm::dot(to, to);
+  const double white = illuminance / std::numbers::pi * 2 / 3, added = addedTo(*inBeam);
+  std::printf("[ lamp ] a tree at %.0f m: %.4f, %.3f of a white ball's\n", glm::length(to), added,
+              added / white);
+  EXPECT_GT(added, 0.3 * 0.036 * white);
+  EXPECT_LT(added, 0.09 * white);
+  EXPECT_LT(std::abs(addedTo(*outside)), 1e-3);
+}
+
 TEST_F(NightFlightGLTest, theLandingLightIsIdleByDayAndOff) {
   begin();
   const auto* pass = sceneRenderer_->renderer().find<render::LandingLightPass>();
@@ -200,8 +262,9 @@ TEST_F(NightFlightGLTest, theLandingLightIsIdleByDayAndOff) {
 }
 
 TEST_F(NightFlightGLTest, switchingTheLandingLightCompilesNothing) {
-  // The warm-up of a flight has drawn land with it and without.
-  begin({"landingLight.on=false"});
+  // The warm-up of a flight has drawn land, and placed what stands on it, with it and without.
+  begin({"landingLight.on=false", "effects.vegetation=true", "effects.groundCover=true",
+         "effects.places=true"});
   sceneRenderer_->warmUp(snapshot_, kSize);
   frame();
   const auto programs = sceneRenderer_->renderer().shaders().programs().size();

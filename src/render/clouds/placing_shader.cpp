@@ -4,40 +4,66 @@
 
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/clouds/ice_shade.h"
+#include "skydrop/render/frame/flash_light.h"
 #include "skydrop/render/frame/place_map.h"
+#include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/shadows/land_shadow_map.h"
 
 namespace skydrop::render {
+
+namespace {
+
+// What of a frame comes and goes while one flies, each with a variant of the program.
+struct Lights {
+  bool cloudSun = false, landShade = false, spot = false, flash = false;
+};
+
+}  // namespace
 
 gl::ComputeShader& placingShader(FrameContext& context, const LandGround& land, const std::string& file) {
   const auto* clouds = context.resources.find<CloudShadowMap>();
   const auto* shade = context.resources.find<LandShadowMap>();
   const auto* ice = context.resources.find<IceShade>();
   const auto* places = context.resources.find<PlaceMap>();
-  const auto variant = [&](bool hasSun, bool hasLand) -> gl::ComputeShader& {
+  const auto* spot = context.resources.find<SpotLight>();
+  const auto* flash = context.resources.find<FlashLight>();
+  const auto variant = [&](const Lights& lights) -> gl::ComputeShader& {
     std::vector<std::string> defines(context.defines.begin(), context.defines.end());
     if (land.hasAlpineBelts()) defines.emplace_back("ALPINE_BELTS");
     if (clouds) {
-      for (const std::string& define : clouds->defines(hasSun)) defines.push_back(define);
+      for (const std::string& define : clouds->defines(lights.cloudSun)) defines.push_back(define);
       defines.emplace_back("CLOUD_SHADE");
     }
-    if (hasLand) defines.emplace_back(LandShadowMap::kDefine);
+    if (lights.landShade) defines.emplace_back(LandShadowMap::kDefine);
     if (ice) defines.emplace_back("ICE_SHADE");
     if (places) defines.emplace_back(PlaceMap::kDefine);
+    if (lights.spot) defines.emplace_back(SpotLight::kDefine);
+    if (lights.flash) defines.emplace_back(FlashLight::kDefine);
     return context.shaders.computeShader(file, defines);
   };
-  const bool hasSun = clouds && clouds->hasSun();
-  if (context.frame.looksAhead()) {  // the sun and the land's shade may come and go
-    if (clouds) variant(!hasSun, shade != nullptr);
-    if (context.frame.features.landShadows) variant(hasSun, shade == nullptr);
+  const Lights now{clouds && clouds->hasSun(), shade != nullptr, spot != nullptr, flash != nullptr};
+  if (context.frame.looksAhead()) {  // the next frame may differ in one of them
+    const auto ask = [&](bool Lights::*one, bool mayChange) {
+      if (!mayChange) return;
+      Lights next = now;
+      next.*one = !(next.*one);
+      variant(next);
+    };
+    const FrameFeatures& features = context.frame.features;
+    ask(&Lights::cloudSun, clouds != nullptr);
+    ask(&Lights::landShade, features.landShadows);
+    ask(&Lights::spot, features.spotLight);
+    ask(&Lights::flash, features.flashLight);
   }
-  gl::ComputeShader& shader = variant(hasSun, shade != nullptr);
+  gl::ComputeShader& shader = variant(now);
   shader.use();
   const View& view = context.frame.view;
   if (clouds) clouds->bind(shader);
   if (shade) shade->bind(shader, {view.position.x, view.position.z});
   if (ice) ice->bind(shader, view);
   if (places) places->set(shader, land.base());
+  if (spot) spot->set(shader, view);
+  if (flash) flash->set(shader);
   land.setGround(shader, view);
   return shader;
 }

@@ -9,7 +9,7 @@
 namespace skydrop::render {
 
 // A program that places instances on the land (its file includes shaders/terrain/placing.glsl), in use, with
-// the land, the places and whatever shades them in this frame: clouds, land, ice.
+// the land, the places, and whatever shades (clouds, land, ice) and lights them (lamp, flash) in this frame.
 gl::ComputeShader& placingShader(FrameContext& context, const LandGround& land, const std::string& file);
 
 }  // namespace skydrop::render

@@ -21,7 +21,7 @@ struct FlashLight {
   std::array<glm::vec4, kLights> lights{};
 
   // For programs that include that file, in use or not.
-  void set(gl::Shader& shader) const {
+  void set(gl::ShaderProgram& shader) const {
     shader.setVec4s("flashPlaces", places);
     shader.setVec4s("flashLights", lights);
   }

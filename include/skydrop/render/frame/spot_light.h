@@ -21,7 +21,7 @@ struct SpotLight {
   glm::dvec3 intensity{0};    // on the axis, kcd, linear sRGB primaries, times the frame's exposure
 
   // For programs that include that file, in use.
-  void set(gl::Shader& shader, const View& view) const {
+  void set(gl::ShaderProgram& shader, const View& view) const {
     shader.setVec3("spotPlace", relativeToEye(view, position));
     shader.setVec4("spotAxis", glm::vec4(glm::vec3(axis), static_cast<float>(halfAngleRad)));
     shader.setVec3("spotLight", glm::vec3(intensity));
