@@ -25,8 +25,7 @@ bool isBare(vec2 place) {
   return bare;
 }
 
-CoverSite siteAt(vec2 place, float heightM, vec3 normal) {
-  LandNoise noise = woodNoise(uvec2(baseChunk), place);
+CoverSite siteAt(vec2 place, float heightM, vec3 normal, LandNoise noise) {
   CoverSite site;
   site.patches = chunkNoise(uvec2(baseChunk), place, 120);
   noise.clod = 0.6 * site.patches.y;
@@ -71,7 +70,8 @@ int listOf(int kind, float distanceM, float radiusM) {
   return kind == kTuft ? (distanceM < coverFineM ? 0 : 1) : (kind == kStone || kind == kBoulder ? stone : kind + 1);
 }
 
-const uint kTileCells = 8u;  // along a side
+const uint kTileCells = 8u;    // along a side
+const float kSnowedIn = 0.8;  // of a plant's height, where snow covers the ground
 
 void placeCover(uint tileNumber, uint cellNumber) {
   ivec4 tile = tiles[tileNumber];
@@ -85,9 +85,14 @@ void placeCover(uint tileNumber, uint cellNumber) {
   float distanceM = length(foot);
   LandTexel texel = landTexel(place, distanceM);
   vec3 normal = texel.metres > 0.0 ? normalAt(texel, vec2(0.0)) : vec3(0.0, 1.0, 0.0);
-  CoverSite site = siteAt(place, heightM, normal);
+  LandNoise noise = woodNoise(uvec2(baseChunk), place);
+  CoverSite site = siteAt(place, heightM, normal, noise);
   Cover cover = coverOf(bits, level, site);
-  float grown = coverGrown(distanceM, reachM, unitOf(bits * 0x9e3779b1u));
+  // Snow lies over plants but for their tips, and between stones.
+  float snow = lyingSnowAt(heightM, noise);
+  bool isStone = cover.kind == kStone || cover.kind == kBoulder;
+  float grown = coverGrown(distanceM, reachM, unitOf(bits * 0x9e3779b1u)) * (isStone ? 1.0 : 1.0 - kSnowedIn * snow);
+  site.land.albedo = mix(site.land.albedo, kFallenSnow, snow);
   if (cover.kind == kNoCover || grown <= 0.0 || texel.metres <= 0.0 || heightM <= -1e5 ||
       !isInView(foot + vec3(0.0, 0.5 * cover.heightM, 0.0), cover.heightM + cover.radiusM) || isBare(place))
     return;

@@ -1,4 +1,6 @@
 // Rain and snow on the land (render::FallenWater); programs are compiled with FALLEN_WATER in frames that have some.
+const vec3 kFallenSnow = vec3(0.74, 0.77, 0.81);  // albedo
+
 #ifdef FALLEN_WATER
 #include "shared/precipitation.glsl"
 
@@ -25,7 +27,7 @@ Fallen fallenOn(LandSurface land, float heightM, vec3 normal, LandNoise noise, v
   vec3 dark = vec3(wetAlbedo(land.albedo.x), wetAlbedo(land.albedo.y), wetAlbedo(land.albedo.z));
   Fallen result;
   result.land = land;
-  result.land.albedo = mix(mix(land.albedo, dark, wet), vec3(0.74, 0.77, 0.81) * (1.0 + 0.05 * noise.tuft), snow);
+  result.land.albedo = mix(mix(land.albedo, dark, wet), kFallenSnow * (1.0 + 0.05 * noise.tuft), snow);
   result.land.albedo *= 1.0 - 0.5 * puddle;
   result.land.roughness = mix(land.roughness, 0.15, snow);
   // A film mirrors a little everywhere, puddles all that water does (Schlick 1994).

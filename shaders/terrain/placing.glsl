@@ -49,6 +49,15 @@ vec3 lampsAt(vec3 relative) {
   return light * kLampShare;
 }
 
+// Share of what is open to the sky there that snow covers, [0, 1].
+float lyingSnowAt(float heightM, LandNoise noise) {
+#ifdef FALLEN_WATER
+  return fallenSnow(fallen.y, heightM, fallen.z, 1.0, driftNoise(noise));
+#else
+  return 0.0;
+#endif
+}
+
 // Whether a ball may be seen.
 bool isInView(vec3 middle, float radiusM) {
   vec4 clip = frame.viewProjection * vec4(middle, 1.0);

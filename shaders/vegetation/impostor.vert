@@ -19,5 +19,5 @@ void main() {
   lightAbove = treeAbove.xyz;
   lightBelow = treeBelow.xyz;
   lightAir = treeAir.xyz;
-  fade = vec4(treeForm.w, treeAir.w, treeBelow.w, treeSun.w);
+  fade = vec4(treeForm.w, treeAir.w, treeBelow.w, floor(treeSun.w));
 }

@@ -2,7 +2,7 @@
 struct TreeInstance {
   vec4 foot;     // relative to the eye; height (m)
   vec4 form;     // radius (m), cosine and sine of the turn, share that is drawn as a mesh
-  vec4 sun;      // radiance of a side that faces the sun, as it reaches the eye; kind
+  vec4 sun;      // radiance of a side that faces the sun, as it reaches the eye; kind, and half of the snow on it
   vec4 above;    // radiance by the light from above; density of the wood around
   vec4 below;    // by the light from below; phase of its swaying, in turns
   vec4 air;      // light of the air before it; share of it that is drawn at all

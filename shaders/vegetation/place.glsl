@@ -34,20 +34,26 @@ vec2 sharesDrawn(float distanceM) {
   return vec2(1.0 - smoothstep(treeReach.x, treeReach.y, distanceM), 1.0 - smoothstep(treeReach.z, treeReach.w, distanceM));
 }
 
-TreeInstance instanceOf(Tree tree, vec3 foot, float density, float phase, vec2 drawn) {
+// What of the light from above, from the sun and from below meets snow on branches that it covers.
+const vec3 kSnowOnBranches = vec3(0.5, 0.35, 0.05);
+
+// snow: share of open ground there that is covered.
+TreeInstance instanceOf(Tree tree, vec3 foot, float density, float phase, float snow, vec2 drawn) {
   vec3 middle = foot + vec3(0.0, 0.5 * tree.heightM, 0.0);
   vec3 shares = sharesAt(middle);
-  vec3 reflected = foliageAlbedo(tree.leafy) * ((0.72 + 0.75 * tree.tint) / kPi);
+  vec3 foliage = foliageAlbedo(tree.leafy) * (0.72 + 0.75 * tree.tint);
   vec3 hazeAlone = endingLandThroughAir(vec3(0.0), middle, leftOfLight(middle));
-  vec3 passed = (endingLandThroughAir(vec3(1.0), middle, leftOfLight(middle)) - hazeAlone) * reflected;
+  vec3 passed = (endingLandThroughAir(vec3(1.0), middle, leftOfLight(middle)) - hazeAlone) / kPi;
+  vec3 white = kSnowOnBranches * snow;
   float angle = 2.0 * kPi * tree.turn;
   TreeInstance made;
   made.foot = vec4(foot, tree.heightM);
   made.form = vec4(tree.radiusM, cos(angle), sin(angle), drawn.x);
-  made.sun = vec4(frame.sunLight.xyz * shares.x * passed, float(tree.kind));
+  made.sun = vec4(frame.sunLight.xyz * shares.x * passed * mix(foliage, kFallenSnow, white.y), float(tree.kind) + 0.5 * snow);
   vec3 lamps = lampsAt(middle);
-  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares) + lamps) * passed, density);
-  made.below = vec4((frame.groundLight.xyz * shares.y + lamps) * passed, phase);
+  made.above = vec4((frame.skyLight.xyz * shares.y + diffuseSun(shares) + lamps) * passed * mix(foliage, kFallenSnow, white.x),
+                    density);
+  made.below = vec4((frame.groundLight.xyz * shares.y + lamps) * passed * mix(foliage, kFallenSnow, white.z), phase);
   made.air = vec4(hazeAlone, drawn.y);
   made.bend = bentBy(tree.heightM, phase);
   return made;
@@ -83,7 +89,8 @@ void placeTree(ivec2 cell) {
       isCleared(place))
     return;
   float density = forestDensity(growthHeight(heightM), up, 0.0, noise);
-  TreeInstance made = instanceOf(tree, foot, density, unitOf(bits * 0x9e3779b1u), drawn);
+  TreeInstance made =
+      instanceOf(tree, foot, density, unitOf(bits * 0x9e3779b1u), lyingSnowAt(heightM, noise), drawn);
   if (drawn.x > 0.0) put(uint(tree.kind), made);
   if (drawn.x < 1.0) put(3u, made);
 }

@@ -6,7 +6,7 @@ out vec2 surfaceLight;  // open to the sky; to the sun
 out float bark;
 out vec3 toTree;
 flat out vec3 lightSun, lightAbove, lightBelow, lightAir;
-flat out vec3 fade;  // share that is drawn; its own dither; size of the leaves' noise
+flat out vec4 fade;  // share that is drawn; its own dither; size of the leaves' noise; snow
 
 #include "vegetation/crown_light.glsl"
 
@@ -22,5 +22,5 @@ void main() {
   lightAbove = treeAbove.xyz;
   lightBelow = treeBelow.xyz;
   lightAir = treeAir.xyz;
-  fade = vec3(treeForm.w, treeBelow.w, treeSun.w);
+  fade = vec4(treeForm.w, treeBelow.w, floor(treeSun.w), 2.0 * fract(treeSun.w));
 }

@@ -2,11 +2,14 @@
 #include "vegetation/lit_tree.glsl"
 #include "vegetation/leaves.glsl"
 
-// rim: from the shape's normal, before leaves roughen it; toEye: unit.
-vec3 treeColor(TreeLight light, vec3 normal, vec2 open, float bark, Leaves leaves) {
+// Of bark, where the light of the instance is that of foliage with snow on it.
+const vec3 kSnowedBarkHue = vec3(0.25);
+
+// bark: its share, and how much snow lies on the tree. rim: from the shape's normal, before leaves roughen it; toEye: unit.
+vec3 treeColor(TreeLight light, vec3 normal, vec2 open, vec2 bark, Leaves leaves) {
   vec3 rough = normalize(normal - leaves.slope);
   return treeRadiance(TreeLight(light.sun, light.above, light.below, vec3(0.0)), rough, open.x, open.y,
-                      mix(vec3(1.0), kBarkHue, bark)) * max(leaves.shade, 0.15) + light.air;
+                      mix(vec3(1.0), mix(kBarkHue, kSnowedBarkHue, bark.y), bark.x)) * max(leaves.shade, 0.15) + light.air;
 }
 
 float rimOf(vec3 normal, vec3 relative) { return 1.0 - abs(dot(normalize(normal), normalize(relative))); }

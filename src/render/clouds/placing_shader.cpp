@@ -4,6 +4,7 @@
 
 #include "skydrop/render/clouds/cloud_shadow_map.h"
 #include "skydrop/render/clouds/ice_shade.h"
+#include "skydrop/render/frame/fallen_water.h"
 #include "skydrop/render/frame/flash_light.h"
 #include "skydrop/render/frame/place_map.h"
 #include "skydrop/render/frame/spot_light.h"
@@ -14,8 +15,8 @@ namespace skydrop::render {
 namespace {
 
 // What of a frame comes and goes while one flies, each with a variant of the program.
-struct Lights {
-  bool cloudSun = false, landShade = false, spot = false, flash = false;
+struct Variant {
+  bool cloudSun = false, landShade = false, spot = false, flash = false, fallen = false;
 };
 
 }  // namespace
@@ -27,33 +28,37 @@ gl::ComputeShader& placingShader(FrameContext& context, const LandGround& land, 
   const auto* places = context.resources.find<PlaceMap>();
   const auto* spot = context.resources.find<SpotLight>();
   const auto* flash = context.resources.find<FlashLight>();
-  const auto variant = [&](const Lights& lights) -> gl::ComputeShader& {
+  const auto* fallen = context.resources.find<FallenWater>();
+  const auto variant = [&](const Variant& of) -> gl::ComputeShader& {
     std::vector<std::string> defines(context.defines.begin(), context.defines.end());
     if (land.hasAlpineBelts()) defines.emplace_back("ALPINE_BELTS");
     if (clouds) {
-      for (const std::string& define : clouds->defines(lights.cloudSun)) defines.push_back(define);
+      for (const std::string& define : clouds->defines(of.cloudSun)) defines.push_back(define);
       defines.emplace_back("CLOUD_SHADE");
     }
-    if (lights.landShade) defines.emplace_back(LandShadowMap::kDefine);
+    if (of.landShade) defines.emplace_back(LandShadowMap::kDefine);
     if (ice) defines.emplace_back("ICE_SHADE");
     if (places) defines.emplace_back(PlaceMap::kDefine);
-    if (lights.spot) defines.emplace_back(SpotLight::kDefine);
-    if (lights.flash) defines.emplace_back(FlashLight::kDefine);
+    if (of.spot) defines.emplace_back(SpotLight::kDefine);
+    if (of.flash) defines.emplace_back(FlashLight::kDefine);
+    if (of.fallen) defines.emplace_back(FallenWater::kDefine);
     return context.shaders.computeShader(file, defines);
   };
-  const Lights now{clouds && clouds->hasSun(), shade != nullptr, spot != nullptr, flash != nullptr};
+  const Variant now{clouds && clouds->hasSun(), shade != nullptr, spot != nullptr, flash != nullptr,
+                    fallen != nullptr};
   if (context.frame.looksAhead()) {  // the next frame may differ in one of them
-    const auto ask = [&](bool Lights::*one, bool mayChange) {
+    const auto ask = [&](bool Variant::*one, bool mayChange) {
       if (!mayChange) return;
-      Lights next = now;
+      Variant next = now;
       next.*one = !(next.*one);
       variant(next);
     };
     const FrameFeatures& features = context.frame.features;
-    ask(&Lights::cloudSun, clouds != nullptr);
-    ask(&Lights::landShade, features.landShadows);
-    ask(&Lights::spot, features.spotLight);
-    ask(&Lights::flash, features.flashLight);
+    ask(&Variant::cloudSun, clouds != nullptr);
+    ask(&Variant::landShade, features.landShadows);
+    ask(&Variant::spot, features.spotLight);
+    ask(&Variant::flash, features.flashLight);
+    ask(&Variant::fallen, features.fallenWater);
   }
   gl::ComputeShader& shader = variant(now);
   shader.use();
@@ -64,6 +69,7 @@ gl::ComputeShader& placingShader(FrameContext& context, const LandGround& land, 
   if (places) places->set(shader, land.base());
   if (spot) spot->set(shader, view);
   if (flash) flash->set(shader);
+  if (fallen) fallen->set(shader);
   land.setGround(shader, view);
   return shader;
 }

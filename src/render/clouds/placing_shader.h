@@ -9,7 +9,8 @@
 namespace skydrop::render {
 
 // A program that places instances on the land (its file includes shaders/terrain/placing.glsl), in use, with
-// the land, the places, and whatever shades (clouds, land, ice) and lights them (lamp, flash) in this frame.
+// the land, the places, and whatever shades (clouds, land, ice), lights (lamp, flash) and covers them (snow) in
+// this frame.
 gl::ComputeShader& placingShader(FrameContext& context, const LandGround& land, const std::string& file);
 
 }  // namespace skydrop::render

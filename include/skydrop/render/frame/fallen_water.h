@@ -18,7 +18,7 @@ struct FallenWater {
   glm::vec4 sky{0};      // rgb: radiance that puddles mirror at a slant, after exposure
 
   // For programs that include that file, in use.
-  void set(gl::Shader& shader) const {
+  void set(gl::ShaderProgram& shader) const {
     shader.setVec4("fallen", glm::vec4(wet, snow, snowLineM, 0));
     shader.setVec4("fallenSky", sky);
   }
