@@ -3,58 +3,73 @@
 #include "edges/words.glsl"
 #include "edges/words_written.glsl"
 
-layout(binding = 0) uniform sampler2D sceneDepth;
+layout(binding = 0) uniform sampler2D sceneDepth;  // clamped to its edge
 uniform float leastStep;  // share of the depth
 
 const int kRows = 16;
+const int kBelow = 2;         // rows that are read below a block, and above
+const int kRead = kRows + 4;  // of a column
 
-float depthAt(ivec2 pixel) {
-  return texelFetch(sceneDepth, clamp(pixel, ivec2(0), textureSize(sceneDepth, 0) - 1), 0).r;
+// Depths of two columns at once, four texels a look: a software renderer works the coordinates out once for them.
+void readColumns(ivec2 low, vec2 perTexel, out float first[kRead], out float second[kRead]) {
+  for (int i = 0; i < kRead; i += 2) {
+    vec4 four = textureGather(sceneDepth, (vec2(low) + vec2(1.0, float(i - kBelow) + 1.0)) * perTexel);
+    first[i] = four.w;
+    first[i + 1] = four.x;
+    second[i] = four.z;
+    second[i + 1] = four.y;
+  }
 }
 
 // Steps upward in one column: of each row's pixel to the next.
-void markColumn(float here[kRows], ivec2 pixel, uint bit, inout uint upward[kRows]) {
-  float above = depthAt(pixel + ivec2(0, kRows)), second = depthAt(pixel + ivec2(0, kRows + 1));
-  float step = here[1] - here[0];
-  float bend = step - (here[0] - depthAt(pixel - ivec2(0, 1)));
+void markUpward(float column[kRead], uint bit, inout uint upward[kRows]) {
+  float step = column[kBelow + 1] - column[kBelow];
+  float bend = step - (column[kBelow] - column[kBelow - 1]);
   for (int i = 0; i < kRows; ++i) {
-    float upper = i + 1 < kRows ? here[min(i + 1, kRows - 1)] : above;
-    float beyond = i + 2 < kRows ? here[min(i + 2, kRows - 1)] : i + 2 == kRows ? above : second;
-    float nextStep = beyond - upper;
+    float here = column[kBelow + i], upper = column[kBelow + i + 1];
+    float nextStep = column[kBelow + i + 2] - upper;
     float nextBend = step - nextStep;
-    if (isStepBetween(step, leastStep * max(here[i], upper), bend, nextBend)) upward[i] |= bit;
+    if (isStepBetween(step, leastStep * max(here, upper), bend, nextBend)) upward[i] |= bit;
     step = nextStep;
     bend = nextBend;
+  }
+}
+
+// Steps from one column to the next; step and bend are those to the first, and become those to the second.
+void markRightward(float here[kRead], float next[kRead], float after[kRead], uint bit, inout float step[kRows],
+                   inout float bend[kRows], inout uint rightward[kRows]) {
+  for (int i = 0; i < kRows; ++i) {
+    float nextStep = after[kBelow + i] - next[kBelow + i];
+    float nextBend = step[i] - nextStep;
+    if (isStepBetween(step[i], leastStep * max(here[kBelow + i], next[kBelow + i]), bend[i], nextBend)) rightward[i] |= bit;
+    step[i] = nextStep;
+    bend[i] = nextBend;
   }
 }
 
 void markBlock(ivec2 block) {
   ivec2 low = block * ivec2(32, kRows);
   ivec2 size = textureSize(sceneDepth, 0);
+  vec2 perTexel = 1.0 / vec2(size);
   uint upward[kRows], rightward[kRows];
-  float here[kRows], next[kRows], step[kRows], bend[kRows];
+  float here[kRead], next[kRead], after[kRead], later[kRead], step[kRows], bend[kRows];
+  readColumns(low - ivec2(2, 0), perTexel, after, later);
+  readColumns(low, perTexel, here, next);
   for (int i = 0; i < kRows; ++i) {
     upward[i] = 0u;
     rightward[i] = 0u;
-    here[i] = depthAt(low + ivec2(0, i));
-    next[i] = depthAt(low + ivec2(1, i));
-    step[i] = next[i] - here[i];
-    bend[i] = step[i] - (here[i] - depthAt(low + ivec2(-1, i)));
+    step[i] = next[kBelow + i] - here[kBelow + i];
+    bend[i] = step[i] - (here[kBelow + i] - later[kBelow + i]);
   }
-  for (int x = 0; x < 32; ++x) {
-    ivec2 pixel = low + ivec2(x, 0);
+  for (int x = 0; x < 32; x += 2) {
     uint bit = 1u << uint(x);
-    markColumn(here, pixel, bit, upward);
-    for (int i = 0; i < kRows; ++i) {
-      float after = depthAt(pixel + ivec2(2, i));
-      float nextStep = after - next[i];
-      float nextBend = step[i] - nextStep;
-      if (isStepBetween(step[i], leastStep * max(here[i], next[i]), bend[i], nextBend)) rightward[i] |= bit;
-      here[i] = next[i];
-      next[i] = after;
-      step[i] = nextStep;
-      bend[i] = nextBend;
-    }
+    readColumns(low + ivec2(x + 2, 0), perTexel, after, later);
+    markUpward(here, bit, upward);
+    markUpward(next, bit << 1u, upward);
+    markRightward(here, next, after, bit, step, bend, rightward);
+    markRightward(next, after, later, bit << 1u, step, bend, rightward);
+    here = after;
+    next = later;
   }
   int inside = clamp(size.x - low.x, 0, 32);
   uint mask = inside == 32 ? 0xffffffffu : (1u << uint(inside)) - 1u;
