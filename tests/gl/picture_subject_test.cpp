@@ -164,6 +164,7 @@ TEST_F(PictureSubjectGLTest, aSlowPassShowsUpWhereItIsWithinAFifthOfTheWallClock
   EXPECT_GE(subject.timeOnce(experiment({})), SlowPass::kMs);
   EXPECT_LT(subject.timeOnce(experiment({}, "pass sky")), 0.8 * wall);
   EXPECT_EQ(subject.timeOnce(experiment({}, "pass clouds")), 0) << "there is none";
+  EXPECT_NEAR(subject.timeOnce(experiment({}, "pass sky+slow+clouds")), wall, 0.2 * wall) << "together";
   context().makeCurrent();
 }
 

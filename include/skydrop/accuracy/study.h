@@ -66,7 +66,7 @@ struct Study {
   Assignments reference;              // what the reference sets instead of a point
   Assignments check;                  // what the doubled reference sets on top; never empty
   std::vector<ChosenMetric> metrics;  // at least one; fronts are those of the first unless told
-  std::string timed;                  // "frame", "pass NAME" or "cpu"
+  std::string timed;                  // "frame", "pass NAME" (NAME+NAME: their sum) or "cpu"
   std::string timeUnit;               // "ms a frame"
   std::string order;                  // the path whose values are steps; may be empty
   std::vector<ShippedPoint> shipped;

@@ -119,17 +119,19 @@ double DrawnScene::timeFrame() {
   return watch.ms();
 }
 
-double DrawnScene::timePass(const std::string& name) {
+double DrawnScene::timePasses(const std::string& names) {
   renderer_->setMeasuring(true);
   timeFrame();
   core::FrameStatistics statistics;
   renderer_->writeTo(statistics, 1);
   renderer_->setMeasuring(false);
   passClock_ = statistics.clock;
+  const std::string listed = '+' + names + '+';
+  double ms = 0;
   for (const auto& [pass, of] : statistics.passes) {
-    if (pass == name) return of.skipped.empty() ? of.ms : 0;
+    if (of.skipped.empty() && listed.find('+' + pass + '+') != std::string::npos) ms += of.ms;
   }
-  return 0;
+  return ms;
 }
 
 }  // namespace skydrop::app

@@ -37,10 +37,10 @@ class DrawnScene {
   // (shaders/shared/tone_map.glsl).
   std::vector<float> radiance();
 
-  // Of one more frame of one sample (of a flight: the next), ms: all of it by the wall clock, or one pass by
-  // the passes' clock. A pass that is not there, or does nothing, takes 0.
+  // Of one more frame of one sample (of a flight: the next), ms: all of it by the wall clock, or a pass
+  // ("NAME", or several: "NAME+NAME") by the passes' clock. One that is not there, or does nothing, takes 0.
   double timeFrame();
-  double timePass(const std::string& name);
+  double timePasses(const std::string& names);
   std::string passClock() const { return passClock_; }
   std::string device() const { return context_->renderer(); }
 

@@ -114,7 +114,7 @@ double PictureSubject::timeOnce(const accuracy::Experiment& experiment) {
   scene.draw();
   const auto samples = static_cast<double>(samplingOf(experiment).samples);
   if (!isPass(experiment)) return samples * scene.timeFrame();
-  const double ms = scene.timePass(experiment.timed.substr(5));
+  const double ms = scene.timePasses(experiment.timed.substr(5));
   passClock_ = scene.passClock();
   return samples * ms;
 }
