@@ -1,4 +1,5 @@
 #include "frame.glsl"
+#include "sea_cut.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -16,4 +17,5 @@ void main() {
   surfaceNormal = normalToEye * normal;
   surfaceUv = uv;
   gl_Position = frame.viewProjection * vec4(relative, 1.0);
+  cutBelowSea(relative);
 }

@@ -1,4 +1,5 @@
 #include "places/house_mesh.glsl"
+#include "sea_cut.glsl"
 
 out vec3 local;
 out vec3 relative;
@@ -10,6 +11,7 @@ flat out vec4 lightSun, lightAbove, lightBelow, lightAir;
 void main() {
   HouseVertex vertex = houseVertex();
   gl_Position = frame.viewProjection * vec4(vertex.relative, 1.0);
+  cutBelowSea(vertex.relative);
   local = vertex.local;
   relative = vertex.relative;
   faceNormal = vertex.normal;

@@ -1,4 +1,5 @@
 #include "vegetation/impostor.glsl"
+#include "sea_cut.glsl"
 #include "vegetation/crown_light.glsl"
 
 out vec2 inView;
@@ -11,6 +12,7 @@ flat out vec4 fade;  // drawn from and up to; its own dither; kind
 void main() {
   ImpostorCorner corner = impostorCorner(gl_VertexID);
   gl_Position = frame.viewProjection * vec4(corner.relative, 1.0);
+  cutBelowSea(corner.relative);
   inView = corner.inView;
   views = corner.views;
   turn = corner.turn;

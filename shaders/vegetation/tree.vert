@@ -1,4 +1,5 @@
 #include "vegetation/tree_mesh.glsl"
+#include "sea_cut.glsl"
 
 out vec3 crownPlace;  // of the unit tree
 out vec3 surfaceNormal;
@@ -13,6 +14,7 @@ flat out vec4 fade;  // share that is drawn; its own dither; size of the leaves'
 void main() {
   TreeVertex vertex = treeVertex();
   gl_Position = frame.viewProjection * vec4(vertex.relative, 1.0);
+  cutBelowSea(vertex.relative);
   crownPlace = unitPlace;
   surfaceNormal = vertex.normal;
   bark = unitSurface.y;

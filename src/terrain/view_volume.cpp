@@ -24,7 +24,9 @@ ViewVolume makeViewVolume(glm::dvec3 position, const glm::dmat3& worldToView, do
   return view;
 }
 
-bool mayBeVisible(const ViewVolume& view, const Box& box) {
+namespace {
+
+bool mayBeInside(const ViewVolume& view, const Box& box) {
   const glm::dvec3 lo = box.lo - view.position, hi = box.hi - view.position;
   for (const glm::dvec3& n : view.inward) {
     const double deepest =
@@ -41,6 +43,14 @@ bool mayBeVisible(const ViewVolume& view, const Box& box) {
       return false;
   }
   return true;
+}
+
+}  // namespace
+
+bool mayBeVisible(const ViewVolume& view, const Box& box) {
+  return mayBeInside(view, box) ||
+         std::any_of(view.beside.begin(), view.beside.end(),
+                     [&](const ViewVolume& other) { return mayBeInside(other, box); });
 }
 
 double nearestDistance(const ViewVolume& view, const Box& box) {

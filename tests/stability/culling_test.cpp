@@ -195,5 +195,28 @@ TEST(Stability, T10_straightDownUpAndUpsideDownDrawExactlyWhatIsSeen) {
   }
 }
 
+TEST(Culling, viewsBesideAddWhatTheySee) {
+  // Of two views one beside the other all chunks are chosen that either wants, at the detail of the first;
+  // one that sees no land adds nothing.
+  const auto source = makeFlatSource(100);
+  const ChunkBounds bounds = [](const ChunkKey&) { return HeightBounds{100, 100}; };
+  const auto looking = [](double yaw, double pitch) {
+    return makeViewVolume({480, 600, 480}, lookDirection(yaw, pitch, 0), kFovYRad, 320, 180);
+  };
+  const ViewVolume ahead = looking(0, -0.2), back = looking(kPi, -0.2);
+  const LodDistances lod = testLod(ahead);
+  const auto chosen = [&](const ViewVolume& view) {
+    return finestOf(selectChunks(view, lod, kFarDistanceM, bounds));
+  };
+  ViewVolume both = ahead;
+  both.beside = {back};
+  const auto all = chosen(both);
+  for (const auto& one : {chosen(ahead), chosen(back)})
+    for (const auto& key : one) EXPECT_TRUE(all.contains(key));
+  EXPECT_GT(all.size(), chosen(ahead).size());
+  both.beside = {looking(0, kPi / 2)};
+  EXPECT_EQ(chosen(both), chosen(ahead));
+}
+
 }  // namespace
 }  // namespace skydrop::terrain

@@ -42,5 +42,19 @@ TEST(FrameResources, resourcesAreToldApartByTheirExactType) {
   EXPECT_EQ(resources.find<FineMap>(), &fine);
 }
 
+TEST(FrameResources, anotherViewHasAllButWhatIsWithdrawn) {
+  // The registry that it comes from stays as it is.
+  FrameResources frame, view;
+  const Map map;
+  const FineMap fine;
+  frame.publish(map);
+  frame.publish(fine);
+  view.publishAll(frame);
+  view.withdraw<Map>();
+  EXPECT_EQ(view.find<Map>(), nullptr);
+  EXPECT_EQ(view.find<FineMap>(), &fine);
+  EXPECT_EQ(frame.find<Map>(), &map);
+}
+
 }  // namespace
 }  // namespace skydrop::render

@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "skydrop/terrain/height_source.h"
 
@@ -27,6 +28,9 @@ struct ViewVolume {
   std::array<glm::dvec3, 4> inward{};  // unit normals of the sides, pointing inwards
   std::array<glm::dvec3, 4> edges{};   // directions of the edges (the corners of the picture), not normalised
   double pixelsPerRadian = 1;          // in the middle of the picture
+  // Others whose boxes count as visible too: views of the same land that are drawn with the detail of this
+  // one, from eyes no nearer to any of it (a mirrored view). Those of these do not count.
+  std::vector<ViewVolume> beside = {};
 };
 
 // worldToView turns world directions into view ones (x right, y up, the view looks along -z); it must be
@@ -34,8 +38,9 @@ struct ViewVolume {
 ViewVolume makeViewVolume(glm::dvec3 position, const glm::dmat3& worldToView, double fovYRad, int width,
                           int height);
 
-// False only if no point of the box is inside the volume. True for boxes inside and for nearly all that touch
-// it: of the separating axes those of the sides and of the box are tried, those of pairs of edges are not.
+// False only if no point of the box is inside the volume or one beside it. True for boxes inside and for
+// nearly all that touch it: of the separating axes those of the sides and of the box are tried, those of
+// pairs of edges are not.
 bool mayBeVisible(const ViewVolume& view, const Box& box);
 
 // Distance from the eye to the nearest point of the box, metres.

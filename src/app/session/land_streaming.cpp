@@ -49,12 +49,19 @@ void LandStreaming::apply(const terrain::GroundPictureSettings& settings) {
 
 const terrain::TerrainFrame& LandStreaming::update(const render::View& view) {
   layStrip(view);
-  return take(terrain_.update(render::viewVolume(view)));
+  return take(terrain_.update(volumeOf(view)));
 }
 
 void LandStreaming::settle(const render::View& view) {
   layStrip(view);
-  take(terrain_.settle(render::viewVolume(view)));
+  take(terrain_.settle(volumeOf(view)));
+}
+
+terrain::ViewVolume LandStreaming::volumeOf(const render::View& view) const {
+  terrain::ViewVolume volume = render::viewVolume(view);
+  for (const render::View& other : renderer_.viewsBeside(view))
+    volume.beside.push_back(render::viewVolume(other));
+  return volume;
 }
 
 void LandStreaming::layStrip(const render::View& view) {

@@ -45,6 +45,7 @@ class LandStreaming {
   void writeTo(core::FrameStatistics& statistics) const;
 
  private:
+  terrain::ViewVolume volumeOf(const render::View& view) const;
   void layStrip(const render::View& view);
   const terrain::TerrainFrame& take(const terrain::TerrainFrame& frame);
 

@@ -63,7 +63,7 @@ gl::ComputeShader& placingShader(FrameContext& context, const LandGround& land, 
   gl::ComputeShader& shader = variant(now);
   shader.use();
   const View& view = context.frame.view;
-  if (clouds) clouds->bind(shader);
+  if (clouds) clouds->bind(shader, context.frame.eyeRiseM());
   if (shade) shade->bind(shader, {view.position.x, view.position.z});
   if (ice) ice->bind(shader, view);
   if (places) places->set(shader, land.base());

@@ -11,6 +11,7 @@
 #include "skydrop/core/error.h"
 #include "skydrop/core/quantile.h"
 #include "skydrop/render/frame/eye_adaptation.h"
+#include "skydrop/render/frame/sea_cut.h"
 
 namespace skydrop::render {
 namespace {
@@ -185,6 +186,14 @@ void Renderer::drawOverlays(const FrameInput& input, std::string_view reason) {
   drawPasses(input, Which::drawn, nullptr, {.first = RenderStage::hud, .others = reason});
 }
 
+std::vector<View> Renderer::viewsBeside(const View& view) const {
+  std::vector<View> views;
+  for (const Entry& entry : passes_) {
+    if (const std::optional<View> other = entry.pass->alsoShows(view)) views.push_back(*other);
+  }
+  return views;
+}
+
 bool Renderer::isLit() const {
   return std::ranges::any_of(passes_,
                              [](const Entry& entry) { return entry.pass->stage() < RenderStage::edges; });
@@ -240,6 +249,29 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   targets_->output.clear();
   timer_.end();
   FrameResources made;
+  std::string_view owner;  // of the pass that is drawn
+  const DrawMirrored mirrored = [&](const View& view, gl::FrameBuffer& target, FrameResources& seen) {
+    FrameInput of = input;
+    of.view = view;
+    of.isMirrored = true;
+    const FrameUniforms ofView = frameUniforms(view, light, of.simulatedSeconds);
+    std::vector<std::string> meshDefines = defines;
+    meshDefines.emplace_back(SeaCut::kDefine);
+    FrameContext frame{context_,
+                       shaders_,
+                       of,
+                       light,
+                       ofView,
+                       lit,
+                       defines,
+                       meshDefines,
+                       seen,
+                       target.colorTexture(),
+                       target.depthTexture(),
+                       mirrored};
+    drawMirrored(frame, target, which, uniforms);
+    resources.setOwner(owner);
+  };
   const auto contextOf = [&](const FrameInput& of) {
     return FrameContext{context_,
                         shaders_,
@@ -248,9 +280,11 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
                         uniforms,
                         lit,
                         defines,
+                        defines,
                         made,
                         targets_->scene.colorTexture(),
-                        targets_->scene.depthTexture()};
+                        targets_->scene.depthTexture(),
+                        mirrored};
   };
   FrameContext sceneFrame = contextOf(input), pictureFrame = contextOf(picture);
   skipped_.clear();
@@ -285,6 +319,7 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
     if (!layered && layer_ && pass.stage() == layer_->stage()) layered = beginLayer(input, which);
     if (!layered) bindTarget(pass.stage());
     context_.setDefaultState();
+    owner = entry.group.name;
     tried(pass.name(), entry.group, failure, [&] { pass.draw(isOfScene ? sceneFrame : pictureFrame); });
     if (goesOn && !goesOn(++count) && &entry != &passes_.back()) {
       complete = false;
@@ -296,6 +331,28 @@ bool Renderer::drawPasses(const FrameInput& asked, Which which, const GoesOn& go
   if (light.isShell() && targets_ == &screen_)
     light.views->prepare(light.heightM, light.toSun.y, kSkyRowsAhead);
   return complete;
+}
+
+// Each pass pays for what it makes, as in the frame itself; draws and time are those of whoever asked.
+void Renderer::drawMirrored(FrameContext& frame, gl::FrameBuffer& target, Which which,
+                            const FrameUniforms& after) {
+  uniforms_.writeValue(0, frame.uniforms);
+  const auto restore = [&] { uniforms_.writeValue(0, after); };
+  try {
+    for (const Entry& entry : passes_) {
+      Pass& pass = *entry.pass;
+      if (!pass.isMirrored() || (entry.held && which == Which::drawn)) continue;
+      if (pass.skipReason(frame.frame) || pass.skipReasonAfter(frame.frame, frame.resources)) continue;
+      target.bind(gl::FrameBuffer::Clear::no);
+      context_.setDefaultState();
+      context_.resources().setOwner(entry.group.name);
+      pass.draw(frame);
+    }
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
 }
 
 void Renderer::tried(std::string_view name, const Group& group, std::exception_ptr& failure,

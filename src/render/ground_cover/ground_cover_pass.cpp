@@ -7,6 +7,7 @@
 #include "render/ground_cover/cover_meshes.h"
 #include "render/ground_cover/cover_tiles.h"
 #include "skydrop/game/snapshot.h"
+#include "skydrop/render/frame/sea_cut.h"
 #include "skydrop/terrain/strips.h"
 
 namespace skydrop::render {
@@ -77,15 +78,16 @@ void GroundCoverPass::draw(FrameContext& context) {
   makeRoom(std::max(tiles.size(), mostCoverTiles(reaches)));
   if (!tiles.empty()) tiles_.write(0, std::as_bytes(std::span(tiles)));
   gl::Shader& tufts =
-      context.shaders.shader("ground_cover/tuft.vert", "ground_cover/plant.frag", context.defines);
+      context.shaders.shader("ground_cover/tuft.vert", "ground_cover/plant.frag", context.meshDefines);
   gl::Shader& plants =
-      context.shaders.shader("ground_cover/plant.vert", "ground_cover/plant.frag", context.defines);
-  gl::Shader& farStones =
-      context.shaders.shader("ground_cover/far_stone.vert", "ground_cover/far_stone.frag", context.defines);
+      context.shaders.shader("ground_cover/plant.vert", "ground_cover/plant.frag", context.meshDefines);
+  gl::Shader& farStones = context.shaders.shader("ground_cover/far_stone.vert", "ground_cover/far_stone.frag",
+                                                 context.meshDefines);
   gl::Shader& stones =
-      context.shaders.shader("ground_cover/stone.vert", "ground_cover/stone.frag", context.defines);
+      context.shaders.shader("ground_cover/stone.vert", "ground_cover/stone.frag", context.meshDefines);
   place(context, land, tiles.size());
   if (tiles.empty() && !context.frame.warmsUp) return;
+  const SeaCut cut(context);
   cover_.bind();
   const auto drawLists = [&](gl::Shader& shader, std::size_t first, std::size_t last) {
     shader.use();

@@ -8,6 +8,7 @@
 
 #include "render/frame/visibility.h"
 #include "skydrop/game/snapshot.h"
+#include "skydrop/render/frame/sea_cut.h"
 #include "skydrop/render/models/aircraft_lamps.h"
 
 namespace skydrop::render {
@@ -98,14 +99,17 @@ void AircraftPass::draw(FrameContext& context) {
   ModelPose pose = poseOf(aircraft, *model_, detailAt(context.frame.view, aircraft));
   pose.hide("propeller_disc");
   if (!aircraft.crashed) pose.hide("propeller");
-  if (!isInsideCabin(aircraft, context.frame.view.position)) pose.hide("cockpit");
+  const bool isInside = !context.frame.isMirrored && isInsideCabin(aircraft, context.frame.view.position);
+  if (!isInside) pose.hide("cockpit");
+  const SeaCut cut(context);
   context.gl.api().Enable(GL_CULL_FACE);
   const auto draw = [&](const ModelLamps* lamps, const FlashLight* flash) {
-    model_->draw(context.shaders, "models/model.vert", "models/model.frag", context.defines,
+    model_->draw(context.shaders, "models/model.vert", "models/model.frag", context.meshDefines,
                  bodyMatrix(context.frame.view, aircraft.position, aircraft.orientation), pose,
                  lightAt(context.resources, aircraft.position), lamps, flash);
   };
-  const auto* lamps = context.resources.find<AircraftLamps>();
+  // Lamps are placed for the eye of the scene.
+  const auto* lamps = context.frame.isMirrored ? nullptr : context.resources.find<AircraftLamps>();
   const bool isLit = lamps && lamps->areSeenOnModel;
   // Those who warm up draw all: the sun may rise, a flash may come.
   const auto drawLit = [&](const FlashLight* flash) {

@@ -7,6 +7,7 @@
 #include "render/frame/visibility.h"
 #include "skydrop/core/assets.h"
 #include "skydrop/game/snapshot.h"
+#include "skydrop/render/frame/sea_cut.h"
 
 namespace skydrop::render {
 namespace {
@@ -116,7 +117,7 @@ PixelBox PackagePass::extent(const FrameInput& frame) const {
 
 void PackagePass::draw(FrameContext& context) {
   const View& view = context.frame.view;
-  std::vector<std::string> cloth(context.defines.begin(), context.defines.end());
+  std::vector<std::string> cloth(context.meshDefines.begin(), context.meshDefines.end());
   cloth.emplace_back("CLOTH");
   LightShares light;  // at the package
   const auto with = [&](std::span<const std::string> defines) {
@@ -124,11 +125,12 @@ void PackagePass::draw(FrameContext& context) {
       model.draw(context.shaders, "models/model.vert", "models/model.frag", defines, toEye, pose, light);
     };
   };
+  const SeaCut cut(context);
   context.gl.api().Enable(GL_CULL_FACE);
   for (const game::PackageSnapshot& package : context.frame.game->packages) {
     if (!isSeen(context.frame, package)) continue;
     light = lightAt(context.resources, package.position);
-    drawCrate(*models_, package, view, with(context.defines));
+    drawCrate(*models_, package, view, with(context.meshDefines));
     drawParachute(*models_, package, context.frame.game->wind, view, with(cloth));
   }
 }

@@ -8,6 +8,7 @@
 #include "render/clouds/placing_shader.h"
 #include "render/places/place_map_data.h"
 #include "render/places/place_meshes.h"
+#include "skydrop/render/frame/sea_cut.h"
 
 namespace skydrop::render {
 namespace {
@@ -138,11 +139,12 @@ void PlacesPass::draw(FrameContext& context) {
     }
   }
   place(context, land);
-  gl::Shader& house = context.shaders.shader("places/house.vert", "places/house.frag", context.defines);
-  gl::Shader& hedge = context.shaders.shader("places/hedge.vert", "places/hedge.frag", context.defines);
+  gl::Shader& house = context.shaders.shader("places/house.vert", "places/house.frag", context.meshDefines);
+  gl::Shader& hedge = context.shaders.shader("places/hedge.vert", "places/hedge.frag", context.meshDefines);
   house.use();
   house.setVec4("windowLight",
                 glm::vec4(windowsLit(settings_, context.frame.sunSine, context.light.exposure).light, 0));
+  const SeaCut cut(context);
   context_.api().Enable(GL_CULL_FACE);
   context_.api().CullFace(GL_BACK);
   houses_.bind();

@@ -15,7 +15,9 @@
 #include "skydrop/render/frame/fallen_water.h"
 #include "skydrop/render/frame/flash_light.h"
 #include "skydrop/render/frame/ground_detail.h"
+#include "skydrop/render/frame/land_surface.h"
 #include "skydrop/render/frame/place_map.h"
+#include "skydrop/render/frame/sea_cut.h"
 #include "skydrop/render/frame/sea_waves.h"
 #include "skydrop/render/frame/spot_light.h"
 #include "skydrop/render/frame/standing_woods.h"
@@ -130,15 +132,17 @@ std::optional<std::string> TerrainPass::skipReason(const FrameInput&) const {
 
 void TerrainPass::draw(FrameContext& context) {
   const View& view = context.frame.view;
+  const auto* given = context.resources.find<LandSurface>();
+  drawn_ = given ? given->target : &surface_;
   context.resources.publish<LandGround>(*this);
   if (context.settings.wireframe) {
     drawLines(context);
   } else {
     drawDepth(context);
     drawLitLand(context);
-    if (view.position.y > 0) drawSea(context);
+    if (view.position.y > 0 && !context.frame.isMirrored) drawSea(context);
   }
-  if (context.settings.terrainNormals) {
+  if (context.settings.terrainNormals && !context.frame.isMirrored) {
     gl::Shader& shader =
         context.shaders.shader("terrain/normals.vert", "terrain/line.frag", {}, "terrain/normals.geom");
     shader.setVec3("lineAlbedo", {0.8f, 0.3f, 0.1f});
@@ -165,20 +169,33 @@ void TerrainPass::drawPatches(gl::Shader& shader, const View& view, GLenum mode)
 
 void TerrainPass::drawDepth(FrameContext& context) {
   const View& view = context.frame.view;
-  if (!surface_) {
-    surface_ = gl::FrameBuffer(context_, view.width, view.height, {GL_RGBA16F, GL_DEPTH_COMPONENT32F},
-                               "land surface");
-    surface_.setClearColor(1, 1, 0, 1);  // kOpenSky
-  }
-  surface_.resize(view.width, view.height);
-  surface_.bind();
+  if (!*drawn_) *drawn_ = makeLandSurface(context_, view.width, view.height);
+  drawn_->resize(view.width, view.height);
+  drawn_->bind();
   context_.api().ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), view, GL_TRIANGLES);
+  drawMesh(context);
   context_.api().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (const auto* clouds = context.resources.find<CloudShadowMap>()) drawCloudShadows(context, *clouds);
   if (const auto* ice = context.resources.find<IceShade>()) drawIceShade(context, *ice);
-  if (const auto* shadows = context.resources.find<CastShadows>()) drawShadows(context, *shadows);
-  surface_.unBind();
+  // Their volumes stand around the eye of the scene; so small a shadow is not missed in a mirror.
+  const auto* shadows = context.resources.find<CastShadows>();
+  if (shadows && !context.frame.isMirrored) drawShadows(context, *shadows);
+  drawn_->unBind();
+}
+
+// A mirrored eye stands below the land: its underside, which no ray of the mirror meets, is left out.
+void TerrainPass::drawMesh(FrameContext& context) {
+  const SeaCut cut(context);
+  if (context.frame.isMirrored) {
+    const std::string define = SeaCut::kDefine;
+    context_.api().Enable(GL_CULL_FACE);
+    drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag", std::span(&define, 1)),
+                context.frame.view, GL_TRIANGLES);
+    context_.api().Disable(GL_CULL_FACE);
+  } else {
+    drawPatches(context.shaders.shader("terrain/depth.vert", "terrain/depth.frag"), context.frame.view,
+                GL_TRIANGLES);
+  }
 }
 
 // Before the land is lit, so that it is lit once, and only pixels that may be in shadow ask for shadows:
@@ -208,7 +225,7 @@ void TerrainPass::drawCloudShadows(FrameContext& context, const CloudShadowMap& 
   gl::Shader& shader = variant(shadowMap.hasSun());
   shader.use();
   setSurface(shader, context.frame.view);
-  shadowMap.bind(shader);
+  shadowMap.bind(shader, context.frame.eyeRiseM());
   drawShares(true);
 }
 
@@ -239,9 +256,9 @@ void TerrainPass::setSurface(gl::ShaderProgram& shader, const View& view) const 
   shader.setIvec2("baseChunk", {terrain::wrappedIndex(base.x), terrain::wrappedIndex(base.z)});
   shader.setFloat("farM", static_cast<float>(farDistanceM_));
   textures_.bind(kHeightsUnit, kNormalsUnit, kTableUnit);
-  if (!surface_) return;
-  surface_.depthTexture().bind(kDepthUnit);
-  surface_.colorTexture().bind(kLightSharesUnit);
+  if (!*drawn_) return;
+  drawn_->depthTexture().bind(kDepthUnit);
+  drawn_->colorTexture().bind(kLightSharesUnit);
 }
 
 void TerrainPass::setLand(gl::ShaderProgram& shader, const View& view) const {
@@ -285,7 +302,7 @@ void TerrainPass::drawLandUpTo(gl::Shader& shader, const View& view, double dept
 // variants are asked for, and those who warm up draw all that they can.
 void TerrainPass::drawLitLand(FrameContext& context) {
   const View& view = context.frame.view;
-  context_.api().CopyImageSubData(surface_.depthTexture().id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+  context_.api().CopyImageSubData(drawn_->depthTexture().id(), GL_TEXTURE_2D, 0, 0, 0, 0,
                                   context.sceneDepth.id(), GL_TEXTURE_2D, 0, 0, 0, 0, view.width, view.height,
                                   1);
   const FrameFeatures& features = context.frame.features;

@@ -9,6 +9,7 @@
 #include "render/vegetation/tree_tiles.h"
 #include "skydrop/core/shared_woods.h"
 #include "skydrop/game/snapshot.h"
+#include "skydrop/render/frame/sea_cut.h"
 
 namespace skydrop::render {
 namespace {
@@ -108,6 +109,7 @@ void VegetationPass::draw(FrameContext& context) {
   makeRoom(tiles.corners.size(), tiles.near);
   if (!tiles.corners.empty()) tiles_.write(0, std::as_bytes(std::span(tiles.corners)));
   place(context, land, tiles.corners.size());
+  const SeaCut cut(context);
   drawMeshes(context);
   drawImpostors(context);
 }
@@ -166,7 +168,7 @@ void VegetationPass::place(FrameContext& context, const LandGround& land, std::s
 
 void VegetationPass::drawMeshes(FrameContext& context) {
   gl::Shader& shader =
-      context.shaders.shader("vegetation/tree.vert", "vegetation/tree.frag", context.defines);
+      context.shaders.shader("vegetation/tree.vert", "vegetation/tree.frag", context.meshDefines);
   shader.use();
   trees_.bind();
   context_.drawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, commands_, 0, kImpostors, sizeof(Command));
@@ -174,7 +176,7 @@ void VegetationPass::drawMeshes(FrameContext& context) {
 
 void VegetationPass::drawImpostors(FrameContext& context) {
   gl::Shader& shader =
-      context.shaders.shader("vegetation/impostor.vert", "vegetation/impostor.frag", context.defines);
+      context.shaders.shader("vegetation/impostor.vert", "vegetation/impostor.frag", context.meshDefines);
   shader.use();
   std::array<glm::vec4, 3> shapes{};
   for (std::size_t i = 0; i < kinds_.size(); ++i) shapes[i] = {kinds_[i].slender, kinds_[i].reach, 0, 0};

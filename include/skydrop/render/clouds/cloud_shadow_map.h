@@ -60,8 +60,9 @@ class CloudShadowMap {
   std::vector<std::string> defines(bool hasSun) const;
   bool hasSun() const { return fine_.depths != nullptr; }
 
-  // Textures and uniforms for such a program of defines(hasSun()).
-  void bind(gl::ShaderProgram& shader) const;
+  // Textures and uniforms for such a program of defines(hasSun()). eyeRiseM: how much higher the eye of the
+  // program's frame is than the one that all this counts from (FrameInput::eyeRiseM).
+  void bind(gl::ShaderProgram& shader, double eyeRiseM = 0) const;
 
   // Of the layer, above the eye, m: higher up there is no shade.
   double topAboveEyeM() const { return static_cast<double>(layer_.x) + 1 / static_cast<double>(layer_.y); }

@@ -40,6 +40,11 @@ struct FrameInput {
   bool looksAhead() const { return followsLast || warmsUp; }
   // The small picture beside the scene's: what passes keep of the scene's eye is not given up for it.
   bool isInset = false;
+  // The eye is that of the scene mirrored at the plane of the sea, and what lies below the plane is not drawn
+  // (FrameContext::drawMirrored). What passes have published counts from the eye of the scene.
+  bool isMirrored = false;
+  // How much higher the eye is than that of the scene, m: not above 0.
+  double eyeRiseM() const { return isMirrored ? 2 * view.position.y : 0; }
   // What the eye is adapted to (SkyLight::level, klx), where it is not what follows from the light of this
   // frame: EyeAdaptation.
   std::optional<double> adaptedLevel = std::nullopt;

@@ -38,6 +38,16 @@ class FrameResources {
     return nullptr;
   }
 
+  // All that another registry has, of types that this one lacks.
+  void publishAll(const FrameResources& other) {
+    entries_.insert(entries_.end(), other.entries_.begin(), other.entries_.end());
+  }
+  // Later passes find no T.
+  template <class T>
+  void withdraw() {
+    std::erase_if(entries_, [](const auto& entry) { return entry.first == typeid(T); });
+  }
+
   // Null where no pass has published a T yet.
   template <class T>
   const T* find() const {

@@ -2,6 +2,7 @@
 // renderer's cache. docs/rendering.md tells how to add one.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +20,12 @@
 
 namespace skydrop::render {
 
+// Draws, of the scene, what water mirrors (Pass::isMirrored) into a target of the view's size that has been
+// cleared: linear light (RGBA16F) and reversed depth (D32F), lit as the scene is, without what lies below the
+// plane of the sea. view: the mirrored eye's. The passes find what is in `resources`, and publish there.
+using DrawMirrored =
+    std::function<void(const View& view, gl::FrameBuffer& target, FrameResources& resources)>;
+
 // What a pass draws with. References are valid during draw() only.
 struct FrameContext {
   gl::Context& gl;
@@ -28,9 +35,12 @@ struct FrameContext {
   const FrameUniforms& uniforms;  // bound as block 0 (shaders/frame.glsl)
   const RenderSettings& settings;
   std::span<const std::string> defines;  // of the frame's features, for the cache
-  FrameResources& resources;             // what earlier passes made for later ones
-  const gl::Texture& sceneColor;  // RGBA16F; to be read from stage toneMap on (stage clouds: as an image)
-  const gl::Texture& sceneDepth;  // D32F; to be read from stage clouds on, without filtering
+  // The same for programs whose vertex shader includes shaders/sea_cut.glsl (SeaCut).
+  std::span<const std::string> meshDefines;
+  FrameResources& resources;         // what earlier passes made for later ones
+  const gl::Texture& sceneColor;     // RGBA16F; to be read from stage toneMap on (stage clouds: as an image)
+  const gl::Texture& sceneDepth;     // D32F; to be read from stage clouds on, without filtering
+  const DrawMirrored& drawMirrored;  // for passes of stage mirrors
 };
 
 class Pass {
@@ -54,6 +64,11 @@ class Pass {
   virtual Overcast overcast(const FrameInput&) { return {}; }
   // Waits for what it makes beside the frames, so that this frame shows its settings as they are.
   virtual void settle(const FrameInput&) {}
+  // Whether water mirrors what it draws. It is then also asked, skip reasons included, for mirrored frames
+  // (FrameInput::isMirrored), before the frame itself, and cuts off what lies below the sea (SeaCut).
+  virtual bool isMirrored() const { return false; }
+  // The other view in which it shows the scene in a frame of this one: land is asked for it too.
+  virtual std::optional<View> alsoShows(const View&) const { return std::nullopt; }
   // Target, viewport, the frame's uniform block and the default state (gl::Context::setDefaultState) are set.
   // State may be left changed; the target may not. A program that later frames may need is asked of the cache
   // in every frame that looks ahead, whether it uses it or not: what is not asked for is deleted when effects

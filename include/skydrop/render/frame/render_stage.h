@@ -3,7 +3,9 @@
 namespace skydrop::render {
 
 // The order of a frame. What is bound when Pass::draw() is called:
-//   shadows                  as the next: what is drawn goes to maps of the pass's own
+//   shadows, mirrors         as the next: what is drawn goes to maps of the pass's own. mirrors: pictures of
+//   the
+//                            scene from other eyes (FrameContext::drawMirrored), lit by what shadows publish
 //   terrain, sky, skySheets, the scene: linear light (RGBA16F) and reversed depth (D32F), both written;
 //   models                   the passes of one of these stages may be drawn into a layer (StageLayer).
 //                            skySheets: what lies before the sky at infinity
@@ -13,6 +15,7 @@ namespace skydrop::render {
 //   toneMap, hud, menu       the output: RGBA8, sRGB-encoded, no depth
 enum class RenderStage {
   shadows,
+  mirrors,
   terrain,
   sky,
   skySheets,

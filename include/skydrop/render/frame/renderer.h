@@ -64,6 +64,9 @@ class Renderer {
   // are drawn into the scene itself.
   void setLayer(std::unique_ptr<StageLayer> layer);
 
+  // The other views in which passes show the scene in a frame of this one (Pass::alsoShows).
+  std::vector<View> viewsBeside(const View& view) const;
+
   void apply(const RenderSettings& settings) { settings_ = settings; }
   const RenderSettings& settings() const { return settings_; }
 
@@ -156,6 +159,8 @@ class Renderer {
   };
   Overcast overcastOf(const FrameInput& frame, Which which);
   bool isLit() const;  // some pass may ask for the light of the sky
+  // FrameContext::drawMirrored, of which this is the frame; the uniform block then holds `after` again.
+  void drawMirrored(FrameContext& frame, gl::FrameBuffer& target, Which which, const FrameUniforms& after);
   // False when it ended before the last pass.
   bool drawPasses(const FrameInput& input, Which which, const GoesOn& goesOn, const Stages& stages);
   // The work with the targets, the times and the counts of frames that nobody sees. False where more programs

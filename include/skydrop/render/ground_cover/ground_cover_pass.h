@@ -33,6 +33,7 @@ class GroundCoverPass final : public Pass {
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
   std::optional<std::string> skipReasonAfter(const FrameInput& frame,
                                              const FrameResources& resources) const override;
+  bool isMirrored() const override { return true; }
   void draw(FrameContext& context) override;
 
   // How many of each list the last frame drawn had. Waits for the GPU: for tests.

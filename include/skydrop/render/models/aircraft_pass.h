@@ -22,6 +22,7 @@ class AircraftPass final : public Pass {
   RenderStage stage() const override { return RenderStage::models; }
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
   PixelBox extent(const FrameInput& frame) const override;
+  bool isMirrored() const override { return true; }
   void draw(FrameContext& context) override;
 
  private:

@@ -39,6 +39,7 @@ class PackagePass final : public Pass {
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
   PixelBox extent(const FrameInput& frame) const override;  // only where skipReason() gave none
   // Throws core::DataError where its shaders do not compile.
+  bool isMirrored() const override { return true; }
   void draw(FrameContext& context) override;
 
  private:

@@ -81,6 +81,7 @@ class PlacesPass final : public Pass {
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
   std::optional<std::string> skipReasonAfter(const FrameInput& frame,
                                              const FrameResources& resources) const override;
+  bool isMirrored() const override { return true; }
   void draw(FrameContext& context) override;
 
   // How many buildings (parts of them) and pieces of hedges the last frame had. Waits for the GPU: for tests.

@@ -52,6 +52,7 @@ class TerrainPass final : public Pass, public LandGround {
   std::string_view name() const override { return "terrain"; }
   RenderStage stage() const override { return RenderStage::terrain; }
   std::optional<std::string> skipReason(const FrameInput& input) const override;
+  bool isMirrored() const override { return true; }
   void draw(FrameContext& context) override;
 
   // Reversed depth of the land alone, without the sea, of the last frame drawn (not of a wireframe).
@@ -82,6 +83,7 @@ class TerrainPass final : public Pass, public LandGround {
   void setStrip(gl::Shader& shader) const;
   void drawLandUpTo(gl::Shader& shader, const View& view, double depth);
   void drawDepth(FrameContext& context);
+  void drawMesh(FrameContext& context);
   void drawLitLand(FrameContext& context);
   void drawShadows(FrameContext& context, const CastShadows& shadows);
   void drawCloudShadows(FrameContext& context, const CloudShadowMap& shadowMap);
@@ -96,6 +98,7 @@ class TerrainPass final : public Pass, public LandGround {
   gl::Buffer indices_, instances_;
   gl::VertexArray patches_;
   gl::FrameBuffer surface_;  // depth of the land alone, and the share of the sun that shadows leave
+  gl::FrameBuffer* drawn_ = &surface_;  // of the view that was drawn last (LandSurface)
   FullscreenTriangle triangle_;
   gl::VertexArray seaPlane_;  // without buffers
   bool hasAlpineBelts_;

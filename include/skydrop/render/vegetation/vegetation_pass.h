@@ -50,6 +50,7 @@ class VegetationPass final : public Pass {
   std::optional<std::string> skipReason(const FrameInput& frame) const override;
   std::optional<std::string> skipReasonAfter(const FrameInput& frame,
                                              const FrameResources& resources) const override;
+  bool isMirrored() const override { return true; }
   void draw(FrameContext& context) override;
 
   // How many of the last frame drawn were meshes, of the three kinds, and impostors. Waits for the GPU: for
