@@ -4,7 +4,6 @@
 #include "shared/water.glsl"
 #include "shared/mirror_ray.glsl"
 
-layout(binding = 6) uniform sampler2D sceneColor;
 uniform int spacing;      // pixels between two rays
 uniform int mirrorSteps;  // along a ray
 uniform int mirrorRays;   // of a pixel
@@ -12,6 +11,7 @@ uniform float mirrorM;    // how far they look
 uniform float mirrorLeft;  // of it all, by the eye's height
 
 #include "water/sea_pixel.glsl"
+#include "water/followed_picture.glsl"
 
 // A ray in homogeneous coordinates of the picture.
 struct PictureRay {
@@ -19,39 +19,37 @@ struct PictureRay {
 };
 
 PictureRay pictureRay(vec3 from, vec3 direction) {
-  return PictureRay(frame.viewProjection * vec4(from, 1.0), frame.viewProjection * vec4(direction, 0.0));
+  return PictureRay(clipInPicture(vec4(from, 1.0)), clipInPicture(vec4(direction, 0.0)));
 }
 
 // A place of a ray in the picture: pixels, and distance along the view axis.
 vec3 inPicture(PictureRay ray, float alongM) {
   vec4 clip = ray.from + ray.along * alongM;
-  return vec3((clip.xy / clip.w * 0.5 + 0.5) * frame.viewport.xy, clip.w);
-}
-
-// How far a place of a ray is behind what the picture shows there; the sea, above which the ray is, hides nothing.
-float behindScene(vec3 at) {
-  ivec2 pixel = ivec2(at.xy);
-  float viewZ = sceneViewZ(pixel);
-  return isSeaAt(pixel, viewZ, rayOf(pixel)) ? -1.0 : at.z - viewZ;
+  return vec3((clip.xy / clip.w * 0.5 + 0.5) * sizeOfPicture(), clip.w);
 }
 
 bool isOutside(vec3 at) {
-  return at.z < frame.eye.y || any(lessThan(at.xy, vec2(0.0))) || any(greaterThanEqual(at.xy, frame.viewport.xy));
+  return at.z < frame.eye.y || any(lessThan(at.xy, vec2(0.0))) || any(greaterThanEqual(at.xy, sizeOfPicture()));
 }
 
 vec4 sceneLight(vec3 at, float share) {
-  ivec2 pixel = clamp(ivec2(at.xy), ivec2(0), ivec2(frame.viewport.xy) - 1);
-  return vec4(texelFetch(sceneColor, pixel, 0).rgb, 1.0) * share;
+  ivec2 pixel = clamp(ivec2(at.xy), ivec2(0), ivec2(sizeOfPicture()) - 1);
+  return vec4(texelFetch(pictureLight, pixel, 0).rgb, 1.0) * share;
+}
+
+// Of what a ray met there, by where it is in the picture.
+float shareOf(float behindM, float stepM, vec3 at) {
+  return mirrorShare(behindM, stepM, at.x / sizeOfPicture().x, at.y / sizeOfPicture().y);
 }
 
 // What is farther than rays are followed is met where the ray's direction points to in the picture.
 vec4 sceneBeyond(vec3 direction, float endViewZ) {
-  vec4 clip = frame.viewProjection * vec4(direction, 0.0);
-  vec3 at = vec3((clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5) * frame.viewport.xy, clip.w);
+  vec4 clip = clipInPicture(vec4(direction, 0.0));
+  vec3 at = vec3((clip.xy / max(clip.w, 1e-6) * 0.5 + 0.5) * sizeOfPicture(), clip.w);
   if (clip.w < 1e-3 || isOutside(vec3(at.xy, frame.eye.y))) return vec4(0.0);
-  float viewZ = sceneViewZ(ivec2(at.xy));
-  bool isMet = viewZ < kFarMarker && viewZ > 0.7 * endViewZ && behindScene(vec3(at.xy, 2.0 * viewZ)) > 0.0;
-  return sceneLight(at, isMet ? mirrorShare(0.0, 1.0, at.x / frame.viewport.x, at.y / frame.viewport.y) : 0.0);
+  float viewZ = pictureViewZ(ivec2(at.xy));
+  bool isMet = viewZ < kFarMarker && viewZ > 0.7 * endViewZ && behindPicture(vec3(at.xy, 2.0 * viewZ)) > 0.0;
+  return sceneLight(at, isMet ? shareOf(0.0, 1.0, at) : 0.0);
 }
 
 // Light that comes along a mirrored ray in place of the sky's, and how much of the ray it has: 0 where the picture shows
@@ -65,7 +63,7 @@ vec4 sceneAlong(vec3 from, vec3 direction) {
     vec3 at = inPicture(ray, alongM);
     endViewZ = at.z;
     if (isOutside(at)) break;
-    if (behindScene(at) > 0.0) {
+    if (behindPicture(at) > 0.0) {
       hitM = alongM;
       break;
     }
@@ -76,11 +74,10 @@ vec4 sceneAlong(vec3 from, vec3 direction) {
   for (int i = 0; i < 5; ++i) {
     float middle = 0.5 * (low + high);
     vec3 at = inPicture(ray, middle);
-    if (behindScene(at) > 0.0) high = middle; else low = middle;
+    if (behindPicture(at) > 0.0) high = middle; else low = middle;
   }
   vec3 at = inPicture(ray, high);
-  float share = mirrorShare(behindScene(at), hitM - before, at.x / frame.viewport.x, at.y / frame.viewport.y);
-  return sceneLight(at, share);
+  return sceneLight(at, shareOf(behindPicture(at), hitM - before, at));
 }
 
 // Light that a pixel's water gets from the scene in place of the sky, and how much of its mirrored rays that is.

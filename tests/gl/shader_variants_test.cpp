@@ -95,6 +95,8 @@ TEST_F(ShaderVariantsGLTest, passTheReferenceCompiler) {
   draw("cirrus", {"effects.places=true"});
   draw("lagoon", {"effects.places=true"});
   draw("thunderstorm", {"effects.waterDetail=true", "effects.dustAndSpray=true"});
+  draw("lagoon", {"effects.vegetation=true", "effects.places=true", "waterDetail.mirror=plane"});
+  draw("thunderstorm", {"effects.waterDetail=true", "effects.vegetation=true", "waterDetail.mirror=plane"});
   draw("plane3", {"effects.dustAndSpray=true", "effects.haze=false"});
   draw("terrain", {"effects.groundCover=true"});
   draw("village", {"effects.groundCover=true"});

@@ -94,6 +94,19 @@ std::vector<std::string> village(const std::string& place, const std::string& he
   return words;
 }
 
+// Through a narrow lens over a calm lagoon that has a mirrored picture of its own.
+std::vector<std::string> inCalmWater(const std::string& pose) {
+  std::vector<std::string> words = withoutHud({"--scene", "lagoon", "--time", "40", "--no-effect", "clouds",
+                                               "--effect", "vegetation", "--effect", "places", "--no-effect",
+                                               "aircraft", "--no-effect", "targets", "--pose=" + pose});
+  for (const char* setting :
+       {"waterDetail.mirror=plane", "waterDetail.reflection=full", "waterDetail.reflectionRays=8",
+        "waterDetail.reflectionSteps=64", "waterDetail.foam=0", "wind.speed=0.3",
+        "render.camera.fovDegrees=40", "render.sun.elevationDegrees=40", "render.sun.azimuthDegrees=215"})
+    words.insert(words.end(), {"--set", setting});
+  return words;
+}
+
 // A moment of a flight of tests/golden, whose log brings its scene.
 std::vector<std::string> replayed(const std::string& log, const std::string& seconds,
                                   const std::vector<std::string>& view) {
@@ -211,6 +224,8 @@ const std::vector<Golden>& goldens() {
       {"lowSunOverWater",
        withoutHud({"--scene", "lagoon", "--time", "40", "--pose=4400,12,4300,20,-5,0", "--set",
                    "render.sun.elevationDegrees=6", "--set", "render.sun.azimuthDegrees=110"})},
+      // A mountain whose upper half is out of the picture, in calm water that mirrors it all the same.
+      {"mountainInCalmWater", inCalmWater("171700,5,4200,-34,-15,0")},
       // What flies up: a package that falls into the sea, from 15 m, and its rings later; one that lands on a
       // beach; a touch-down on a strip; a ditching, its wake; a crash.
       {"splashOfAPackage", replayed("packageOnWater.log", "11.95", {"--pose=4494,3,4248,-30,1,0"})},

@@ -1,23 +1,24 @@
 #include "skydrop/render/water/water_detail_pass.h"
 
 #include <glm/common.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <string>
 #include <vector>
 
-#include "render/frame/visibility.h"
+#include "render/water/mirrored_view.h"
 #include "render/water/wave_set.h"
 #include "skydrop/game/snapshot.h"
 #include "skydrop/render/frame/land_ground.h"
+#include "skydrop/render/water/water_mirror_pass.h"
 #include "skydrop/weather/wind_profile.h"
 
 namespace skydrop::render {
 namespace {
 
-constexpr GLuint kDepthUnit = 5, kColorUnit = 6, kKeptUnit = 7;  // as in shaders/water
+constexpr GLuint kDepthUnit = 5, kColorUnit = 6, kKeptUnit = 7, kPictureDepthUnit = 7;  // as in shaders/water
+constexpr const char* kOwnPictureDefine = "MIRRORED_SCENE";
 constexpr double kWindHeightM = 10;
-// From this height of the eye on what water mirrors fades, up to none: few of the rays of a far wave meet
-// anything, and what they meet, as snow of a far peak, would be spots.
-constexpr double kMirrorFadesM = 100, kMirrorEndsM = 200;
+constexpr double kMirrorFadesM = 100;  // from this height of the eye on, up to none at kMirrorEndsM
 
 GLuint groups(int texels) { return static_cast<GLuint>(texels + 7) / 8; }
 
@@ -52,15 +53,14 @@ void SeaWavesPass::draw(FrameContext& context) {
 std::optional<std::string> WaterReflectionPass::skipReason(const FrameInput& frame) const {
   if (settings_.reflection == WaterReflection::off) return "water mirrors the sky alone";
   if (frame.warmsUp) return std::nullopt;
-  if (frame.view.position.y <= 0) return "the view is below the sea";
-  if (frame.view.position.y >= kMirrorEndsM) return "the view is too high for what water mirrors";
-  if (leastRise(frame.view) > 0) return "the view shows no water";
-  return std::nullopt;
+  return whyNothingIsMirrored(frame.view);
 }
 
 std::optional<std::string> WaterReflectionPass::skipReasonAfter(const FrameInput&,
                                                                 const FrameResources& resources) const {
   if (!resources.find<LandGround>() || !resources.find<SeaWaves>()) return "no sea has been drawn";
+  if (settings_.mirror == WaterMirror::plane && !resources.find<MirroredScene>())
+    return "no mirrored scene has been drawn";
   return std::nullopt;
 }
 
@@ -83,6 +83,9 @@ void WaterReflectionPass::draw(FrameContext& context) {
   const SeaWaves& waves = context.resources.get<SeaWaves>();
   std::vector<std::string> defines(context.defines.begin(), context.defines.end());
   defines.emplace_back(SeaWaves::kDefine);
+  const auto* picture =
+      settings_.mirror == WaterMirror::plane ? context.resources.find<MirroredScene>() : nullptr;
+  if (picture) defines.emplace_back(kOwnPictureDefine);
   gl::ComputeShader& mirror = context.shaders.computeShader("water/mirror.comp", defines);
   land.setSurface(mirror, view);
   waves.set(mirror);
@@ -93,7 +96,15 @@ void WaterReflectionPass::draw(FrameContext& context) {
   const double high = (view.position.y - kMirrorFadesM) / (kMirrorEndsM - kMirrorFadesM);
   mirror.setFloat("mirrorLeft", static_cast<float>(1 - glm::smoothstep(0.0, 1.0, high)));
   context.sceneDepth.bind(kDepthUnit);
-  context.sceneColor.bind(kColorUnit);
+  if (picture) {
+    picture->light->bind(kColorUnit);
+    picture->depth->bind(kPictureDepthUnit);
+    mirror.setMatrix("toPicture", glm::translate(viewProjection(picture->view),
+                                                 relativeToEye(picture->view, view.position)));
+    mirror.setVec2("pictureSize", glm::vec2(picture->view.width, picture->view.height));
+  } else {
+    context.sceneColor.bind(kColorUnit);
+  }
   mirrored_.bindImage(0, GL_WRITE_ONLY);
   mirror.dispatch(groups(mirrored_.width()), groups(mirrored_.height()));
   api.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);  // of the sea's own too, which it keeps in its pass

@@ -49,6 +49,20 @@ void describe(core::SettingsVisitor& visitor, WaterDetailSettings& s) {
                  {.help = "Share of the picture's width and height in which water mirrors land, trees and "
                           "aircraft; off: it mirrors the sky alone.",
                   .aliases = "water, mirror, screen space, quality"});
+  visitor.choice(
+      "mirror", s.mirror, kWaterMirrorNames,
+      {.help = "Where water finds what it mirrors: in the picture, or in one of its own that is drawn "
+               "from below, which also has undersides and what is out of the picture, and costs as "
+               "much as land and trees once more in a picture of that size.",
+       .aliases = "water, reflection, planar, screen space, quality"});
+  visitor.number(
+      "mirrorMargin", s.mirrorMargin,
+      {.unit = "1",
+       .min = 0,
+       .max = 1,
+       .help = "How far a picture of the water's own reaches beyond the picture on each side, as a "
+               "share of it: waves mirror what is there.",
+       .aliases = "water, mirror, reflection, planar, quality"});
   visitor.integer("reflectionSteps", s.reflectionSteps,
                   {.unit = "1",
                    .min = 4,
