@@ -224,8 +224,15 @@ const std::vector<Golden>& goldens() {
       {"lowSunOverWater",
        withoutHud({"--scene", "lagoon", "--time", "40", "--pose=4400,12,4300,20,-5,0", "--set",
                    "render.sun.elevationDegrees=6", "--set", "render.sun.azimuthDegrees=110"})},
-      // A mountain whose upper half is out of the picture, in calm water that mirrors it all the same.
+      // A mountain whose upper half is out of the picture, in calm water that mirrors it all the same; a
+      // jetty, reeds and trees.
       {"mountainInCalmWater", inCalmWater("171700,5,4200,-34,-15,0")},
+      {"jettyInCalmWater",
+       village("-8850,2.2,-2900", "62", "-7",
+               {"effects.waterDetail=true", "effects.groundCover=true", "effects.vegetation=true",
+                "effects.clouds=false", "waterDetail.mirror=plane", "waterDetail.reflection=full",
+                "waterDetail.reflectionRays=8", "waterDetail.reflectionSteps=64", "waterDetail.foam=0",
+                "wind.speed=0.3", "render.sun.elevationDegrees=25", "render.sun.azimuthDegrees=220"})},
       // What flies up: a package that falls into the sea, from 15 m, and its rings later; one that lands on a
       // beach; a touch-down on a strip; a ditching, its wake; a crash.
       {"splashOfAPackage", replayed("packageOnWater.log", "11.95", {"--pose=4494,3,4248,-30,1,0"})},
