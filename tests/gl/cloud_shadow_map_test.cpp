@@ -23,6 +23,8 @@ class ShadeOfASquare final : public Pass {
   void moveTo(const glm::dvec3& corner) { corner_ = corner; }
   // From now on it shows what a slope of this unit normal receives.
   void lightSlope(const glm::dvec3& normal) { normal_ = normal; }
+  // From now on the places count from an eye that is so much higher than the frame's.
+  void countFromHigher(double riseM) { riseM_ = riseM; }
 
   std::string_view name() const override { return "shade"; }
   RenderStage stage() const override { return RenderStage::terrain; }
@@ -34,9 +36,9 @@ class ShadeOfASquare final : public Pass {
         map.defines(map.hasSun()));
     shader.use();
     if (normal_) shader.setVec3("normal", glm::vec3(*normal_));
-    shader.setVec3("corner", relativeToEye(context.frame.view, corner_));
+    shader.setVec3("corner", relativeToEye(context.frame.view, corner_ - glm::dvec3(0, riseM_, 0)));
     shader.setFloat("spacing", spacing_);
-    map.bind(shader);
+    map.bind(shader, riseM_);
     context.gl.api().Disable(GL_DEPTH_TEST);
     triangle_.draw();
   }
@@ -46,6 +48,7 @@ class ShadeOfASquare final : public Pass {
   glm::dvec3 corner_;
   float spacing_;
   std::optional<glm::dvec3> normal_;
+  double riseM_ = 0;
 };
 
 using CloudShadowMapGLTest = test::CloudFrameTest;
@@ -126,6 +129,32 @@ TEST_F(CloudShadowMapGLTest, surfacesAndModelsAreInTheSameShade) {
     } else {
       EXPECT_EQ(least, 1);
     }
+  }
+}
+
+TEST_F(CloudShadowMapGLTest, anEyeBelowSeesTheSameShade) {
+  // Places that count from an eye 600 m lower, as those of a mirrored view do, are in the same shade: within
+  // 1/500 of the light, by the rounding of float places of a kilometre. Within the fine grid and the layer.
+  settings_.sun.elevationDegrees = 40;
+  addClouds(test::sharedNoise());
+  renderer().add(std::make_unique<CloudShadowPass>(*system_));
+  const double base = clouds_.layers[0].cloudHeight, thickness = clouds_.layers[0].thickness;
+  for (const double height : {0.0, base + 0.4 * thickness}) {
+    auto pass = std::make_unique<ShadeOfASquare>(context(), glm::dvec3(-800, height, -450), 20.0f);
+    ShadeOfASquare& places = *pass;
+    renderer().add(std::move(pass));
+    const View view = pose({0, 300, 0}, 0, -90, 0, 80, 45);
+    const std::vector<glm::vec4> above = sceneFrom(view);
+    places.countFromHigher(-600);
+    const std::vector<glm::vec4> below = sceneFrom(view);
+    float least = 1, largest = 0;
+    for (std::size_t i = 0; i < above.size(); ++i) {
+      least = std::min(least, above[i].x);
+      for (int part = 0; part < 3; ++part)
+        largest = std::max(largest, std::abs(above[i][part] - below[i][part]));
+    }
+    EXPECT_LT(largest, 0.002f) << height;
+    EXPECT_LT(least, 0.7f) << height;
   }
 }
 
