@@ -41,7 +41,8 @@ const float kLampShare = 0.6666667;
 vec3 lampsAt(vec3 relative) {
   vec3 light = vec3(0.0);
 #ifdef SPOT_LIGHT
-  light += spotOn(relative, normalize(spotPlace - relative));
+  vec3 toLamp = spotPlace - relative;
+  light += spotOn(relative, toLamp / max(length(toLamp), 1e-3));
 #endif
 #ifdef FLASH_LIGHT
   for (int i = 0; i < kFlashLights; ++i) light += flashOnFrom(i, relative, flashTowards(i, relative));

@@ -14,14 +14,22 @@ namespace skydrop::render {
 
 namespace {
 
-// What of a frame comes and goes while one flies, each with a variant of the program.
-struct Variant {
-  bool cloudSun = false, landShade = false, spot = false, flash = false, fallen = false;
-};
+// Of frames without: in programs that are compiled for them.
+const SpotLight kNoSpot;
+const FlashLight kNoFlash = [] {
+  FlashLight none;
+  none.places.fill({0, 1e4, 0, 1});
+  return none;
+}();
+const FallenWater kNothingFallen{.snowLineM = 1e9};
 
 }  // namespace
 
+// Lamp, flash and snow are compiled in where the scene may have them, and dark in frames without: as variants
+// they would be eight times as many, and what they take for an instance is not to be seen beside the rest of
+// it.
 gl::ComputeShader& placingShader(FrameContext& context, const LandGround& land, const std::string& file) {
+  const FrameFeatures& features = context.frame.features;
   const auto* clouds = context.resources.find<CloudShadowMap>();
   const auto* shade = context.resources.find<LandShadowMap>();
   const auto* ice = context.resources.find<IceShade>();
@@ -29,47 +37,36 @@ gl::ComputeShader& placingShader(FrameContext& context, const LandGround& land, 
   const auto* spot = context.resources.find<SpotLight>();
   const auto* flash = context.resources.find<FlashLight>();
   const auto* fallen = context.resources.find<FallenWater>();
-  const auto variant = [&](const Variant& of) -> gl::ComputeShader& {
+  const auto variant = [&](bool hasSun, bool hasLand) -> gl::ComputeShader& {
     std::vector<std::string> defines(context.defines.begin(), context.defines.end());
     if (land.hasAlpineBelts()) defines.emplace_back("ALPINE_BELTS");
     if (clouds) {
-      for (const std::string& define : clouds->defines(of.cloudSun)) defines.push_back(define);
+      for (const std::string& define : clouds->defines(hasSun)) defines.push_back(define);
       defines.emplace_back("CLOUD_SHADE");
     }
-    if (of.landShade) defines.emplace_back(LandShadowMap::kDefine);
+    if (hasLand) defines.emplace_back(LandShadowMap::kDefine);
     if (ice) defines.emplace_back("ICE_SHADE");
     if (places) defines.emplace_back(PlaceMap::kDefine);
-    if (of.spot) defines.emplace_back(SpotLight::kDefine);
-    if (of.flash) defines.emplace_back(FlashLight::kDefine);
-    if (of.fallen) defines.emplace_back(FallenWater::kDefine);
+    if (features.spotLight) defines.emplace_back(SpotLight::kDefine);
+    if (features.flashLight) defines.emplace_back(FlashLight::kDefine);
+    if (features.fallenWater) defines.emplace_back(FallenWater::kDefine);
     return context.shaders.computeShader(file, defines);
   };
-  const Variant now{clouds && clouds->hasSun(), shade != nullptr, spot != nullptr, flash != nullptr,
-                    fallen != nullptr};
-  if (context.frame.looksAhead()) {  // the next frame may differ in one of them
-    const auto ask = [&](bool Variant::*one, bool mayChange) {
-      if (!mayChange) return;
-      Variant next = now;
-      next.*one = !(next.*one);
-      variant(next);
-    };
-    const FrameFeatures& features = context.frame.features;
-    ask(&Variant::cloudSun, clouds != nullptr);
-    ask(&Variant::landShade, features.landShadows);
-    ask(&Variant::spot, features.spotLight);
-    ask(&Variant::flash, features.flashLight);
-    ask(&Variant::fallen, features.fallenWater);
+  const bool hasSun = clouds && clouds->hasSun();
+  if (context.frame.looksAhead()) {  // the sun and the land's shade may come and go
+    if (clouds) variant(!hasSun, shade != nullptr);
+    if (features.landShadows) variant(hasSun, shade == nullptr);
   }
-  gl::ComputeShader& shader = variant(now);
+  gl::ComputeShader& shader = variant(hasSun, shade != nullptr);
   shader.use();
   const View& view = context.frame.view;
   if (clouds) clouds->bind(shader, context.frame.eyeRiseM());
   if (shade) shade->bind(shader, {view.position.x, view.position.z});
   if (ice) ice->bind(shader, view);
   if (places) places->set(shader, land.base());
-  if (spot) spot->set(shader, view);
-  if (flash) flash->set(shader);
-  if (fallen) fallen->set(shader);
+  if (features.spotLight) (spot ? *spot : kNoSpot).set(shader, view);
+  if (features.flashLight) (flash ? *flash : kNoFlash).set(shader);
+  if (features.fallenWater) (fallen ? *fallen : kNothingFallen).set(shader);
   land.setGround(shader, view);
   return shader;
 }
