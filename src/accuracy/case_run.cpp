@@ -155,7 +155,11 @@ void CaseRun::measureTimes() {
   const auto repeats = static_cast<std::size_t>(options_.repeats());
   const auto isMissing = [&](const PointResult& point) { return point.ms.size() < repeats; };
   if (std::ranges::none_of(result_.points, isMissing)) return;
-  for (const Experiment& point : plan_.points) subject_.timeOnce(point);
+  double longest = 0;
+  for (const Experiment& point : plan_.points) longest = std::max(longest, subject_.timeOnce(point));
+  if (longest == 0)
+    throw core::DataError(study_.name, result_.name + ", timed",
+                          "'" + study_.timed + "' takes no time at any point: no frame has such a pass");
   writer_.clock(result_, subject_.clock(plan_.points.front()), subject_.machine());
   for (std::size_t round = 0; round < repeats; ++round) {
     for (std::size_t i = 0; i < plan_.points.size(); ++i) {

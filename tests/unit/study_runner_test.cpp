@@ -51,6 +51,7 @@ class Quadrature final : public Subject {
   }
   double timeOnce(const Experiment& experiment) override {
     const auto n = static_cast<int>(valuesOf(experiment)["n"]);
+    if (experiment.timed == "pass nothing") return 0;
     timed.push_back(n);
     if (failAfter > 0 && static_cast<int>(timed.size()) > failAfter) throw std::runtime_error("cut off");
     return n;
@@ -174,6 +175,15 @@ TEST(StudyRunner, aValueThatIsNotFiniteFailsItsCaseByName) {
   EXPECT_EQ(results.cases[0].failure, "midpoints: first, 2: the value of pixel (0, 0) is not finite");
   EXPECT_EQ(results.cases[1].failure, "");
   EXPECT_TRUE(results.cases[1].points[3].isMeasured());
+}
+
+TEST(StudyRunner, aPassThatNoFrameHasFailsItsCaseByName) {
+  const TemporaryFolder folder;
+  Trial run;
+  const Results results = run.results(studyOf("\"timed\": \"cpu\"", "\"timed\": \"pass nothing\""), folder);
+  EXPECT_NE(results.cases[0].failure.find("'pass nothing' takes no time"), std::string::npos)
+      << results.cases[0].failure;
+  EXPECT_TRUE(run.subject.timed.empty());
 }
 
 TEST(StudyRunner, goesOnWhereItWasCutOff) {
