@@ -13,5 +13,5 @@ void main() {
   Leaves leaves = leavesAt(crownPlace, fade.z, bark, rimOf(surfaceNormal, toTree));
   if (leaves.opaque < 0.0 || ditherOf(gl_FragCoord.xy, fade.y) >= fade.x) discard;
   color = vec4(treeColor(TreeLight(lightSun, lightAbove, lightBelow, lightAir), normalize(surfaceNormal), surfaceLight,
-                         vec2(bark, fade.w), leaves), 1.0);
+                         bark, fade.w, leaves), 1.0);
 }

@@ -5,11 +5,12 @@
 // Of bark, where the light of the instance is that of foliage with snow on it.
 const vec3 kSnowedBarkHue = vec3(0.25);
 
-// bark: its share, and how much snow lies on the tree. rim: from the shape's normal, before leaves roughen it; toEye: unit.
-vec3 treeColor(TreeLight light, vec3 normal, vec2 open, vec2 bark, Leaves leaves) {
+// bark: its share; snow: how much lies on the tree, [0, 1].
+vec3 treeColor(TreeLight light, vec3 normal, vec2 open, float bark, float snow, Leaves leaves) {
   vec3 rough = normalize(normal - leaves.slope);
   return treeRadiance(TreeLight(light.sun, light.above, light.below, vec3(0.0)), rough, open.x, open.y,
-                      mix(vec3(1.0), mix(kBarkHue, kSnowedBarkHue, bark.y), bark.x)) * max(leaves.shade, 0.15) + light.air;
+                      mix(vec3(1.0), mix(kBarkHue, kSnowedBarkHue, snow), bark)) * max(leaves.shade, 0.15) + light.air;
 }
 
+// From the shape's normal, before leaves roughen it.
 float rimOf(vec3 normal, vec3 relative) { return 1.0 - abs(dot(normalize(normal), normalize(relative))); }

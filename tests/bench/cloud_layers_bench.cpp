@@ -12,6 +12,7 @@
 #include "bench/cloud_study.h"
 #include "bench/expectation.h"
 #include "bench/repeated_flight.h"
+#include "skydrop/core/quantile.h"
 
 namespace skydrop::bench {
 namespace {
@@ -93,9 +94,9 @@ void flightThroughChangingWeather(benchmark::State& state) {
     }
   };
   const auto ratioOf = [](const char* name, const std::vector<double>& ms) {
-    const double median = quantileOf(ms, 0.5), p99 = quantileOf(ms, 0.99);
+    const double median = core::quantileOf(ms, 0.5), p99 = core::quantileOf(ms, 0.99);
     std::printf("%s: median %.1f ms, p99 %.1f ms: %.2f; largest %.1f ms\n", name, median, p99, p99 / median,
-                quantileOf(ms, 1));
+                core::quantileOf(ms, 1));
     std::fflush(stdout);
     return p99 / median;
   };

@@ -7,13 +7,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace skydrop::bench {
+#include "skydrop/core/quantile.h"
 
-// of: not empty; taken by value. share in [0, 1].
-inline double quantileOf(std::vector<double> of, double share) {
-  std::ranges::sort(of);
-  return of[static_cast<std::size_t>(share * static_cast<double>(of.size() - 1))];
-}
+namespace skydrop::bench {
 
 class RepeatedFlight {
  public:
@@ -22,7 +18,7 @@ class RepeatedFlight {
   void add(std::size_t frame, double ms) { ms_.at(frame).push_back(ms); }
 
   std::size_t frames() const { return ms_.size(); }
-  double medianOf(std::size_t frame) const { return quantileOf(ms_.at(frame), 0.5); }
+  double medianOf(std::size_t frame) const { return core::quantileOf(ms_.at(frame), 0.5); }
 
   // Of all frames the median over the flights, in their order.
   std::vector<double> medians() const {
@@ -42,7 +38,7 @@ class RepeatedFlight {
   double shareOfLong(double moreMs) const {
     std::size_t count = 0;
     for (const std::vector<double>& ms : ms_) {
-      const double median = quantileOf(ms, 0.5);
+      const double median = core::quantileOf(ms, 0.5);
       count += static_cast<std::size_t>(
           std::ranges::count_if(ms, [&](double one) { return one >= median + moreMs; }));
     }

@@ -18,6 +18,7 @@
 #include "bench/expectation.h"
 #include "bench/repeated_flight.h"
 #include "skydrop/core/cpu_clock.h"
+#include "skydrop/core/quantile.h"
 
 namespace skydrop::bench {
 namespace {
@@ -137,16 +138,16 @@ class AddedTimes {
     for (std::size_t frame = 0; frame < kPeriod; ++frame) {
       const std::vector<double>& ms = ofFrames[frame];
       std::printf("  frame %2zu: %5.1f ms more in the middle of %d periods, %5.1f at worst\n", frame,
-                  quantileOf(ms, 0.5), kPeriods, quantileOf(ms, 1));
+                  core::quantileOf(ms, 0.5), kPeriods, core::quantileOf(ms, 1));
     }
-    state.counters["addedMs"] = quantileOf(added, 0.5);
-    state.counters["addedMsOfNineInTen"] = quantileOf(added, 0.9);
-    state.counters["addedMsWorst"] = quantileOf(added, 1);
+    state.counters["addedMs"] = core::quantileOf(added, 0.5);
+    state.counters["addedMsOfNineInTen"] = core::quantileOf(added, 0.9);
+    state.counters["addedMsWorst"] = core::quantileOf(added, 1);
     state.counters["longFrames"] = moving_.shareOfLong(kMostMs);
     state.counters["longFramesAtRest"] = still_.shareOfLong(kMostMs);
     state.counters["longLoops"] = control_.shareOfLong(kMostMs);
-    state.counters["loopMs"] = quantileOf(control_.medians(), 0.5);
-    expect(quantileOf(added, 1) < kMostMs, promise);
+    state.counters["loopMs"] = core::quantileOf(control_.medians(), 0.5);
+    expect(core::quantileOf(added, 1) < kMostMs, promise);
   }
 
  private:

@@ -11,45 +11,22 @@
 
 #include "skydrop/core/hash.h"
 #include "skydrop/render/terrain/terrain_pass.h"
+#include "support/lagoon_gl_test.h"
 #include "support/margin.h"
 #include "support/mirrored_rays.h"
 #include "support/row_steps.h"
-#include "support/scene_gl_test.h"
 
 namespace skydrop::app {
 namespace {
 
-constexpr Size kSize{192, 108};
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr glm::dvec2 kOpenSea(4400, 4300), kShore(3930, 6620);
-
-class WaterDetailGLTest : public test::SceneGLTest {
+class WaterDetailGLTest : public test::LagoonGLTest {
  protected:
-  void begin(std::vector<std::string> set = {}) {
-    beginScene(lineOf("lagoon",
-                      {"effects.clouds=false", "effects.targets=false", "effects.hud=false",
-                       "effects.landShadows=false"},
-                      set),
-               1);
-    snapshot_ = simulation_->world().now();
-    snapshot_.aircraft.present = false;
-    snapshot_.simulatedSeconds = 40;
-    sceneRenderer_->camera().setMode(render::CameraMode::free);
-  }
-  void look(const glm::dvec2& at, double above, double yawDeg, double pitchDeg) {
-    sceneRenderer_->camera().setPose({at.x, above, at.y}, yawDeg * kDegree, pitchDeg * kDegree, 0);
-  }
-  core::Image frame() {
-    sceneRenderer_->draw(snapshot_, kSize, Streaming::settled);
-    return sceneRenderer_->renderer().readBack();
-  }
   // Mean light of the picture's lower half.
   double seaLight() {
-    frame();
-    const std::vector<float> light = sceneRenderer_->renderer().readRadiance();
+    const std::vector<float> of = light();
     double sum = 0;
-    for (std::size_t i = light.size() / 2; i < light.size(); ++i) sum += static_cast<double>(light[i]);
-    return sum / static_cast<double>(light.size() / 2);
+    for (std::size_t i = of.size() / 2; i < of.size(); ++i) sum += static_cast<double>(of[i]);
+    return sum / static_cast<double>(of.size() / 2);
   }
   std::string reasonOf(std::string_view pass) {
     frame();
@@ -65,8 +42,6 @@ class WaterDetailGLTest : public test::SceneGLTest {
       sum += std::abs(static_cast<int>(a.rgba[i]) - static_cast<int>(b.rgba[i]));
     return sum / static_cast<double>(a.rgba.size());
   }
-
-  game::Snapshot snapshot_;
 };
 
 TEST_F(WaterDetailGLTest, O05_meanLightIsThatOfTheSeaAsStatistics) {

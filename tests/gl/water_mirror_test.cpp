@@ -11,18 +11,16 @@
 #include <vector>
 
 #include "skydrop/render/terrain/terrain_pass.h"
+#include "support/lagoon_gl_test.h"
 #include "support/margin.h"
 #include "support/mirrored_rays.h"
-#include "support/scene_gl_test.h"
 
 namespace skydrop::app {
 namespace {
 
 using render::gl::ObjectKind;
 
-constexpr Size kSize{192, 108};
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr glm::dvec2 kOpenSea(4400, 4300), kShore(3930, 6620), kBeforeAMountain(171600, 4300);
+constexpr glm::dvec2 kBeforeAMountain(171600, 4300);
 constexpr const char* kPlane = "waterDetail.mirror=plane";
 
 // Of what is held on the graphics side; programs are kept by the renderer's cache.
@@ -32,40 +30,18 @@ struct Held {
   bool operator==(const Held&) const = default;
 };
 
-class WaterMirrorGLTest : public test::SceneGLTest {
+class WaterMirrorGLTest : public test::LagoonGLTest {
  protected:
-  void begin(const std::vector<std::string>& set = {}) {
-    beginScene(lineOf("lagoon",
-                      {"effects.clouds=false", "effects.targets=false", "effects.hud=false",
-                       "effects.landShadows=false"},
-                      set),
-               1);
-    snapshot_ = simulation_->world().now();
-    snapshot_.aircraft.present = false;
-    snapshot_.simulatedSeconds = 40;
-    sceneRenderer_->camera().setMode(render::CameraMode::free);
-  }
   // One ray of a calm sea for each pixel.
   void beginCalm() {
     begin({"wind.speed=0", "waterDetail.reflection=full", "waterDetail.reflectionSteps=256",
            "waterDetail.reflectionRays=1", "waterDetail.foam=0", "effects.haze=false",
            "render.sun.elevationDegrees=50", "render.sun.azimuthDegrees=290", kPlane});
   }
-  void look(const glm::dvec2& at, double above, double yawDeg, double pitchDeg) {
-    sceneRenderer_->camera().setPose({at.x, above, at.y}, yawDeg * kDegree, pitchDeg * kDegree, 0);
-  }
   // The settings have a camera of their own.
   void set(const std::string& assignment) {
     SceneGLTest::set(assignment);
     sceneRenderer_->camera().setMode(render::CameraMode::free);
-  }
-  core::Image frame() {
-    sceneRenderer_->draw(snapshot_, kSize, Streaming::settled);
-    return sceneRenderer_->renderer().readBack();
-  }
-  std::vector<float> light() {
-    frame();
-    return sceneRenderer_->renderer().readRadiance();
   }
   core::FrameStatistics statistics() {
     core::FrameStatistics statistics;
@@ -124,8 +100,6 @@ class WaterMirrorGLTest : public test::SceneGLTest {
     ADD_FAILURE() << "no sea before hills";
     return at;
   }
-
-  game::Snapshot snapshot_;
 };
 
 TEST_F(WaterMirrorGLTest, O09_aPlaneMirrorsWhatRaysMeetOutOfThePicture) {

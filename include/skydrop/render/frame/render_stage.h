@@ -3,9 +3,8 @@
 namespace skydrop::render {
 
 // The order of a frame. What is bound when Pass::draw() is called:
-//   shadows, mirrors         as the next: what is drawn goes to maps of the pass's own. mirrors: pictures of
-//   the
-//                            scene from other eyes (FrameContext::drawMirrored), lit by what shadows publish
+//   shadows, mirrors         as the next: what is drawn goes to maps of the pass's own. mirrors: pictures
+//                            from other eyes (FrameContext::drawMirrored), lit by what shadows publish
 //   terrain, sky, skySheets, the scene: linear light (RGBA16F) and reversed depth (D32F), both written;
 //   models                   the passes of one of these stages may be drawn into a layer (StageLayer).
 //                            skySheets: what lies before the sky at infinity
